@@ -1,0 +1,21 @@
+# Flags that every target gets, each with its reason.
+option(TUMBLE_WARNINGS_AS_ERRORS "stop at the first warning" OFF)
+set(TUMBLE_SANITIZE "" CACHE STRING "sanitizers, as -fsanitize takes them: address,undefined or thread")
+
+add_library(tumble_options INTERFACE)
+target_compile_options(tumble_options INTERFACE -Wall -Wextra -Wshadow -Wpedantic)
+if(TUMBLE_WARNINGS_AS_ERRORS)
+  target_compile_options(tumble_options INTERFACE -Werror)
+endif()
+
+# Fused multiply-add rounds once instead of twice: two instruction sets would drift apart and bits would differ.
+# errno is never read after sqrt, and asking for it keeps the compiler from using the vector instruction.
+target_compile_options(tumble_options INTERFACE -ffp-contract=off -fno-fast-math -fno-math-errno -fno-trapping-math)
+
+# Every file must agree on alignment although the hot ones are built for wider registers.
+target_compile_definitions(tumble_options INTERFACE EIGEN_MAX_ALIGN_BYTES=32)
+
+if(TUMBLE_SANITIZE)
+  target_compile_options(tumble_options INTERFACE -fsanitize=${TUMBLE_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(tumble_options INTERFACE -fsanitize=${TUMBLE_SANITIZE})
+endif()

@@ -1,0 +1,27 @@
+#include "contact/material.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace tumble::contact {
+
+PairConstants derive(const Material& a, const Material& b, const PairProperties& pair) {
+    const auto normal_compliance = [](const Material& m) {
+        return (1 - m.poisson_ratio * m.poisson_ratio) / m.youngs_modulus;
+    };
+    const auto shear_compliance = [](const Material& m) {
+        return 2 * (2 - m.poisson_ratio) * (1 + m.poisson_ratio) / m.youngs_modulus;
+    };
+    PairConstants constants;
+    constants.E_eff = 1 / (normal_compliance(a) + normal_compliance(b));
+    constants.G_eff = 1 / (shear_compliance(a) + shear_compliance(b));
+    const double ln_e = std::log(pair.restitution);
+    constants.damping =
+        pair.restitution > 0 ? -ln_e / std::sqrt(ln_e * ln_e + std::numbers::pi * std::numbers::pi) : 1.0;
+    constants.friction = pair.friction;
+    constants.normal_stiffness = pair.normal_stiffness;
+    constants.tangential_stiffness = pair.tangential_stiffness;
+    return constants;
+}
+
+} // namespace tumble::contact

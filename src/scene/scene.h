@@ -1,0 +1,172 @@
+#pragma once
+
+#include "contact/material.h"
+#include "scene/motion.h"
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// What is wanted, resolved: SI units, defaults filled, every reference an index, every file read. Only src/scene sees
+/// TOML; everything else works from these plain values.
+namespace tumble::scene {
+
+using Eigen::Vector3d;
+
+struct Box {
+    Vector3d lo = Vector3d::Zero(); // m
+    Vector3d hi = Vector3d::Zero(); // m
+};
+
+/// Bodies that leave the box through a side that is not periodic stop the run.
+struct Domain {
+    Box box;
+    std::array<bool, 3> periodic{false, false, false};
+};
+
+enum class NormalLaw { hertz, linear };
+enum class TangentialLaw { none, mindlin, linear };
+
+struct ContactLaws {
+    NormalLaw normal = NormalLaw::hertz;
+    TangentialLaw tangential = TangentialLaw::mindlin;
+    bool limit_force = false;              // true: the normal force never pulls at the end of a rebound
+    bool share_among_body_contacts = false; // true: n contacts of one body pair act together as one (docs/bodies.md)
+};
+
+struct Sphere {
+    Vector3d centre = Vector3d::Zero(); // m, template frame as written
+    double radius = 0;                  // m
+};
+
+/// A rigid set of spheres. Mass comes from density and the union's volume unless given.
+struct BodyTemplate {
+    std::string name;
+    std::vector<Sphere> spheres;
+    int material = 0;                         // index into Scene::materials
+    std::optional<double> mass;               // kg, given instead of density * volume
+    std::optional<Vector3d> principal_inertia; // kg m2, about the principal axes, given instead of the union's
+};
+
+enum class Orientation { random, as_written };
+
+struct Fill {
+    int body = 0;                             // index into Scene::bodies
+    std::optional<std::int64_t> count;        // exactly one of count and mass
+    std::optional<double> mass;               // kg
+    Box region;                               // bodies lie wholly inside
+    Orientation orientation = Orientation::random;
+    Vector3d velocity = Vector3d::Zero();         // m/s
+    Vector3d angular_velocity = Vector3d::Zero(); // rad/s
+    double start = 0;                         // s
+    double until = 0;                         // s; start == until: all at once; later: tries again every `every`
+    double every = 0.02;                      // s
+    std::optional<Vector3d> position;         // one body's centre placed exactly (count = 1, no search)
+};
+
+struct PlaneShape {
+    Vector3d point = Vector3d::Zero();
+    Vector3d normal = Vector3d::UnitY(); // unit, towards the bodies
+};
+/// The inside of a box; faces named in `open` ("-x", "+y", ...) are left out.
+struct BoxShape {
+    Box box;
+    std::array<bool, 6> open{}; // -x +x -y +y -z +z
+};
+/// Lateral surface of finite length, without lids; bodies may touch it from inside or outside.
+struct CylinderShape {
+    Vector3d base = Vector3d::Zero();
+    Vector3d axis = Vector3d::UnitY(); // unit
+    double length = 0;                 // m
+    double radius = 0;                 // m
+};
+/// A thin round plate, touched from both sides and on its rim.
+struct DiscShape {
+    Vector3d centre = Vector3d::Zero();
+    Vector3d normal = Vector3d::UnitY(); // unit
+    double radius = 0;                   // m
+    double hole_radius = 0;              // m
+};
+/// A U open at the top, along x: a half-cylinder bottom of `radius` about (y = floor + radius, z = 0) whose tangents go
+/// up as sides that lean outwards by `flare`, to height `rim`. Touched from inside.
+struct TroughShape {
+    double radius = 0; // m
+    double floor = 0;  // m, y of the lowest point
+    double rim = 0;    // m, y of the rim
+    double flare = 0;  // rad from the vertical, 0 for upright sides
+    double x_lo = 0;   // m, only for drawing and export
+    double x_hi = 0;   // m
+};
+/// Triangles of an STL file; touched from both sides.
+struct MeshShape {
+    std::filesystem::path file;
+    std::vector<std::array<Vector3d, 3>> triangles; // m
+};
+
+using WallShape = std::variant<PlaneShape, BoxShape, CylinderShape, DiscShape, TroughShape, MeshShape>;
+
+struct Wall {
+    std::string name;
+    WallShape shape;
+    int material = 0;
+    WallMotion motion;
+    double opacity = 0.25; // 0..1, for drawing
+};
+
+struct Observe {
+    double every = 0.01;               // s between rows of series.csv
+    std::vector<std::string> measures; // names listed by `tumble list measures`
+};
+
+struct Render {
+    std::string camera = "front"; // front, top, side, free
+    std::string projection = "orthographic";
+    Vector3d eye = Vector3d::Zero();    // m, free camera
+    Vector3d target = Vector3d::Zero(); // m, free camera
+    double field_of_view_deg = 35;
+    std::optional<Box> view;            // m, what must be in the picture; default: walls and bodies
+    std::string color = "speed";
+    std::optional<std::array<double, 2>> range; // in the quantity's SI unit
+    std::string colormap = "viridis";
+    std::string background = "dark";    // dark or white
+    int width = 1280;
+    int height = 720;
+    double every = 0.04;                // s between frames
+    double frames_per_second = 25;      // of the video
+    bool plot = true;                   // small live plot over the picture
+    std::string plot_measure = "kinetic_energy";
+};
+
+struct Scene {
+    std::filesystem::path file;
+    std::string title;
+    std::string claim;
+    int dimension = 3;
+    double duration = 0;  // s
+    double time_step = 0; // s
+    std::uint64_t seed = 1;
+    bool allow_large_step = false; // expert: run even above the stable limit
+    Vector3d gravity{0, -9.81, 0}; // m/s2
+    Domain domain;
+    double skin = 0; // m, of the body neighbour list; 0: chosen by the solver
+    ContactLaws contact;
+    std::vector<contact::Material> materials;
+    std::vector<contact::PairProperties> pairs; // materials.size() squared, symmetric, row-major
+    std::vector<BodyTemplate> bodies;
+    std::vector<Fill> fills;
+    std::vector<Wall> walls;
+    Observe observe;
+    Render render;
+
+    [[nodiscard]] const contact::PairProperties& pair(int a, int b) const {
+        return pairs[static_cast<std::size_t>(a) * materials.size() + static_cast<std::size_t>(b)];
+    }
+};
+
+} // namespace tumble::scene

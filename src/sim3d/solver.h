@@ -1,0 +1,72 @@
+#pragma once
+
+#include "base/books.h"
+#include "base/problem.h"
+#include "scene/motion.h"
+#include "scene/scene.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The 3D solver as the layers above see it; src/sim3d/step.cpp is what it does.
+namespace tumble::sim3d {
+
+struct World;
+
+struct WorldDeleter {
+    void operator()(World* world) const;
+};
+using WorldPtr = std::unique_ptr<World, WorldDeleter>;
+
+/// Ready to step at t = 0, fills that are due at 0 inserted. `threads` >= 1 changes the time taken, never a bit of the
+/// result. Problems: a fill that cannot fit at once, a time step above the stable limit, a wall outside the domain.
+Result<WorldPtr> build_world(const scene::Scene& scene, int threads);
+
+/// Takes `steps` steps, inserting fills when they are due. A state that stopped being sane ends it early with a problem
+/// naming body, time and reason; the world then stays at the last step taken.
+std::optional<Problem> advance(World& world, std::int64_t steps);
+
+double time_of(const World& world);          // s
+std::int64_t steps_of(const World& world);
+Books books_of(const World& world);
+
+/// A template as the solver uses it: centred on its centre of mass, turned into its principal frame.
+struct BodyShape {
+    std::string name;
+    double mass = 0;                                      // kg
+    double volume = 0;                                    // m3, of the union
+    Eigen::Vector3d inertia = Eigen::Vector3d::Zero();    // kg m2, principal
+    std::vector<scene::Sphere> spheres;                   // m, principal frame, all of them, also wholly covered ones
+    double bounding_radius = 0;                           // m, about the centre of mass
+};
+const std::vector<BodyShape>& shapes_of(const World& world);
+
+struct BodyState {
+    std::int64_t id = 0; // constant over the run, in order of insertion
+    int shape = 0;
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();         // m, centre of mass
+    Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity(); // principal frame to world
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();         // m/s, at the same instant as the position
+    Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero(); // rad/s, world frame
+};
+/// Ordered by id.
+std::vector<BodyState> bodies_of(const World& world);
+/// Poses of scene.walls at the world's time.
+std::vector<scene::WallPose> walls_of(const World& world);
+
+/// What a fill still owes after its last attempt: "asked for 300 cones, placed 212; ...". Empty when all is in.
+std::vector<std::string> unfilled(const World& world);
+
+/// Seconds of wall time spent per phase since the world was built, in the order of the step's verbs.
+struct PhaseTime {
+    std::string name;
+    double seconds = 0;
+};
+std::vector<PhaseTime> phase_times(const World& world);
+
+} // namespace tumble::sim3d

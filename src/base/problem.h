@@ -9,12 +9,12 @@ namespace tumble {
 
 /// One thing that is wrong, where it stands, and what to do about it. Line and column count from 1; 0 means unknown.
 struct Problem {
-    std::string file;
+    std::string file{};
     int line = 0;
     int column = 0;
-    std::string key;
-    std::string what;
-    std::string fix;
+    std::string key{};
+    std::string what{};
+    std::string fix{};
 };
 
 using Problems = std::vector<Problem>;

@@ -18,6 +18,8 @@ PairConstants derive(const Material& a, const Material& b, const PairProperties&
     const double ln_e = std::log(pair.restitution);
     constants.damping =
         pair.restitution > 0 ? -ln_e / std::sqrt(ln_e * ln_e + std::numbers::pi * std::numbers::pi) : 1.0;
+    constants.hertz_damping = 2 * std::sqrt(5.0 / 6.0) * constants.damping * std::sqrt(2 * constants.E_eff);
+    constants.mindlin_damping = 2 * std::sqrt(5.0 / 6.0) * constants.damping * std::sqrt(8 * constants.G_eff);
     constants.friction = pair.friction;
     constants.normal_stiffness = pair.normal_stiffness;
     constants.tangential_stiffness = pair.tangential_stiffness;

@@ -25,6 +25,8 @@ struct PairConstants {
     double E_eff = 0;                // Pa, 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2
     double G_eff = 0;                // Pa, 1/G* = 2(2-nu1)(1+nu1)/E1 + 2(2-nu2)(1+nu2)/E2
     double damping = 0;              // -, -beta = -ln e / sqrt(ln^2 e + pi^2), 0 (elastic) to 1 (e = 0)
+    double hertz_damping = 0;        // 2 sqrt(5/6) |beta| sqrt(2 E*), Pa^0.5
+    double mindlin_damping = 0;      // 2 sqrt(5/6) |beta| sqrt(8 G*), Pa^0.5
     double friction = 0;             // -
     double normal_stiffness = 0;     // N/m
     double tangential_stiffness = 0; // N/m

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/material.h"
+#include "scene/laws.h"
 #include "scene/motion.h"
 
 #include <Eigen/Core>
@@ -29,9 +30,6 @@ struct Domain {
     Box box;
     std::array<bool, 3> periodic{false, false, false};
 };
-
-enum class NormalLaw { hertz, linear };
-enum class TangentialLaw { none, mindlin, linear };
 
 struct ContactLaws {
     NormalLaw normal = NormalLaw::hertz;

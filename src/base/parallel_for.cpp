@@ -1,0 +1,78 @@
+#include "base/parallel_for.h"
+
+namespace tumble {
+
+namespace {
+
+// A step shares work several times a millisecond; sleeping that often would cost more than the work. After about a
+// millisecond of idling the helper sleeps.
+constexpr int spins_before_sleep = 20000;
+
+void breathe() {
+#if defined(__x86_64__)
+    __builtin_ia32_pause();
+#endif
+}
+
+} // namespace
+
+Crew::Crew(int threads) {
+    for (int member = 1; member < threads; ++member)
+        helpers_.emplace_back([this, member] { help(member); });
+}
+
+Crew::~Crew() {
+    stop_.store(true, std::memory_order_relaxed);
+    round_.fetch_add(1, std::memory_order_release);
+    round_.notify_all();
+}
+
+void Crew::work(std::uint64_t round) {
+    const std::uint64_t tag = (round & 0xffffffffU) << 32;
+    for (;;) {
+        std::uint64_t ticket = next_.load(std::memory_order_acquire);
+        if ((ticket & ~0xffffffffULL) != tag || static_cast<int>(ticket & 0xffffffffU) >= count_.load(std::memory_order_relaxed))
+            return;
+        if (!next_.compare_exchange_weak(ticket, ticket + 1, std::memory_order_acq_rel))
+            continue;
+        (*task_.load(std::memory_order_relaxed))(static_cast<int>(ticket & 0xffffffffU));
+        done_.fetch_add(1, std::memory_order_release);
+    }
+}
+
+void Crew::help(int) {
+    std::uint64_t seen = 0;
+    for (;;) {
+        int spins = 0;
+        while (round_.load(std::memory_order_acquire) == seen) {
+            if (++spins < spins_before_sleep)
+                breathe();
+            else
+                round_.wait(seen, std::memory_order_acquire);
+        }
+        seen = round_.load(std::memory_order_acquire);
+        if (stop_.load(std::memory_order_relaxed))
+            return;
+        work(seen);
+    }
+}
+
+void Crew::share(int n, const std::function<void(int)>& task) {
+    if (helpers_.empty() || n <= 1) {
+        for (int k = 0; k < n; ++k)
+            task(k);
+        return;
+    }
+    task_.store(&task, std::memory_order_relaxed);
+    count_.store(n, std::memory_order_relaxed);
+    done_.store(0, std::memory_order_relaxed);
+    const std::uint64_t round = round_.load(std::memory_order_relaxed) + 1;
+    next_.store((round & 0xffffffffU) << 32, std::memory_order_release);
+    round_.store(round, std::memory_order_release);
+    round_.notify_all();
+    work(round);
+    while (done_.load(std::memory_order_acquire) < n)
+        breathe();
+}
+
+} // namespace tumble

@@ -1,0 +1,194 @@
+#pragma once
+
+#include "contact/material.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <new>
+#include <string_view>
+#include <vector>
+
+/// The loops that take the time. kernel_*.cpp are built once per instruction set; everything they see is a plain
+/// pointer or number, so that no template of the standard library is built for a set the machine may lack.
+namespace tumble::sim3d {
+
+/// What a contact reads of a body. Velocities are those of half a step ago.
+struct alignas(32) BodyMotion {
+    double position[3]; // m, centre of mass
+    double radius;      // m, of a single-sphere body; 0 for a clump
+    double velocity[3]; // m/s
+    double mass;        // kg
+    double spin[3];     // rad/s, world frame
+    double spare;
+};
+
+struct alignas(32) BodyLoad {
+    double force[4];  // N; the fourth is unused
+    double torque[4]; // N m about the centre of mass
+};
+
+struct alignas(32) BodyTurn {
+    double orientation[4]; // w x y z, principal frame to world
+    double momentum[4];    // kg m2/s, angular, world frame; only clumps
+    double rotation[9];    // row-major matrix of orientation; only clumps
+    double spare[3];
+};
+
+struct ShapeConstants {
+    double mass;
+    double inertia[3];
+    double reach; // m, farthest point from the centre of mass
+    bool single;
+    const double* exposed; // x y z r
+    int exposed_count;
+    double bounding_centre[3]; // m, principal frame
+    double bounding_radius;    // m
+};
+
+/// Tangential spring (m) and its stored energy (J).
+struct alignas(32) MemoryLanes {
+    double spring[3];
+    double energy;
+};
+
+struct SpherePair {
+    int a;
+    int b;
+    std::int16_t image;
+    std::int16_t kind; // material pair
+};
+
+/// A touching pair of clump spheres; d is from b's sphere centre to a's.
+struct BodyContact {
+    int a;
+    int b;
+    int memory;
+    float damping_share;
+    double d[3];     // m
+    double arm_a[3]; // m, centre of mass to sphere centre
+    double arm_b[3];
+    double radius_a;
+    double radius_b;
+};
+
+struct WallContact {
+    int body;
+    int candidate;
+    int touch;
+    float damping_share;
+    double normal[3]; // world, wall to body
+    double overlap;
+    double radius;
+    double arm[3];           // m, centre of mass to sphere centre
+    double wall_velocity[3]; // m/s at the contact, half a step ago
+    double wall_now[3];      // m/s at the contact, at the step
+    MemoryLanes memory;
+};
+
+struct ContactSums {
+    double stored_normal = 0;
+    double stored_tangential = 0;
+    double lost_normal_damping = 0;
+    double lost_tangential_damping = 0;
+    double lost_sliding = 0;
+    double lost_history = 0;
+    double wall_work = 0; // J in this step
+    double overlap_max = 0;
+    double overlap_ratio_max = 0;
+    std::int64_t contacts = 0;
+};
+
+struct IntegrateSums {
+    double kinetic_translation;
+    double kinetic_rotation;
+    double gravity;
+    double travel_max;
+    double speed_squared_max;
+    double spin_squared_max;
+    bool finite;
+};
+
+/// A force for a body that another chunk owns, as a kernel writes it.
+struct ForeignPush {
+    int body;
+    double force[3];
+    double torque[3];
+};
+
+/// What push kernels work on: the bodies, their loads, and where this chunk's bodies end.
+struct PushContext {
+    const BodyMotion* motion;
+    BodyLoad* load;
+    int begin;
+    int end;
+    const double (*images)[3];
+    double dt;
+    contact::PairConstants pair;
+    int normal_law;     // scene::NormalLaw
+    int tangential_law; // scene::TangentialLaw
+    bool limit_force;
+    ForeignPush* foreign; // room for one per contact
+    int foreign_count;
+    ContactSums* sums;
+};
+
+struct IntegrateContext {
+    BodyMotion* motion;
+    const BodyLoad* load;
+    BodyTurn* turn;
+    double* travel;
+    const int* shape;
+    const ShapeConstants* shapes;
+    int begin;
+    int end;
+    double dt;
+    double gravity[3];
+    double travel_at_rebuild;
+};
+
+struct SphereScan {
+    const double* exposed_a; // x y z r
+    int count_a;
+    const double* exposed_b;
+    int count_b;
+    double rotation[9];   // b's frame to a's frame, row-major
+    double offset[3];     // m, b's centre of mass in a's frame
+    double bounding_a[4]; // centre and radius, m, a's frame
+    double bounding_b[4]; // centre and radius, m, a's frame
+    double skin;        // m, pairs with a smaller gap are candidates
+    double far_skin;    // m, gaps up to here are measured
+    double* scratch;    // 4 * (count_a + 8) doubles, 64-byte aligned
+};
+
+struct Kernels {
+    /// Writes 2 * index + 1 for each pair that touches and 2 * index for each that only did a step ago (`was`) to
+    /// `found`, which has room for `count`; returns how many.
+    int (*touch_spheres)(const BodyMotion* motion, const SpherePair* pairs, int count, const double (*images)[3],
+                         const std::uint8_t* was, int* found);
+    void (*push_spheres)(PushContext&, const SpherePair* pairs, const int* which, int count, MemoryLanes* memory);
+    void (*push_bodies)(PushContext&, const BodyContact* contacts, int count, MemoryLanes* memory);
+    void (*push_walls)(PushContext&, WallContact* contacts, int count);
+    IntegrateSums (*integrate)(const IntegrateContext&);
+    /// Writes candidates as (a << 16 | b), at most `room`; returns how many there are. `smallest_gap` becomes the smallest
+    /// gap of all pairs, m, never above far_skin.
+    int (*scan_spheres)(const SphereScan&, std::uint32_t* found, int room, double* smallest_gap);
+};
+
+/// The best set this processor has.
+const Kernels& choose_kernels();
+/// By name ("baseline", "x86-64-v3", "x86-64-v4"), or null when this build or this processor lacks it.
+const Kernels* kernels_named(std::string_view name);
+
+/// Array of 64-byte aligned lines.
+template <class T> struct LineAllocator {
+    using value_type = T;
+    LineAllocator() = default;
+    template <class U> LineAllocator(const LineAllocator<U>&) {}
+    T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t{64})); }
+    void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t{64}); }
+    friend bool operator==(const LineAllocator&, const LineAllocator&) { return true; }
+};
+template <class T> using Lines = std::vector<T, LineAllocator<T>>;
+
+} // namespace tumble::sim3d

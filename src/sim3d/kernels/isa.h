@@ -1,0 +1,19 @@
+#pragma once
+
+#include "base/pack.h"
+#include "sim3d/kernels.h"
+
+/// One instruction set's kernels; what each does stands at sim3d/kernels.h.
+namespace tumble::sim3d::TUMBLE_ISA {
+
+int touch_spheres(const BodyMotion* motion, const SpherePair* pairs, int count, const double (*images)[3],
+                  const std::uint8_t* was, int* found);
+void push_spheres(PushContext& context, const SpherePair* pairs, const int* which, int count, MemoryLanes* memory);
+void push_bodies(PushContext& context, const BodyContact* contacts, int count, MemoryLanes* memory);
+void push_walls(PushContext& context, WallContact* contacts, int count);
+IntegrateSums integrate(const IntegrateContext& context);
+int scan_spheres(const SphereScan& scan, std::uint32_t* found, int room, double* smallest_gap);
+
+const Kernels& kernels();
+
+} // namespace tumble::sim3d::TUMBLE_ISA

@@ -1,0 +1,10 @@
+#include "sim3d/kernels/isa.h"
+
+namespace tumble::sim3d::TUMBLE_ISA {
+
+const Kernels& kernels() {
+    static constexpr Kernels all{touch_spheres, push_spheres, push_bodies, push_walls, integrate, scan_spheres};
+    return all;
+}
+
+} // namespace tumble::sim3d::TUMBLE_ISA

@@ -1,0 +1,198 @@
+#pragma once
+
+#include "base/books.h"
+#include "base/parallel_for.h"
+#include "base/rng.h"
+#include "contact/material.h"
+#include "scene/scene.h"
+#include "sim3d/kernels.h"
+#include "sim3d/solver.h"
+#include "sim3d/wall_surface.h"
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// The solver's state. Bodies stand in slots, sorted by cell so that neighbours in space are neighbours in memory; a
+/// body's id never changes, its slot may. Slots are cut into chunks of fixed ranges that do not depend on the number of
+/// threads; whatever a chunk does, it does in one fixed order, and chunks hand each other forces through outboxes that
+/// are emptied in a fixed order. That is why one thread and two give the same bits.
+namespace tumble::sim3d {
+
+/// Per template, what the solver needs beside BodyShape.
+struct ShapeData {
+    BodyShape shape;
+    int material = 0;
+    bool single = false;                // one sphere: candidates need no second level
+    std::vector<double> exposed;        // x y z r of the spheres that can touch anything, principal frame
+    std::vector<int> exposed_index;     // which of shape.spheres each is
+    Eigen::Vector3d bounding_centre = Eigen::Vector3d::Zero(); // m, principal frame; tighter than about the mass centre
+    double bounding_radius = 0;                                // m, about bounding_centre
+};
+
+/// Where the spheres of a body pair may soon touch: valid until the two have travelled `expires` together.
+struct BodyPair {
+    int a = 0;
+    int b = 0;
+    double expires = 0; // m, on the sum of the two odometers
+    int begin = 0;      // into Chunk::candidates
+    std::int16_t count = 0;
+    std::int16_t capacity = 0;
+    std::int16_t image = 0; // index into World::images: where b stands relative to its own place
+};
+
+/// A sphere of `a` and a sphere of `b` that may soon touch; indices into ShapeData::exposed.
+struct SphereCandidate {
+    std::int16_t a = 0;
+    std::int16_t b = 0;
+    bool touching = false;
+};
+
+/// A body near a wall, with the wall's primitives in reach.
+struct BodyWall {
+    int body = 0;
+    int wall = 0;
+    int image = 0;
+    double expires = 0;
+    int primitives_begin = 0; // into Chunk::wall_primitives
+    int primitives_count = 0;
+    int begin = 0; // into Chunk::wall_candidates
+    int count = 0;
+    int capacity = 0;
+};
+
+constexpr int max_wall_touches = 3;
+
+/// A sphere near a wall and what its touches remember, by feature of the wall.
+struct WallCandidate {
+    std::int16_t sphere = 0;
+    std::int16_t touches = 0;
+    int primitives_begin = 0; // into Chunk::sphere_primitives
+    int primitives_count = 0;
+    std::array<int, max_wall_touches> feature{};
+    std::array<MemoryLanes, max_wall_touches> memory{};
+};
+
+/// A force on a body of another chunk.
+struct Letter {
+    int body = 0;
+    std::array<double, 3> force{};
+    std::array<double, 3> torque{};
+};
+
+/// Sums of one chunk, J and extremes; added up in chunk order.
+struct Sums {
+    double kinetic_translation = 0;
+    double kinetic_rotation = 0;
+    double gravity = 0;
+    ContactSums contacts;
+    double travel_max = 0;        // m since the last rebuild
+    double speed_squared_max = 0; // m2/s2
+    double spin_squared_max = 0;  // rad2/s2
+    bool finite = true;
+};
+
+/// A contiguous range of slots and everything that its bodies own.
+struct Chunk {
+    int begin = 0;
+    int end = 0;
+
+    std::vector<SpherePair> sphere_pairs; // both bodies single spheres
+    std::vector<MemoryLanes> sphere_memory;
+    std::vector<std::uint8_t> sphere_touching;
+
+    std::vector<BodyPair> body_pairs;
+    std::vector<SphereCandidate> candidates;
+    std::vector<MemoryLanes> memory; // parallel to candidates
+
+    std::vector<BodyWall> body_walls;
+    std::vector<int> wall_primitives;
+    std::vector<WallCandidate> wall_candidates;
+    std::vector<int> sphere_primitives;
+
+    std::vector<std::vector<int>> sphere_contacts;    // per material pair: touching entries of sphere_pairs
+    std::vector<std::vector<BodyContact>> body_contacts; // per material pair
+    std::vector<std::vector<WallContact>> wall_contacts; // per material pair
+
+    std::vector<std::vector<Letter>> outbox; // per receiving chunk
+    double dropped_history = 0;              // J forgotten by contacts that ended in this step
+    Sums sums;
+};
+
+struct WallState {
+    scene::Wall wall;
+    WallSurface surface;
+    scene::WallPose pose;      // at the step's time
+    scene::WallPose half_pose; // half a step earlier, where leapfrog's velocities live
+    double speed_bound = 0;    // m/s
+};
+
+struct FillState {
+    scene::Fill fill;
+    Rng rng;
+    std::int64_t asked = 0;
+    std::int64_t placed = 0;
+    std::int64_t next_step = 0;
+    bool over = false;
+    std::string report;
+};
+
+/// Running sums, J. Losses are sums of force * velocity * dt at the steps; the books take the last one half.
+struct Ledger {
+    double lost_normal_damping = 0;
+    double lost_tangential_damping = 0;
+    double lost_sliding = 0;
+    double lost_history = 0;
+    double wall_work = 0;
+    double inserted = 0;
+};
+
+struct World {
+    scene::Scene scene;
+    double dt = 0;
+    std::int64_t step = 0;
+    std::vector<ShapeData> shapes;
+    std::vector<BodyShape> plain_shapes;
+    std::vector<contact::PairConstants> pairs; // materials squared
+    int materials = 0;
+    std::vector<WallState> walls;
+    std::vector<FillState> fills;
+    std::int64_t next_fill_step = 0;
+
+    // Per slot.
+    std::vector<std::int64_t> id;
+    std::vector<int> shape;
+    Lines<BodyMotion> motion;
+    Lines<BodyLoad> load;
+    Lines<BodyTurn> turn;
+    std::vector<double> travel; // m, upper bound on the way any point of the body has gone
+
+    // Per id.
+    std::vector<int> slot_of;
+
+    // Per shape, for the kernels.
+    std::vector<ShapeConstants> shape_constants;
+
+    std::vector<Chunk> chunks;
+    std::vector<int> chunk_of; // per slot
+    std::vector<std::array<double, 3>> images; // m, 27 shifts of the periodic box
+    double skin = 0;           // m, of the body list
+    double sphere_skin = 0;    // m, of the sphere candidates of a body pair
+    double travel_at_rebuild = 0;
+    double rebuild_time = 0;   // s
+    bool stale = true;         // the body list must be rebuilt
+    std::int64_t rebuilds = 0;
+
+    Ledger ledger;
+    Books books;
+    const Kernels* kernels = nullptr;
+    Crew crew;
+    std::vector<PhaseTime> phases;
+
+    explicit World(int threads) : crew(threads) {}
+    [[nodiscard]] int bodies() const { return static_cast<int>(id.size()); }
+};
+
+} // namespace tumble::sim3d

@@ -48,6 +48,8 @@ struct BodyShape {
     Eigen::Vector3d inertia = Eigen::Vector3d::Zero();    // kg m2, principal
     std::vector<scene::Sphere> spheres;                   // m, principal frame, all of them, also wholly covered ones
     double bounding_radius = 0;                           // m, about the centre of mass
+    Eigen::Vector3d written_centre = Eigen::Vector3d::Zero(); // m, centre of mass in the template's frame
+    Eigen::Quaterniond written_from_principal = Eigen::Quaterniond::Identity(); // orientation of a body "as written"
 };
 const std::vector<BodyShape>& shapes_of(const World& world);
 

@@ -18,8 +18,13 @@ struct Clock {
     bool running = false;
 };
 
+/// A part whose stop is not after its start never acts.
+bool acts(const Active& active) {
+    return active.stop > active.start;
+}
+
 Clock clock_at(const Active& active, double t) {
-    if (t < active.start || active.stop <= active.start)
+    if (t < active.start || !acts(active))
         return {};
     if (t >= active.stop)
         return {active.stop - active.start, false};
@@ -80,7 +85,7 @@ void shift_by(WallPose& pose, const Linear& part, double t) {
 
 /// Before its start a table gives nothing, also when its first row is not zero; after its last row it holds that row.
 void shift_by(WallPose& pose, const MotionTable& part, double t) {
-    if (t < part.active.start || part.time.empty())
+    if (t < part.active.start || !acts(part.active) || part.time.empty())
         return;
     const Clock clock = clock_at(part.active, t);
     const auto after = std::upper_bound(part.time.begin(), part.time.end(), clock.elapsed);
@@ -101,10 +106,6 @@ double top_speed(const MotionTable& table) {
         top = std::max(top, (table.displacement[i] - table.displacement[i - 1]).norm() /
                                 (table.time[i] - table.time[i - 1]));
     return top;
-}
-
-bool acts(const Active& active) {
-    return active.stop > active.start;
 }
 
 } // namespace

@@ -31,18 +31,20 @@ Result<Number> parse_whole(std::string_view text, std::string_view kind, std::st
     Number value{};
     const char* const end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data() + start, end, value);
-    const std::string fix = fmt::format("write {}", example);
-    if (error == std::errc::result_out_of_range)
-        return number_problem(0, fmt::format("'{}' is outside the range of {}", text, kind), fix);
+    const auto position = static_cast<std::size_t>(stop - text.data());
+    std::string fix = fmt::format("write {}", example);
     if (text.empty())
-        return number_problem(0, fmt::format("nothing where {} is expected", kind), fix);
+        return number_problem(0, fmt::format("nothing where {} is expected", kind), std::move(fix));
+    const std::string shown = excerpt(text);
+    if (error == std::errc::result_out_of_range)
+        return number_problem(0, fmt::format("'{}' is outside the range of {}", shown, kind), std::move(fix));
     if (error != std::errc{})
-        return number_problem(0, fmt::format("'{}' is not {}", text, kind), fix);
+        return number_problem(0, fmt::format("'{}' is not {}", shown, kind), std::move(fix));
     if (stop != end)
-        return number_problem(static_cast<std::size_t>(stop - text.data()),
-                              fmt::format("'{}' is not {}: it stops being one at '{}'", text, kind,
-                                          std::string_view(stop, static_cast<std::size_t>(end - stop))),
-                              fix);
+        return number_problem(
+            position,
+            fmt::format("'{}' is not {}: it stops being one at '{}'", shown, kind, excerpt(text.substr(position))),
+            std::move(fix));
     return value;
 }
 
@@ -58,6 +60,13 @@ std::string_view trimmed(std::string_view text) {
     if (first == std::string_view::npos)
         return {};
     return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::string excerpt(std::string_view text, std::size_t longest) {
+    std::string shown(text.substr(0, longest));
+    std::replace_if(
+        shown.begin(), shown.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }, '?');
+    return text.size() > longest ? shown + "..." : shown;
 }
 
 std::vector<std::string_view> split(std::string_view text, char separator) {

@@ -16,6 +16,9 @@ namespace tumble {
 /// Without the blanks (space, tab, CR, LF) at both ends.
 std::string_view trimmed(std::string_view text);
 
+/// For a message: at most `longest` bytes with "..." behind what is cut, control characters as '?'.
+std::string excerpt(std::string_view text, std::size_t longest = 60);
+
 /// The pieces between separators, empty ones included: n separators give n + 1 pieces.
 std::vector<std::string_view> split(std::string_view text, char separator);
 

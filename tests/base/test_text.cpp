@@ -110,3 +110,10 @@ TEST_CASE("masses are in kg or grams, compound units and angles take no prefix")
     CHECK(format_si(0.25, "") == "0.25");
     CHECK(format_si(std::nan(""), "N") == "nan N");
 }
+
+TEST_CASE("messages show the beginning of a text, without control characters") {
+    CHECK(excerpt("abc") == "abc");
+    CHECK(excerpt("abcdef", 3) == "abc...");
+    CHECK(excerpt(std::string_view("a\0\x1b", 3)) == "a??");
+    CHECK(parse_number(std::string(1'000'000, 'x')).problems().at(0).what.size() < 200);
+}

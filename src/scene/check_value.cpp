@@ -1,0 +1,150 @@
+#include "base/text.h"
+#include "scene/check_keys.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace tumble::scene {
+namespace {
+
+class ValueCheck {
+public:
+    ValueCheck(const Key& key, const std::string& path, Report& report) : key_(key), path_(path), report_(report) {}
+
+    bool run(const Node& node) {
+        switch (key_.type) {
+        case KeyType::text:
+            return is<std::string>(node);
+        case KeyType::file:
+            return is<std::string>(node) && has_text(node);
+        case KeyType::word:
+            return is<std::string>(node) && is_allowed(node);
+        case KeyType::words:
+            return list_of_words(node);
+        case KeyType::flag:
+            return is<bool>(node);
+        case KeyType::integer:
+            return is<std::int64_t>(node) && in_range(node, static_cast<double>(*node.as<std::int64_t>()));
+        case KeyType::number:
+            return number(node);
+        case KeyType::vector:
+            return numbers(node, 3);
+        case KeyType::span:
+            return span(node);
+        case KeyType::spheres:
+            return spheres(node);
+        }
+        return false;
+    }
+
+private:
+    bool refuse(const Node& at, std::string what) {
+        report_.add(at.place, path_, std::move(what), "write " + describe(key_));
+        return false;
+    }
+
+    bool wrong_type(const Node& at) { return refuse(at, fmt::format("'{}' is {}", key_.name, kind_of(at))); }
+
+    template <class T> bool is(const Node& node) { return node.as<T>() ? true : wrong_type(node); }
+
+    bool has_text(const Node& node) {
+        return !node.as<std::string>()->empty() || refuse(node, fmt::format("'{}' is empty", key_.name));
+    }
+
+    bool is_allowed(const Node& node) {
+        const std::string& word = *node.as<std::string>();
+        if (key_.words.empty() || std::find(key_.words.begin(), key_.words.end(), word) != key_.words.end())
+            return true;
+        std::string fix = did_you_mean(word, key_.words);
+        fix += fix.empty() ? "" : "  ";
+        report_.add(node.place, path_, fmt::format("'{}' cannot be \"{}\"", key_.name, word),
+                    fix + "write " + describe(key_));
+        return false;
+    }
+
+    bool list_of_words(const Node& node) {
+        const Array* array = node.as<Array>();
+        if (!array)
+            return wrong_type(node);
+        bool right = true;
+        for (const Node& item : array->items)
+            right = (item.as<std::string>() ? is_allowed(item) : wrong_type(item)) && right;
+        return right;
+    }
+
+    bool in_range(const Node& at, double value) {
+        if (!std::isfinite(value))
+            return refuse(at, fmt::format("'{}' is not a finite number", key_.name));
+        if (!key_.limits.hold(value))
+            return refuse(at, fmt::format("'{}' = {} is out of range", key_.name, shortest(value)));
+        return true;
+    }
+
+    bool number(const Node& node) {
+        if (const auto* whole = node.as<std::int64_t>())
+            return in_range(node, static_cast<double>(*whole));
+        if (const auto* real = node.as<double>())
+            return in_range(node, *real);
+        return wrong_type(node);
+    }
+
+    bool numbers(const Node& node, std::size_t wanted) {
+        const Array* array = node.as<Array>();
+        if (!array)
+            return wrong_type(node);
+        if (array->items.size() != wanted)
+            return refuse(node, fmt::format("'{}' has {} of {} numbers", key_.name, array->items.size(), wanted));
+        bool right = true;
+        for (const Node& item : array->items)
+            right = number(item) && right;
+        return right;
+    }
+
+    bool span(const Node& node) {
+        if (!numbers(node, 2))
+            return false;
+        const auto value = [](const Node& n) {
+            return n.as<double>() ? *n.as<double>() : static_cast<double>(*n.as<std::int64_t>());
+        };
+        const Array& array = *node.as<Array>();
+        return value(array.items[0]) < value(array.items[1]) ||
+               refuse(node, fmt::format("'{}' does not rise", key_.name));
+    }
+
+    bool spheres(const Node& node) {
+        const Array* array = node.as<Array>();
+        if (!array)
+            return wrong_type(node);
+        if (array->items.empty())
+            return refuse(node, fmt::format("'{}' is empty", key_.name));
+        bool right = true;
+        for (const Node& item : array->items) {
+            if (!numbers(item, 4)) {
+                right = false;
+                continue;
+            }
+            const Node& last = item.as<Array>()->items[3];
+            const double radius =
+                last.as<double>() ? *last.as<double>() : static_cast<double>(*last.as<std::int64_t>());
+            if (!(radius > 0))
+                right = refuse(last, fmt::format("the radius {} is not above 0", shortest(radius)));
+        }
+        return right;
+    }
+
+    const Key& key_;
+    const std::string& path_;
+    Report& report_;
+};
+
+} // namespace
+
+bool check_value(const Node& node, const Key& key, const std::string& path, Report& report) {
+    const bool right = ValueCheck(key, path, report).run(node);
+    if (!right)
+        report.distrust(node);
+    return right;
+}
+
+} // namespace tumble::scene

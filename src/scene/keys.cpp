@@ -1,0 +1,110 @@
+#include "scene/keys.h"
+
+#include "base/text.h"
+#include "scene/key_maker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace tumble::scene {
+namespace {
+
+std::string quoted(const std::vector<std::string>& words) {
+    std::string list;
+    for (const std::string& word : words)
+        list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", word);
+    return list;
+}
+
+std::string noun(const Key& key) {
+    switch (key.type) {
+    case KeyType::text:
+        return "text";
+    case KeyType::file:
+        return "a file name";
+    case KeyType::word:
+        return "one of " + quoted(key.words);
+    case KeyType::words:
+        return key.words.empty() ? "a list of words" : "a list of some of " + quoted(key.words);
+    case KeyType::flag:
+        return "true or false";
+    case KeyType::integer:
+        return "a whole number";
+    case KeyType::number:
+        return key.unit.empty() ? "a number without unit" : "a number";
+    case KeyType::vector:
+        return "a list of three numbers [x, y, z]";
+    case KeyType::span:
+        return "a list of two numbers [low, high]";
+    case KeyType::spheres:
+        return "a list of spheres [x, y, z, radius]";
+    }
+    return "";
+}
+
+} // namespace
+
+const std::vector<KeyTable>& scene_keys() {
+    static const std::vector<KeyTable> all = [] {
+        std::vector<KeyTable> tables;
+        for (const auto part : {world_tables, matter_tables, wall_tables, output_tables})
+            for (KeyTable& table : part())
+                tables.push_back(std::move(table));
+        return tables;
+    }();
+    return all;
+}
+
+const KeyTable* find_table(std::string_view path) {
+    const auto& all = scene_keys();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const KeyTable& t) { return t.path == path; });
+    return found == all.end() ? nullptr : &*found;
+}
+
+const Key* find_key(const KeyTable& table, std::string_view name) {
+    const auto found = std::find_if(table.keys.begin(), table.keys.end(), [&](const Key& k) { return k.name == name; });
+    return found == table.keys.end() ? nullptr : &*found;
+}
+
+std::string describe(const Limits& limits) {
+    std::string text;
+    const bool low = std::isfinite(limits.lo);
+    const bool high = std::isfinite(limits.hi);
+    if (low && high && !limits.above && !limits.below)
+        return fmt::format("{} to {}", shortest(limits.lo), shortest(limits.hi));
+    if (low)
+        text = (limits.above ? "above " : "at least ") + shortest(limits.lo);
+    if (high)
+        text += (low ? ", " : "") + std::string(limits.below ? "below " : "at most ") + shortest(limits.hi);
+    return text;
+}
+
+std::string describe(const Key& key) {
+    std::string text = noun(key);
+    if (!key.unit.empty())
+        text += " in " + key.unit;
+    const std::string range = describe(key.limits);
+    return range.empty() ? text : text + ", " + range;
+}
+
+std::string describe(const KeyDefault& standard) {
+    struct Toml {
+        std::string operator()(std::monostate) const { return ""; }
+        std::string operator()(bool flag) const { return flag ? "true" : "false"; }
+        std::string operator()(std::int64_t whole) const { return fmt::format("{}", whole); }
+        std::string operator()(double number) const { return shortest(number); }
+        std::string operator()(const std::string& text) const { return '"' + text + '"'; }
+        std::string operator()(const std::vector<double>& numbers) const {
+            std::vector<std::string> parts;
+            for (const double number : numbers)
+                parts.push_back(shortest(number));
+            return fmt::format("[{}]", fmt::join(parts, ", "));
+        }
+        std::string operator()(const std::vector<std::string>& words) const { return '[' + quoted(words) + ']'; }
+    };
+    return std::visit(Toml{}, standard);
+}
+
+} // namespace tumble::scene

@@ -1,0 +1,58 @@
+#include "scene/key_maker.h"
+
+namespace tumble::scene {
+namespace {
+
+KeyTable observe() {
+    KeyTable table{.path = "observe", .head = "[observe]"};
+    table.sentence = "What is written to `series.csv`.";
+    table.keys = {
+        number("every_s", "s", above(0, 1e6), "Time between rows.").otherwise(0.01),
+        words("measures", {}, "Which measures; `tumble list measures` names them. Without it all that apply.")
+            .otherwise(std::vector<std::string>{}),
+    };
+    return table;
+}
+
+KeyTable render() {
+    KeyTable table{.path = "render", .head = "[render]"};
+    table.sentence = "How pictures and the video are drawn; changes nothing in the run.";
+    table.keys = {
+        word("camera", {"front", "top", "side", "free"},
+             "front looks along x at the trough's cross-section, top down on it, side across it; free is placed by "
+             "`eye_m` and `target_m`.")
+            .otherwise(std::string("front")),
+        word("projection", {"orthographic", "perspective"}, "Parallel or with vanishing points.")
+            .otherwise(std::string("orthographic")),
+        vector("eye_m", "m", from(-1e4, 1e4), "Where a free camera stands.").otherwise(std::vector<double>{0, 0, 0}),
+        vector("target_m", "m", from(-1e4, 1e4), "What a free camera looks at.")
+            .otherwise(std::vector<double>{0, 0, 0}),
+        number("field_of_view_deg", "deg", from(1, 170), "Opening of a perspective camera, vertical.").otherwise(35.0),
+        vector("view_lo_m", "m", from(-1e4, 1e4),
+               "Lowest corner of what must be in the picture; without it all walls "
+               "and bodies."),
+        vector("view_hi_m", "m", from(-1e4, 1e4), "Highest corner of it."),
+        text("color", "Quantity that colours the bodies: `speed`, `vx`, `vy`, `vz`, ...")
+            .otherwise(std::string("speed")),
+        KeyMaker("range", KeyType::span, "", {},
+                 "Values at the two ends of the colour scale, in the quantity's SI unit; without it what occurs."),
+        text("colormap", "Name of the colour scale.").otherwise(std::string("viridis")),
+        word("background", {"dark", "white"}, "Behind the picture.").otherwise(std::string("dark")),
+        integer("width_px", from(64, 8192), "Width of the picture.").otherwise(std::int64_t{1280}),
+        integer("height_px", from(64, 8192), "Height of the picture.").otherwise(std::int64_t{720}),
+        number("every_s", "s", above(0, 1e6), "Simulated time between frames.").otherwise(0.04),
+        number("frames_per_second", "1/s", above(0, 240), "Frames of the video per second of watching.")
+            .otherwise(25.0),
+        flag("plot", "Draw a small live plot over the picture.").otherwise(true),
+        text("plot_measure", "The measure it shows.").otherwise(std::string("kinetic_energy")),
+    };
+    return table;
+}
+
+} // namespace
+
+std::vector<KeyTable> output_tables() {
+    return {observe(), render()};
+}
+
+} // namespace tumble::scene

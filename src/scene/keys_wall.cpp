@@ -1,0 +1,119 @@
+#include "scene/key_maker.h"
+
+#include <numbers>
+
+namespace tumble::scene {
+namespace {
+
+constexpr double radians_per_degree = std::numbers::pi / 180;
+constexpr double radians_per_second_per_rpm = 2 * std::numbers::pi / 60;
+
+KeyTable wall() {
+    KeyTable table{.path = "wall", .head = "[[wall]]", .repeat = Repeat::many, .kind_key = "shape"};
+    table.sentence = "A surface that bodies cannot pass.";
+    table.keys = {
+        text("name", "Its name, used by `--set wall.NAME.key=value`, series and pictures.").must(),
+        word("shape", {"plane", "box", "cylinder", "disc", "trough", "mesh"},
+             "plane: unbounded, one-sided. box: touched from inside. cylinder: lateral surface without lids. disc: a "
+             "thin round plate. trough: a U along x, half a cylinder below straight sides. mesh: triangles of an STL "
+             "file. May be left out when `stl` is given.")
+            .must(),
+        text("material", "Name of its material.").must(),
+        number("opacity", "", from(0, 1), "How solid it looks in pictures; 0 is invisible.").otherwise(0.25),
+
+        vector("point_m", "m", from(-1e4, 1e4), "Any point of the plane.").only_for({"plane"}).must(),
+        vector("normal", "", from(-1e6, 1e6), "Direction away from the surface, towards the bodies; any length.")
+            .only_for({"plane", "disc"})
+            .otherwise(std::vector<double>{0, 1, 0}),
+        vector("lo_m", "m", from(-1e4, 1e4), "Lowest corner.").only_for({"box"}).must(),
+        vector("hi_m", "m", from(-1e4, 1e4), "Highest corner.").only_for({"box"}).must(),
+        words("open", {"-x", "+x", "-y", "+y", "-z", "+z"}, "Faces that are left out.")
+            .only_for({"box"})
+            .otherwise(std::vector<std::string>{}),
+        vector("base_m", "m", from(-1e4, 1e4), "Centre of the end that `axis` starts at.")
+            .only_for({"cylinder"})
+            .must(),
+        vector("axis", "", from(-1e6, 1e6), "Direction of the axis; any length.")
+            .only_for({"cylinder"})
+            .otherwise(std::vector<double>{0, 1, 0}),
+        number("length_m", "m", above(0, 1e4), "Length along the axis.").only_for({"cylinder"}).must(),
+        vector("centre_m", "m", from(-1e4, 1e4), "Centre of the plate.").only_for({"disc"}).must(),
+        number("radius_m", "m", above(0, 1e4), "Radius; of the trough: of its bottom.")
+            .only_for({"cylinder", "disc", "trough"})
+            .must(),
+        number("hole_radius_m", "m", from(0, 1e4), "Radius of a round hole in the middle; 0: none.")
+            .only_for({"disc"})
+            .otherwise(0.0),
+        number("floor_m", "m", from(-1e4, 1e4), "Height (y) of its lowest line.").only_for({"trough"}).must(),
+        number("rim_m", "m", from(-1e4, 1e4), "Height (y) of its rim.").only_for({"trough"}).must(),
+        number("flare_deg", "deg", from(0, 80), "How far the sides lean outwards from the vertical.")
+            .si(radians_per_degree)
+            .only_for({"trough"})
+            .otherwise(0.0),
+        number("x_lo_m", "m", from(-1e4, 1e4),
+               "Where drawing and export begin it; contact has no end along x. "
+               "Without it the domain's end.")
+            .only_for({"trough"}),
+        number("x_hi_m", "m", from(-1e4, 1e4), "Where drawing and export end it.").only_for({"trough"}),
+        file("stl", "Triangles, ASCII or binary STL.").only_for({"mesh"}).must(),
+        number("scale", "", above(0, 1e6), "Metres per unit of the STL file: 0.001 for millimetres.")
+            .only_for({"mesh"})
+            .otherwise(1.0),
+    };
+    return table;
+}
+
+KeyTable motion() {
+    KeyTable table{.path = "wall.motion", .head = "[[wall.motion]]", .repeat = Repeat::many, .kind_key = "kind"};
+    table.sentence =
+        "How the wall above it moves. All motions of a wall superpose, each a pure function of time; after "
+        "`stop_s` a motion holds what it had reached.";
+    table.keys = {
+        word("kind", {"harmonic", "harmonics", "rotation", "rocking", "linear", "table"},
+             "harmonic: a (sin(2 pi f (t - start) + phase) - sin(phase)) along an axis. harmonics: many of them, one a "
+             "line of a file. rotation: constant speed about an axis. rocking: a harmonic angle about an axis. linear: "
+             "constant velocity. table: a measured displacement.")
+            .must(),
+        number("start_s", "s", from(0, 1e6), "When it begins; time inside the motion counts from here.").otherwise(0.0),
+        number("stop_s", "s", above(0, 1e6), "When it ends; without it never."),
+        word("axis", {"x", "y", "z"}, "Direction of the displacement.").only_for({"harmonic"}).must(),
+        number("amplitude_m", "m", from(0, 100), "Largest displacement.").only_for({"harmonic"}).must(),
+        number("amplitude_deg", "deg", from(0, 360), "Largest angle.")
+            .si(radians_per_degree)
+            .only_for({"rocking"})
+            .must(),
+        number("frequency_Hz", "Hz", above(0, 1e6), "Cycles per second.").only_for({"harmonic", "rocking"}).must(),
+        number("phase_deg", "deg", from(-360, 360), "Phase at the start; 90 is a quarter period ahead.")
+            .si(radians_per_degree)
+            .only_for({"harmonic", "rocking"})
+            .otherwise(0.0),
+        vector("centre_m", "m", from(-1e4, 1e4), "A point of the axis, where the wall stands at rest.")
+            .only_for({"rotation", "rocking"})
+            .must(),
+        vector("about", "", from(-1e6, 1e6), "Direction of the axis, right-handed; any length.")
+            .only_for({"rotation", "rocking"})
+            .must(),
+        number("speed_rpm", "rpm", from(-1e5, 1e5), "Turns per minute.")
+            .si(radians_per_second_per_rpm)
+            .only_for({"rotation"})
+            .one_of("speed"),
+        number("speed_rad_s", "rad/s", from(-1e4, 1e4), "The same in radians per second.")
+            .only_for({"rotation"})
+            .one_of("speed"),
+        vector("velocity_m_s", "m/s", from(-1e3, 1e3), "Velocity.").only_for({"linear"}).must(),
+        file("file",
+             "harmonics: CSV with the head `axis,amplitude,period` and, if phases are known, `phase_deg`; metres "
+             "and seconds. table: CSV with the head `t_s,x_m,y_m,z_m`.")
+            .only_for({"harmonics", "table"})
+            .must(),
+    };
+    return table;
+}
+
+} // namespace
+
+std::vector<KeyTable> wall_tables() {
+    return {wall(), motion()};
+}
+
+} // namespace tumble::scene

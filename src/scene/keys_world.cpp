@@ -1,0 +1,63 @@
+#include "scene/key_maker.h"
+
+namespace tumble::scene {
+namespace {
+
+KeyTable top_level() {
+    KeyTable table{.path = "", .head = "", .required = true};
+    table.sentence = "Keys at the top of the file, before the first table.";
+    table.keys = {
+        text("title", "What the run is called in pictures and reports.").otherwise(std::string()),
+        text("claim", "What this scene shows, and where the number comes from.").otherwise(std::string()),
+        integer("dimension", from(2, 3), "How many directions bodies move in.").otherwise(std::int64_t{3}),
+        number("duration_s", "s", above(0, 1e6), "Simulated time from start to end.").must(),
+        number("time_step_s", "s", above(0, 1), "Length of one step; `tumble check` says what is stable.").must(),
+        flag("allow_large_step", "Run even when the step is above the stable limit."),
+        integer("seed", from(0, 9007199254740992), "Starts the random numbers; the same seed gives the same run.")
+            .otherwise(std::int64_t{1}),
+        vector("gravity_m_s2", "m/s2", from(-1e4, 1e4), "Gravity; y is up.")
+            .otherwise(std::vector<double>{0, -9.81, 0}),
+        number("skin_m", "m", from(0, 1),
+               "Extra reach of the body neighbour list; 0: the solver chooses. "
+               "Changes the time a run takes, never its contacts.")
+            .otherwise(0.0),
+    };
+    return table;
+}
+
+KeyTable domain() {
+    KeyTable table{.path = "domain", .head = "[domain]", .required = true};
+    table.sentence = "The box that bodies live in. A body that leaves it through a side that is not periodic stops the "
+                     "run.";
+    table.keys = {
+        vector("lo_m", "m", from(-1e4, 1e4), "Lowest corner.").must(),
+        vector("hi_m", "m", from(-1e4, 1e4), "Highest corner.").must(),
+        words("periodic", {"x", "y", "z"}, "Directions in which what leaves at one end enters at the other.")
+            .otherwise(std::vector<std::string>{}),
+    };
+    return table;
+}
+
+KeyTable contact() {
+    KeyTable table{.path = "contact", .head = "[contact]"};
+    table.sentence = "The laws that push touching spheres apart.";
+    table.keys = {
+        word("normal", {"hertz", "linear"},
+             "Normal force: \"hertz\" from Young's modulus, or \"linear\" spring-dashpot from a stiffness.")
+            .otherwise(std::string("hertz")),
+        word("tangential", {"mindlin", "linear", "none"},
+             "Tangential force with history; \"mindlin\" goes with \"hertz\", \"linear\" takes its own stiffness.")
+            .otherwise(std::string("mindlin")),
+        flag("limit_force", "True: the normal force never pulls at the end of a rebound."),
+        flag("share_among_body_contacts", "True: the contacts of one body pair act together as one spring."),
+    };
+    return table;
+}
+
+} // namespace
+
+std::vector<KeyTable> world_tables() {
+    return {top_level(), domain(), contact()};
+}
+
+} // namespace tumble::scene

@@ -1,0 +1,132 @@
+#include "scene/override.h"
+
+#include "base/text.h"
+#include "scene/keys.h"
+#include "scene/nesting.h"
+#include "scene/read_toml.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace tumble::scene {
+namespace {
+
+constexpr const char* form = "write --set KEY=VALUE, for example --set material.media.density_kg_m3=1500";
+
+/// Every place inside the value becomes the flag itself: line 1 of a value typed on a command line says nothing.
+void relocate(Node& node, const Place& place) {
+    node.place = place;
+    if (Array* array = node.as<Array>())
+        for (Node& item : array->items)
+            relocate(item, place);
+    if (Table* table = node.as<Table>())
+        for (Entry& entry : table->entries) {
+            entry.place = place;
+            relocate(entry.node, place);
+        }
+}
+
+Result<Node> parse_value(const std::string& value, const Place& place) {
+    auto parsed = parse_toml("value = " + value, *place.source);
+    const Table* root = parsed ? parsed->as<Table>() : nullptr;
+    const bool single = root && root->entries.size() == 1 && root->entries[0].name == "value";
+    const auto first = value.find_first_not_of(" \t");
+    const bool looks_like_toml =
+        first != std::string::npos && std::string_view("[{\"'").find(value[first]) != std::string::npos;
+    if (!single && looks_like_toml)
+        return problem_at(place, "", fmt::format("'{}' is not a TOML value", value), "check its brackets and quotes");
+    Node node = single ? root->entries[0].node : Node{place, value};
+    relocate(node, place);
+    return node;
+}
+
+class Walk {
+public:
+    Walk(const std::string& key, const Place& place) : key_(key), place_(place) {}
+
+    /// The node at the path, made on the way; nullptr with a problem otherwise.
+    Node* find(Node& root) {
+        Node* node = &root;
+        for (const std::string_view part : split(key_, '.')) {
+            node = step(*node, std::string(part));
+            if (!node)
+                return nullptr;
+            path_ += (path_.empty() ? "" : ".") + std::string(part);
+        }
+        return node;
+    }
+
+    [[nodiscard]] const Problems& problems() const { return problems_; }
+
+private:
+    Node* refuse(std::string what, std::string fix) {
+        problems_.push_back(problem_at(place_, key_, std::move(what), std::move(fix)));
+        return nullptr;
+    }
+
+    Node* step(Node& node, const std::string& part) {
+        if (part.empty())
+            return refuse("a part of the key is empty", form);
+        if (Table* table = node.as<Table>()) {
+            if (Entry* entry = table->find(part))
+                return &entry->node;
+            table->entries.push_back({part, place_, Node{place_, Table{}}});
+            return &table->entries.back().node;
+        }
+        if (Array* array = node.as<Array>())
+            return member(*array, part);
+        return refuse(fmt::format("'{}' is {}, there is no '{}' in it", path_, kind_of(node), part),
+                      "shorten the key; `tumble list keys` names all of them");
+    }
+
+    Node* member(Array& array, const std::string& part) {
+        std::vector<std::string> names;
+        for (Node& item : array.items)
+            if (const Table* table = item.as<Table>())
+                if (const Entry* name = table->find("name"); name && name->node.as<std::string>()) {
+                    names.push_back(*name->node.as<std::string>());
+                    if (names.back() == part)
+                        return &item;
+                }
+        const auto index = parse_integer(part);
+        if (index && *index >= 0 && static_cast<std::size_t>(*index) < array.items.size())
+            return &array.items[static_cast<std::size_t>(*index)];
+        std::string fix = did_you_mean(part, names);
+        if (fix.empty() && array.items.empty())
+            fix = "the list is empty";
+        else if (fix.empty())
+            fix = fmt::format("its members are numbered 0 to {}", array.items.size() - 1);
+        return refuse(fmt::format("'{}' has no member '{}'", path_, part), fix);
+    }
+
+    const std::string& key_;
+    const Place& place_;
+    std::string path_;
+    Problems problems_;
+};
+
+} // namespace
+
+Problems apply(const Override& set, Node& root) {
+    const auto equals = set.text.find('=');
+    const std::string key(trimmed(set.text.substr(0, equals)));
+    const Place place{std::make_shared<const std::string>("--set " + key), 0, 0};
+    if (equals == std::string::npos)
+        return {problem_at(place, key, "there is no '=' in it", form)};
+    if (key.empty())
+        return {
+            problem_at({std::make_shared<const std::string>("--set"), 0, 0}, "", "there is no key before '='", form)};
+    if (std::count(key.begin(), key.end(), '.') > deepest_nesting)
+        return {problem_at(place, key, "the key has too many parts", form)};
+    auto value = parse_value(set.text.substr(equals + 1), place);
+    if (!value)
+        return value.problems();
+    Walk walk(key, place);
+    Node* target = walk.find(root);
+    if (!target)
+        return walk.problems();
+    *target = std::move(*value);
+    return {};
+}
+
+} // namespace tumble::scene

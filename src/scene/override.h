@@ -1,0 +1,23 @@
+#pragma once
+
+#include "base/problem.h"
+#include "scene/text_tree.h"
+
+#include <string>
+#include <vector>
+
+namespace tumble::scene {
+
+/// One --set: "key=value". The key is a dotted path; members of [[wall]] go by name or number (from 0), members of
+/// other lists by number: "wall.trough.motion.0.amplitude_m=0.001", "fill.0.count=10", "gravity_m_s2.1=-1.62". The
+/// value is TOML; a word that is not TOML is taken as text.
+struct Override {
+    std::string text;
+};
+
+/// Puts the value at its place in the tree, making tables on the way where the scene has none. The new values carry
+/// "--set KEY" as their place. Problems: no '=', an empty key, a wrong value, a list that has no such member, a path
+/// through something that holds nothing.
+Problems apply(const Override& set, Node& root);
+
+} // namespace tumble::scene

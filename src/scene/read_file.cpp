@@ -1,0 +1,53 @@
+#include "scene/read_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fmt/format.h>
+#include <fstream>
+#include <system_error>
+
+namespace tumble::scene {
+
+std::string in_words(std::size_t bytes) {
+    constexpr std::size_t mebibyte = 1024 * 1024;
+    if (bytes >= mebibyte)
+        return fmt::format("{:.4g} MiB", static_cast<double>(bytes) / static_cast<double>(mebibyte));
+    return fmt::format("{} bytes", bytes);
+}
+
+Result<std::string> read_file(const std::filesystem::path& path, std::size_t cap) {
+    const auto refused = [&](std::string what, std::string fix) {
+        return Problem{path.string(), 0, 0, "", std::move(what), std::move(fix)};
+    };
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    if (!std::filesystem::exists(status))
+        return refused("there is no such file", "check the name; relative names start at the scene file's folder");
+    if (std::filesystem::is_directory(status))
+        return refused("this is a folder, not a file", "name a file inside it");
+    if (std::filesystem::is_regular_file(status)) {
+        const auto size = std::filesystem::file_size(path, error);
+        if (!error && size > cap)
+            return refused(
+                fmt::format("the file has {}, more than the {} that are read", in_words(size), in_words(cap)),
+                "split it or leave out what is not needed");
+    }
+    errno = 0;
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream)
+        return refused(fmt::format("the file cannot be opened: {}", std::strerror(errno)), "check its permissions");
+    std::string text;
+    char buffer[65536];
+    // Pipes and devices have no size to ask for: the cap must hold while reading, too.
+    while (stream.read(buffer, sizeof buffer) || stream.gcount() > 0) {
+        text.append(buffer, static_cast<std::size_t>(stream.gcount()));
+        if (text.size() > cap)
+            return refused(fmt::format("the file has more than the {} that are read", in_words(cap)),
+                           "split it or leave out what is not needed");
+    }
+    if (stream.bad())
+        return refused("the file cannot be read to its end", "check the disk it lies on");
+    return text;
+}
+
+} // namespace tumble::scene

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "scene/report.h"
+#include "scene/scene.h"
+#include "scene/view.h"
+
+#include <filesystem>
+#include <string>
+
+/// From checked tables to a Scene: units, defaults, references, files. Each function adds its part to the scene and
+/// what is wrong to the report; values that the key check refused are passed over in silence.
+namespace tumble::scene {
+
+struct Resolving {
+    std::filesystem::path folder; // relative file names start here
+    Report& report;
+    Scene& scene;
+
+    /// A file name of the scene, as it will be opened.
+    [[nodiscard]] std::filesystem::path file(const std::string& name) const;
+    /// Reports a problem about a key of that table.
+    void refuse(const View& view, const std::string& key, std::string what, std::string fix) const {
+        report.add(view.place(key), view.path_of(key), std::move(what), std::move(fix));
+    }
+};
+
+void resolve_world(const View& root, const Resolving& to);     // top level, domain, contact
+void resolve_materials(const View& root, const Resolving& to); // material, pair
+void resolve_bodies(const View& root, const Resolving& to);    // body
+void resolve_fills(const View& root, const Resolving& to);     // fill
+void resolve_walls(const View& root, const Resolving& to);     // wall, wall.motion
+void resolve_output(const View& root, const Resolving& to);    // observe, render
+
+/// After all of them: every two materials that can meet have a pair.
+void check_pairs(const View& root, const Resolving& to);
+
+/// The index of the material that `view.material` names, or nothing with a problem reported.
+std::optional<int> material_of(const View& view, const Resolving& to);
+
+/// "x, y, z" of a point in metres, for sentences.
+std::string in_words(const Eigen::Vector3d& point);
+
+/// The motion of a wall from its [[wall.motion]] tables.
+WallMotion resolve_motion(const View& wall, const Resolving& to);
+
+} // namespace tumble::scene

@@ -1,0 +1,164 @@
+#include "base/text.h"
+#include "scene/read_clump.h"
+#include "scene/resolve.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace tumble::scene {
+namespace {
+
+std::vector<Sphere> resolve_spheres(const View& view, const Resolving& to) {
+    std::vector<Sphere> spheres;
+    if (view.given("radius_m") || view.given("radius_mm"))
+        return {{Vector3d::Zero(), view.number(view.given("radius_m") ? "radius_m" : "radius_mm")}};
+    if (view.given("clump")) {
+        auto read = read_clump(to.file(view.text("clump")));
+        if (read)
+            spheres = std::move(*read);
+        else if (const Problems problems = read.problems(); problems.front().line == 0)
+            to.refuse(view, "clump", fmt::format("clump file {}: {}", problems.front().file, problems.front().what),
+                      problems.front().fix);
+        else
+            to.report.add(problems);
+    }
+    const std::vector<double> numbers = view.numbers("spheres_m");
+    if (numbers.size() / 4 > most_spheres)
+        to.refuse(view, "spheres_m", fmt::format("more than {} spheres", most_spheres), "use fewer, larger spheres");
+    for (std::size_t i = 0; i + 3 < numbers.size(); i += 4)
+        spheres.push_back({{numbers[i], numbers[i + 1], numbers[i + 2]}, numbers[i + 3]});
+    const double scale = view.number("scale");
+    if (scale != 1)
+        for (Sphere& sphere : spheres) {
+            sphere.centre *= scale;
+            sphere.radius *= scale;
+        }
+    return spheres;
+}
+
+std::optional<int> body_named(const Scene& scene, const std::string& name) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+        if (scene.bodies[i].name == name)
+            return static_cast<int>(i);
+    return std::nullopt;
+}
+
+std::string suggest_body(const std::string& name, const Scene& scene) {
+    std::vector<std::string> names;
+    for (const BodyTemplate& body : scene.bodies)
+        names.push_back(body.name);
+    if (names.empty())
+        return "add a table [body.NAME]";
+    const std::string meant = did_you_mean(name, names);
+    return meant.empty() ? fmt::format("the bodies are {}", fmt::join(names, ", ")) : meant;
+}
+
+bool inside(const Vector3d& point, const Box& box) {
+    return (point.array() >= box.lo.array()).all() && (point.array() <= box.hi.array()).all();
+}
+
+void check_region(const View& view, const Fill& fill, const Resolving& to) {
+    if (view.written("region_lo_m") != view.written("region_hi_m") && !view.written("position_m")) {
+        to.refuse(view, view.written("region_hi_m") ? "region_hi_m" : "region_lo_m",
+                  "a region needs both of its corners", "give region_lo_m and region_hi_m");
+        return;
+    }
+    if (!view.given("region_lo_m") || !view.given("region_hi_m"))
+        return;
+    if (!(fill.region.lo.array() < fill.region.hi.array()).all()) {
+        to.refuse(
+            view, "region_hi_m",
+            fmt::format("the region from {} to {} has no volume", in_words(fill.region.lo), in_words(fill.region.hi)),
+            "each value of region_hi_m must be above that of region_lo_m");
+        return;
+    }
+    const Box& domain = to.scene.domain.box;
+    for (const char* key : {"region_lo_m", "region_hi_m"})
+        if (!inside(view.vector(key), domain))
+            to.refuse(view, key,
+                      fmt::format("the corner {} lies outside the domain from {} to {}", in_words(view.vector(key)),
+                                  in_words(domain.lo), in_words(domain.hi)),
+                      "move it inside, or enlarge the domain");
+}
+
+void check_position(const View& view, const Fill& fill, const Resolving& to) {
+    if (!fill.position)
+        return;
+    const Box& domain = to.scene.domain.box;
+    if (!inside(*fill.position, domain))
+        to.refuse(view, "position_m",
+                  fmt::format("{} lies outside the domain from {} to {}", in_words(*fill.position), in_words(domain.lo),
+                              in_words(domain.hi)),
+                  "move it inside, or enlarge the domain");
+    if (view.given("count") && *fill.count != 1)
+        to.refuse(view, "count", fmt::format("{} bodies cannot all be at one position", *fill.count),
+                  "write count = 1, or give a region instead of position_m");
+    if (view.given("mass_kg"))
+        to.refuse(view, "mass_kg", "a position holds a single body, not a mass of them", "write count = 1 instead");
+    if (view.given("region_hi_m"))
+        to.refuse(view, "region_hi_m", "a body at a position needs no region", "remove region_hi_m");
+}
+
+} // namespace
+
+void resolve_bodies(const View& root, const Resolving& to) {
+    for (const NamedView& named : root.children("body")) {
+        const View& view = named.view;
+        BodyTemplate body;
+        body.name = named.name;
+        if (named.name.empty() || named.name.find('.') != std::string::npos)
+            to.report.add(named.place, view.path(), fmt::format("a body cannot be called '{}'", named.name),
+                          "use a name without dots");
+        body.material = material_of(view, to).value_or(0);
+        body.spheres = resolve_spheres(view, to);
+        if (view.given("mass_kg"))
+            body.mass = view.number("mass_kg");
+        if (view.given("inertia_kg_m2")) {
+            const Vector3d i = view.vector("inertia_kg_m2");
+            body.principal_inertia = i;
+            // The two smaller moments of any real body sum to more than the largest.
+            if (2 * i.maxCoeff() > i.sum() * (1 + 1e-9))
+                to.refuse(view, "inertia_kg_m2", fmt::format("no body has the moments {}", in_words(i)),
+                          "the largest cannot exceed the sum of the other two");
+        }
+        to.scene.bodies.push_back(std::move(body));
+    }
+}
+
+void resolve_fills(const View& root, const Resolving& to) {
+    for (const NamedView& named : root.children("fill")) {
+        const View& view = named.view;
+        Fill fill;
+        if (view.given("body")) {
+            const auto body = body_named(to.scene, view.text("body"));
+            if (!body)
+                to.refuse(view, "body", fmt::format("there is no body '{}'", view.text("body")),
+                          suggest_body(view.text("body"), to.scene));
+            fill.body = body.value_or(0);
+        }
+        if (view.given("count"))
+            fill.count = view.integer("count");
+        if (view.given("mass_kg"))
+            fill.mass = view.number("mass_kg");
+        fill.region = {view.vector("region_lo_m"), view.vector("region_hi_m")};
+        if (view.given("position_m"))
+            fill.position = view.vector("position_m");
+        fill.orientation = view.text("orientation") == "as_written" ? Orientation::as_written : Orientation::random;
+        fill.velocity = view.vector("velocity_m_s");
+        fill.angular_velocity = view.vector("angular_velocity_rad_s");
+        fill.start = view.number("start_s");
+        fill.until = view.given("until_s") ? view.number("until_s") : fill.start;
+        fill.every = view.number("every_s");
+        if (fill.until < fill.start)
+            to.refuse(view, "until_s",
+                      fmt::format("the last try at {} s is before the first at {} s", shortest(fill.until),
+                                  shortest(fill.start)),
+                      "give until_s >= start_s");
+        check_region(view, fill, to);
+        check_position(view, fill, to);
+        to.scene.fills.push_back(fill);
+    }
+}
+
+} // namespace tumble::scene

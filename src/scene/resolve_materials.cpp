@@ -1,0 +1,175 @@
+#include "base/text.h"
+#include "scene/resolve.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <map>
+#include <set>
+
+namespace tumble::scene {
+namespace {
+
+constexpr double softest_usual = 1e6; // Pa, soft rubber
+
+bool is_plain_name(const std::string& name) {
+    return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+    });
+}
+
+std::vector<std::string> material_names(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const contact::Material& material : scene.materials)
+        names.push_back(material.name);
+    return names;
+}
+
+std::optional<int> index_of(const Scene& scene, const std::string& name) {
+    for (std::size_t i = 0; i < scene.materials.size(); ++i)
+        if (scene.materials[i].name == name)
+            return static_cast<int>(i);
+    return std::nullopt;
+}
+
+/// "did you mean 'lining'?", or the names there are.
+std::string suggest_material(const std::string& name, const Scene& scene) {
+    const auto names = material_names(scene);
+    const std::string meant = did_you_mean(name, names);
+    return meant.empty() ? fmt::format("the materials are {}", fmt::join(names, ", ")) : meant;
+}
+
+void resolve_pair(const NamedView& named, const Resolving& to, std::map<std::pair<int, int>, std::string>& seen) {
+    Scene& scene = to.scene;
+    const View& view = named.view;
+    const auto dash = named.name.find('-');
+    if (dash == std::string::npos) {
+        to.report.add(named.place, view.path(), fmt::format("'{}' names one material, a pair needs two", named.name),
+                      fmt::format("write [pair.{0}-{0}], or another second name", named.name));
+        return;
+    }
+    const std::string names[2] = {named.name.substr(0, dash), named.name.substr(dash + 1)};
+    std::optional<int> index[2];
+    for (int i = 0; i < 2; ++i) {
+        index[i] = index_of(scene, names[i]);
+        if (!index[i])
+            to.report.add(named.place, view.path(), fmt::format("{} names no material '{}'", view.title(), names[i]),
+                          suggest_material(names[i], scene));
+    }
+    if (!index[0] || !index[1])
+        return;
+    const auto [first, second] = std::minmax(*index[0], *index[1]);
+    const auto [other, is_new] = seen.insert({{first, second}, named.name});
+    if (!is_new)
+        to.report.add(named.place, view.path(), fmt::format("{} repeats [pair.{}]", view.title(), other->second),
+                      "the order of the names does not matter; keep one of them");
+
+    contact::PairProperties pair;
+    pair.restitution = view.number("restitution");
+    pair.friction = view.number("friction");
+    pair.normal_stiffness = view.number("normal_stiffness_N_per_m");
+    pair.tangential_stiffness = view.number("tangential_stiffness_N_per_m");
+    if (scene.contact.normal == NormalLaw::linear && !view.written("normal_stiffness_N_per_m"))
+        to.refuse(view, "normal_stiffness_N_per_m",
+                  fmt::format("{} has no 'normal_stiffness_N_per_m', which normal = \"linear\" needs", view.title()),
+                  "add it, a number in N/m above 0");
+    if (scene.contact.tangential == TangentialLaw::linear && !view.written("tangential_stiffness_N_per_m"))
+        to.refuse(
+            view, "tangential_stiffness_N_per_m",
+            fmt::format("{} has no 'tangential_stiffness_N_per_m', which tangential = \"linear\" needs", view.title()),
+            "add it, a number in N/m above 0");
+    const std::size_t n = scene.materials.size();
+    scene.pairs[static_cast<std::size_t>(first) * n + static_cast<std::size_t>(second)] = pair;
+    scene.pairs[static_cast<std::size_t>(second) * n + static_cast<std::size_t>(first)] = pair;
+}
+
+/// Whether two bodies can ever touch each other: not when a single one is put in.
+bool bodies_can_meet(const Scene& scene) {
+    std::int64_t bodies = 0;
+    for (const Fill& fill : scene.fills)
+        bodies += fill.count ? *fill.count : 2;
+    return scene.fills.empty() || bodies > 1;
+}
+
+class PairCheck {
+public:
+    PairCheck(const View& root, const Resolving& to) : to_(to) {
+        for (const NamedView& pair : root.children("pair"))
+            if (const auto dash = pair.name.find('-'); dash != std::string::npos)
+                given_.insert(std::minmax(pair.name.substr(0, dash), pair.name.substr(dash + 1)));
+    }
+
+    /// At the material of the table that brings the second of the two together with the first.
+    void need(const View& at, const std::string& a, const std::string& b, const std::string& because) {
+        if (!given_.insert(std::minmax(a, b)).second)
+            return;
+        to_.refuse(at, "material", fmt::format("{}, but there is no [pair.{}-{}]", because, a, b),
+                   fmt::format("add [pair.{}-{}] with restitution and friction", a, b));
+    }
+
+private:
+    const Resolving& to_;
+    std::set<std::pair<std::string, std::string>> given_;
+};
+
+} // namespace
+
+std::optional<int> material_of(const View& view, const Resolving& to) {
+    if (!view.given("material"))
+        return std::nullopt;
+    const std::string name = view.text("material");
+    const auto index = index_of(to.scene, name);
+    if (!index)
+        to.refuse(view, "material", fmt::format("there is no material '{}'", name), suggest_material(name, to.scene));
+    return index;
+}
+
+void resolve_materials(const View& root, const Resolving& to) {
+    Scene& scene = to.scene;
+    for (const NamedView& named : root.children("material")) {
+        const View& view = named.view;
+        if (!is_plain_name(named.name))
+            to.report.add(named.place, view.path(), fmt::format("a material cannot be called '{}'", named.name),
+                          "use letters, digits and _ only; '-' stands between the two names of a pair");
+        contact::Material material;
+        material.name = named.name;
+        material.density = view.number("density_kg_m3");
+        material.youngs_modulus = view.number("youngs_modulus_Pa");
+        material.poisson_ratio = view.number("poisson_ratio");
+        if (view.given("youngs_modulus_Pa") && material.youngs_modulus < softest_usual && !view.flag("allow_soft"))
+            to.refuse(view, "youngs_modulus_Pa",
+                      fmt::format("{} Pa is softer than rubber, grains will sink into each other",
+                                  shortest(material.youngs_modulus)),
+                      "write allow_soft = true next to it if that is meant");
+        scene.materials.push_back(material);
+    }
+    scene.pairs.assign(scene.materials.size() * scene.materials.size(), {});
+    std::map<std::pair<int, int>, std::string> seen;
+    for (const NamedView& named : root.children("pair"))
+        resolve_pair(named, to, seen);
+}
+
+void check_pairs(const View& root, const Resolving& to) {
+    PairCheck check(root, to);
+    std::vector<std::pair<const NamedView*, std::string>> bodies; // with a known material
+    const auto body_views = root.children("body");
+    for (const NamedView& body : body_views)
+        if (body.view.given("material") && index_of(to.scene, body.view.text("material")))
+            bodies.emplace_back(&body, body.view.text("material"));
+    if (bodies_can_meet(to.scene))
+        for (std::size_t i = 0; i < bodies.size(); ++i)
+            for (std::size_t j = 0; j <= i; ++j)
+                check.need(bodies[i].first->view, bodies[j].second, bodies[i].second,
+                           i == j ? fmt::format("bodies '{}' can meet each other", bodies[i].first->name)
+                                  : fmt::format("bodies '{}' and '{}' can meet", bodies[j].first->name,
+                                                bodies[i].first->name));
+    for (const NamedView& wall : root.children("wall")) {
+        if (!wall.view.given("material") || !index_of(to.scene, wall.view.text("material")))
+            continue;
+        for (const auto& [body, material] : bodies)
+            check.need(wall.view, material, wall.view.text("material"),
+                       fmt::format("body '{}' can meet this wall", body->name));
+    }
+}
+
+} // namespace tumble::scene

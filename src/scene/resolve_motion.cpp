@@ -1,0 +1,93 @@
+#include "base/text.h"
+#include "scene/read_table.h"
+#include "scene/resolve.h"
+
+#include <fmt/format.h>
+
+namespace tumble::scene {
+namespace {
+
+Active active_of(const View& view, const Resolving& to) {
+    Active active;
+    active.start = view.number("start_s");
+    if (view.given("stop_s"))
+        active.stop = view.number("stop_s");
+    if (active.stop <= active.start)
+        to.refuse(view, "stop_s",
+                  fmt::format("the motion stops at {} s, before it starts at {} s", shortest(active.stop),
+                              shortest(active.start)),
+                  "give stop_s above start_s");
+    return active;
+}
+
+Vector3d axis_of(const View& view, const Resolving& to) {
+    const Vector3d typed = view.vector("about");
+    if (typed.norm() > 0)
+        return typed.normalized();
+    if (view.given("about"))
+        to.refuse(view, "about", "'about' has no direction", "give at least one value that is not 0");
+    return Vector3d::UnitY();
+}
+
+/// The file's content, or its problems reported: at the key when they concern the file as a whole.
+template <class Content, class Read> std::optional<Content> read(const View& view, const Resolving& to, Read reader) {
+    if (!view.given("file"))
+        return std::nullopt;
+    Result<Content> content = reader(to.file(view.text("file")));
+    if (content)
+        return std::move(*content);
+    for (const Problem& problem : content.problems())
+        if (problem.line > 0)
+            to.report.add(Problems{problem});
+        else
+            to.refuse(view, "file", fmt::format("motion file {}: {}", problem.file, problem.what), problem.fix);
+    return std::nullopt;
+}
+
+void add_harmonics(const View& view, const Active& active, const Resolving& to, WallMotion& motion) {
+    if (view.kind() == "harmonics") {
+        auto all = read<std::vector<Harmonic>>(view, to, read_harmonics);
+        for (Harmonic& one : all.value_or(std::vector<Harmonic>{})) {
+            one.active = active;
+            motion.harmonics.push_back(one);
+        }
+        return;
+    }
+    Harmonic one;
+    one.active = active;
+    one.axis = view.given("axis") ? view.text("axis")[0] - 'x' : 0;
+    one.amplitude = view.number("amplitude_m");
+    one.frequency = view.number("frequency_Hz");
+    one.phase = view.number("phase_deg");
+    motion.harmonics.push_back(one);
+}
+
+} // namespace
+
+WallMotion resolve_motion(const View& wall, const Resolving& to) {
+    WallMotion motion;
+    for (const NamedView& named : wall.children("motion")) {
+        const View& view = named.view;
+        const std::string kind = view.kind();
+        const Active active = active_of(view, to);
+        if (kind == "harmonic" || kind == "harmonics")
+            add_harmonics(view, active, to, motion);
+        else if (kind == "rotation")
+            motion.rotations.push_back({active, view.vector("centre_m"), axis_of(view, to),
+                                        view.number(view.given("speed_rpm") ? "speed_rpm" : "speed_rad_s")});
+        else if (kind == "rocking")
+            motion.rockings.push_back({active, view.vector("centre_m"), axis_of(view, to), view.number("amplitude_deg"),
+                                       view.number("frequency_Hz"), view.number("phase_deg")});
+        else if (kind == "linear")
+            motion.linears.push_back({active, view.vector("velocity_m_s")});
+        else if (kind == "table") {
+            if (auto table = read<MotionTable>(view, to, read_motion_table)) {
+                table->active = active;
+                motion.tables.push_back(std::move(*table));
+            }
+        }
+    }
+    return motion;
+}
+
+} // namespace tumble::scene

@@ -1,0 +1,48 @@
+#include "scene/resolve.h"
+
+namespace tumble::scene {
+namespace {
+
+void resolve_render(const View& view, const Resolving& to) {
+    Render& render = to.scene.render;
+    render.camera = view.text("camera");
+    render.projection = view.text("projection");
+    render.eye = view.vector("eye_m");
+    render.target = view.vector("target_m");
+    render.field_of_view_deg = view.number("field_of_view_deg");
+    if (view.given("view_lo_m") && view.given("view_hi_m")) {
+        render.view = Box{view.vector("view_lo_m"), view.vector("view_hi_m")};
+        if (!(render.view->lo.array() < render.view->hi.array()).all())
+            to.refuse(view, "view_hi_m", "the view has no volume",
+                      "each value of view_hi_m must be above that of view_lo_m");
+    } else if (view.written("view_lo_m") != view.written("view_hi_m"))
+        to.refuse(view, view.written("view_lo_m") ? "view_lo_m" : "view_hi_m", "a view needs both of its corners",
+                  "give view_lo_m and view_hi_m");
+    if (render.camera == "free" && render.eye == render.target)
+        to.refuse(view, "camera", "a free camera stands where it looks at",
+                  "give eye_m and target_m, two different points");
+    render.color = view.text("color");
+    if (view.given("range")) {
+        const auto ends = view.numbers("range");
+        render.range = std::array<double, 2>{ends[0], ends[1]};
+    }
+    render.colormap = view.text("colormap");
+    render.background = view.text("background");
+    render.width = static_cast<int>(view.integer("width_px"));
+    render.height = static_cast<int>(view.integer("height_px"));
+    render.every = view.number("every_s");
+    render.frames_per_second = view.number("frames_per_second");
+    render.plot = view.flag("plot");
+    render.plot_measure = view.text("plot_measure");
+}
+
+} // namespace
+
+void resolve_output(const View& root, const Resolving& to) {
+    const View observe = root.child("observe");
+    to.scene.observe.every = observe.number("every_s");
+    to.scene.observe.measures = observe.words("measures");
+    resolve_render(root.child("render"), to);
+}
+
+} // namespace tumble::scene

@@ -24,7 +24,8 @@ class SurfaceParts;
 ///
 /// Periodic sides are the surface's business: it goes on through them (meshes, discs and cylinders are repeated half
 /// a period beyond, edges that the repetition closes are no edges), so a body is asked about once, with the
-/// unshifted place of its centre in the domain, also for spheres that reach out of it. A copy has its original's features.
+/// unshifted place of its centre in the domain, also for spheres that reach out of it. A copy has its original's
+/// features.
 class WallSurface {
 public:
     WallSurface() = default; // nothing: no primitives

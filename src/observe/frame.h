@@ -16,7 +16,7 @@ namespace tumble::observe {
 /// Spheres of a body template, relative to the body's centre of mass, in its principal frame. Metres.
 struct FrameShape {
     std::string name;
-    double mass = 0; // kg
+    double mass = 0;                                   // kg
     Eigen::Vector3d inertia = Eigen::Vector3d::Zero(); // kg m2, principal
     std::vector<Eigen::Vector3d> centres;
     std::vector<double> radii;
@@ -52,13 +52,13 @@ struct Frame {
     std::shared_ptr<const FrameLayout> layout;
     double time = 0; // s
     std::int64_t step = 0;
-    std::vector<std::int64_t> id;                     // per body, constant over the run
-    std::vector<int> shape;                           // index into layout->shapes
-    std::vector<Eigen::Vector3d> position;            // m, centre of mass
-    std::vector<Eigen::Quaterniond> orientation;      // principal frame to world
-    std::vector<Eigen::Vector3d> velocity;            // m/s
-    std::vector<Eigen::Vector3d> angular_velocity;    // rad/s, world frame
-    std::vector<WallPlace> walls;                     // parallel to layout->walls
+    std::vector<std::int64_t> id;                  // per body, constant over the run
+    std::vector<int> shape;                        // index into layout->shapes
+    std::vector<Eigen::Vector3d> position;         // m, centre of mass
+    std::vector<Eigen::Quaterniond> orientation;   // principal frame to world
+    std::vector<Eigen::Vector3d> velocity;         // m/s
+    std::vector<Eigen::Vector3d> angular_velocity; // rad/s, world frame
+    std::vector<WallPlace> walls;                  // parallel to layout->walls
 
     [[nodiscard]] std::size_t bodies() const { return position.size(); }
 };

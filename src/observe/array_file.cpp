@@ -1,0 +1,148 @@
+#include "observe/array_file.h"
+
+#include "observe/checksum.h"
+
+#include <bit>
+#include <cstring>
+#include <fmt/format.h>
+
+namespace tumble::observe {
+
+static_assert(std::endian::native == std::endian::little, "arrays are written as they lie in memory, little end first");
+
+namespace {
+
+constexpr std::string_view magic("tumble\r\n", 8); // a transfer that changes line ends shows at once
+constexpr std::uint32_t version = 1;
+constexpr std::size_t preamble = 16; // magic, version, length of the head
+constexpr std::size_t trailer = 4;   // checksum
+
+std::string_view bytes_of(const Array& array) {
+    if (array.whole)
+        return {reinterpret_cast<const char*>(array.integers.data()), array.integers.size() * sizeof(std::int64_t)};
+    return {reinterpret_cast<const char*>(array.reals.data()), array.reals.size() * sizeof(double)};
+}
+
+std::string four_bytes(std::uint32_t number) {
+    std::string bytes(4, '\0');
+    std::memcpy(bytes.data(), &number, 4);
+    return bytes;
+}
+
+std::uint32_t number_at(const std::string& bytes, std::size_t offset) {
+    std::uint32_t number = 0;
+    std::memcpy(&number, bytes.data() + offset, 4);
+    return number;
+}
+
+/// What the head says about one array, checked against the bytes that follow the head.
+struct Entry {
+    std::string name;
+    std::string type;
+    std::size_t rows = 0;
+    std::size_t width = 0;
+    std::size_t offset = 0;
+};
+
+std::optional<Entry> entry_of(const nlohmann::json& json, std::size_t available) {
+    if (!json.is_object() || !json.contains("shape") || !json["shape"].is_array() || json["shape"].size() != 2)
+        return std::nullopt;
+    for (const char* key : {"name", "type"})
+        if (!json.contains(key) || !json[key].is_string())
+            return std::nullopt;
+    if (!json.contains("offset"))
+        return std::nullopt;
+    for (const nlohmann::json& number : {json["shape"][0], json["shape"][1], json["offset"]})
+        if (!number.is_number_unsigned())
+            return std::nullopt;
+    const Entry entry{json["name"], json["type"], json["shape"][0], json["shape"][1], json["offset"]};
+    const bool known = entry.type == "<f8" || entry.type == "<i8";
+    const bool sane = entry.width > 0 && entry.width <= 16 && entry.offset <= available &&
+                      entry.rows <= (available - entry.offset) / (8 * entry.width);
+    return known && sane ? std::optional(entry) : std::nullopt;
+}
+
+Array array_of(const Entry& entry, const char* data) {
+    Array array{.name = entry.name, .width = entry.width, .reals = {}, .integers = {}, .whole = entry.type == "<i8"};
+    const std::size_t count = entry.rows * entry.width;
+    if (array.whole) {
+        array.integers.resize(count);
+        std::memcpy(array.integers.data(), data + entry.offset, count * 8);
+    } else {
+        array.reals.resize(count);
+        std::memcpy(array.reals.data(), data + entry.offset, count * 8);
+    }
+    return array;
+}
+
+} // namespace
+
+Result<const Array*> ArrayFile::find(const std::string& name, std::size_t width, bool whole) const {
+    for (const Array& array : arrays)
+        if (array.name == name) {
+            if (array.width == width && array.whole == whole)
+                return &array;
+            return Problem{.what = fmt::format("array '{}' has {} {} numbers a row, expected {} {}", name, array.width,
+                                               array.whole ? "whole" : "real", width, whole ? "whole" : "real")};
+        }
+    return Problem{.what = fmt::format("has no array '{}'", name)};
+}
+
+std::string to_bytes(const ArrayFile& content) {
+    nlohmann::json head = content.head.is_null() ? nlohmann::json::object() : content.head;
+    head["kind"] = content.kind;
+    head["arrays"] = nlohmann::json::array();
+    std::size_t offset = 0;
+    for (const Array& array : content.arrays) {
+        head["arrays"].push_back({{"name", array.name},
+                                  {"type", array.whole ? "<i8" : "<f8"},
+                                  {"shape", {array.rows(), array.width}},
+                                  {"offset", offset}});
+        offset += bytes_of(array).size();
+    }
+    std::string text = head.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    text.resize((text.size() + 15) / 16 * 16, ' '); // arrays then start aligned, so that they can be mapped
+    std::string bytes(magic);
+    bytes += four_bytes(version) + four_bytes(static_cast<std::uint32_t>(text.size())) + text;
+    bytes.reserve(bytes.size() + offset + trailer);
+    for (const Array& array : content.arrays)
+        bytes += bytes_of(array);
+    bytes += four_bytes(crc32(bytes));
+    return bytes;
+}
+
+Result<ArrayFile> from_bytes(const std::string& bytes, const std::string& kind, const std::filesystem::path& file) {
+    const auto wrong = [&](std::string what, std::string fix = "") {
+        return Problem{.file = file.string(), .what = std::move(what), .fix = std::move(fix)};
+    };
+    const std::string again = "remove this file, or run the scene again";
+    if (bytes.size() < magic.size() || std::string_view(bytes).substr(0, magic.size()) != magic)
+        return wrong("is no tumble file (its first eight bytes differ)");
+    if (bytes.size() < preamble + trailer)
+        return wrong("is cut off", again);
+    if (number_at(bytes, 8) != version)
+        return wrong(
+            fmt::format("has version {} of the format, this program reads version {}", number_at(bytes, 8), version));
+    const std::size_t head_size = number_at(bytes, 12);
+    if (head_size > bytes.size() - preamble - trailer)
+        return wrong("is cut off", again);
+    if (crc32(std::string_view(bytes).substr(0, bytes.size() - trailer)) != number_at(bytes, bytes.size() - trailer))
+        return wrong("is cut off or was changed: its checksum does not fit", again);
+    ArrayFile content;
+    content.head = nlohmann::json::parse(bytes.data() + preamble, bytes.data() + preamble + head_size, nullptr, false);
+    if (!content.head.is_object() || !content.head.contains("arrays") || !content.head["arrays"].is_array())
+        return wrong("has a head that is no JSON object with arrays");
+    content.kind = content.head.contains("kind") && content.head["kind"].is_string() ? content.head["kind"] : "";
+    if (content.kind != kind)
+        return wrong(fmt::format("holds a '{}', not a '{}'", content.kind, kind));
+    const std::size_t start = preamble + head_size;
+    for (const nlohmann::json& json : content.head["arrays"]) {
+        const std::optional<Entry> entry = entry_of(json, bytes.size() - trailer - start);
+        if (!entry)
+            return wrong("describes an array that is not in it: " + json.dump());
+        content.arrays.push_back(array_of(*entry, bytes.data() + start));
+    }
+    return content;
+}
+
+} // namespace tumble::observe

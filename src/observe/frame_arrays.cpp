@@ -1,0 +1,106 @@
+#include "observe/frame_arrays.h"
+
+#include "observe/array_rows.h"
+
+#include <fmt/format.h>
+
+namespace tumble::observe {
+
+namespace {
+
+std::vector<Array> wall_arrays(const Frame& frame) {
+    std::vector<Array> arrays{reals("wall_rotation", 9), reals("wall_translation_m", 3), reals("wall_velocity_m_s", 3),
+                              reals("wall_angular_velocity_rad_s", 3)};
+    for (const WallPlace& place : frame.walls) {
+        for (int row = 0; row < 3; ++row)
+            push(arrays[0], place.rotation.row(row));
+        push(arrays[1], place.translation);
+        push(arrays[2], place.velocity);
+        push(arrays[3], place.angular_velocity);
+    }
+    return arrays;
+}
+
+void read_wall_places(Taker& taker, Frame& frame) {
+    const Array& rotation = taker.take("wall_rotation", 9, false);
+    const Array& translation = taker.take("wall_translation_m", 3, false);
+    const Array& velocity = taker.take("wall_velocity_m_s", 3, false);
+    const Array& spin = taker.take("wall_angular_velocity_rad_s", 3, false);
+    for (const Array* other : {&translation, &velocity, &spin})
+        taker.same_rows(rotation, *other);
+    if (!taker.problems.empty())
+        return;
+    if (rotation.rows() != frame.layout->walls.size()) {
+        taker.say(fmt::format("has {} walls, its layout has {}", rotation.rows(), frame.layout->walls.size()));
+        return;
+    }
+    for (std::size_t i = 0; i < rotation.rows(); ++i) {
+        WallPlace place;
+        for (int k = 0; k < 9; ++k)
+            place.rotation(k / 3, k % 3) = rotation.reals[9 * i + static_cast<std::size_t>(k)];
+        place.translation = vector_at(translation, i);
+        place.velocity = vector_at(velocity, i);
+        place.angular_velocity = vector_at(spin, i);
+        frame.walls.push_back(place);
+    }
+}
+
+} // namespace
+
+ArrayFile to_arrays(const Frame& frame) {
+    Array id = whole("id", 1), shape = whole("shape", 1), orientation = reals("orientation_wxyz", 4);
+    id.integers = frame.id;
+    shape.integers.assign(frame.shape.begin(), frame.shape.end());
+    for (const Eigen::Quaterniond& q : frame.orientation)
+        orientation.reals.insert(orientation.reals.end(), {q.w(), q.x(), q.y(), q.z()});
+    ArrayFile content{.kind = "frame", .head = {{"time_s", frame.time}, {"step", frame.step}}, .arrays = {}};
+    content.arrays = {id,
+                      shape,
+                      vectors("position_m", frame.position),
+                      orientation,
+                      vectors("velocity_m_s", frame.velocity),
+                      vectors("angular_velocity_rad_s", frame.angular_velocity)};
+    for (Array& array : wall_arrays(frame))
+        content.arrays.push_back(std::move(array));
+    return content;
+}
+
+Result<Frame> frame_from(const ArrayFile& content, const std::shared_ptr<const FrameLayout>& layout) {
+    Taker taker(content);
+    const Array& id = taker.take("id", 1, true);
+    const Array& shape = taker.take("shape", 1, true);
+    const Array& position = taker.take("position_m", 3, false);
+    const Array& orientation = taker.take("orientation_wxyz", 4, false);
+    const Array& velocity = taker.take("velocity_m_s", 3, false);
+    const Array& spin = taker.take("angular_velocity_rad_s", 3, false);
+    for (const Array* other : {&shape, &position, &orientation, &velocity, &spin})
+        taker.same_rows(id, *other);
+    taker.within(shape, static_cast<std::int64_t>(layout->shapes.size()));
+    for (const Array* array : {&position, &orientation, &velocity, &spin})
+        taker.finite(*array);
+    const bool timed = content.head.contains("time_s") && content.head["time_s"].is_number() &&
+                       content.head.contains("step") && content.head["step"].is_number_integer();
+    if (!timed)
+        taker.say("has no time_s and step in its head");
+    if (!taker.problems.empty())
+        return taker.problems;
+    Frame frame;
+    frame.layout = layout;
+    frame.time = content.head["time_s"];
+    frame.step = content.head["step"];
+    frame.id = id.integers;
+    frame.shape.assign(shape.integers.begin(), shape.integers.end());
+    frame.position = vectors_of(position);
+    frame.velocity = vectors_of(velocity);
+    frame.angular_velocity = vectors_of(spin);
+    for (std::size_t i = 0; i < orientation.rows(); ++i) {
+        const double* q = &orientation.reals[4 * i];
+        frame.orientation.emplace_back(q[0], q[1], q[2], q[3]);
+    }
+    read_wall_places(taker, frame);
+    if (!taker.problems.empty())
+        return taker.problems;
+    return frame;
+}
+
+} // namespace tumble::observe

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "observe/array_file.h"
+#include "observe/frame.h"
+
+/// Frames and layouts as named arrays, in memory.
+namespace tumble::observe {
+
+ArrayFile to_arrays(const FrameLayout& layout);
+ArrayFile to_arrays(const Frame& frame);
+
+/// Problems name no file; the caller adds it.
+Result<FrameLayout> layout_from(const ArrayFile& content);
+Result<Frame> frame_from(const ArrayFile& content, const std::shared_ptr<const FrameLayout>& layout);
+
+} // namespace tumble::observe

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "base/problem.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tumble::observe {
+
+/// Numbers over time, column by column; the first column is time_s.
+struct Series {
+    std::vector<std::string> columns;        // heads, unit included
+    std::vector<std::vector<double>> values; // per column, all of the same length
+
+    [[nodiscard]] std::size_t rows() const { return values.empty() ? 0 : values.front().size(); }
+    /// The column with this head, or the one whose head is this name followed by its unit; null when there is none.
+    [[nodiscard]] const std::vector<double>* find(const std::string& name) const;
+    void append(const std::vector<double>& row);
+};
+
+/// Writes a CSV file row by row. Each row reaches the system in one piece, so a killed run leaves whole lines; a row
+/// that does not fit on the disk is taken back.
+class SeriesWriter {
+public:
+    /// Creates the file with its head. Problems: it cannot be created or written.
+    static Result<SeriesWriter> create(const std::filesystem::path& file, const std::vector<std::string>& columns);
+
+    /// One number per column, in the shortest form that reads back to the same bits; "nan" where there is none.
+    /// Problems: wrong length, the disk is full.
+    Result<Done> write(const std::vector<double>& row);
+
+private:
+    struct Close {
+        void operator()(std::FILE* file) const { std::fclose(file); }
+    };
+    std::filesystem::path file_;
+    std::size_t columns_ = 0;
+    std::unique_ptr<std::FILE, Close> stream_;
+
+    Result<Done> write_line(const std::string& line);
+};
+
+/// Reads what SeriesWriter wrote. A last line without its end (a run killed while writing) is left out. Problems, each
+/// with its line: no head, a row of the wrong length, text that is no number.
+Result<Series> read_series(const std::filesystem::path& file);
+
+} // namespace tumble::observe

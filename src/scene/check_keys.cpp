@@ -159,7 +159,11 @@ private:
             if (const Entry* entry = node.as<Table>()->find(key->name))
                 given.push_back(entry);
         }
-        if (given.empty())
+        if (given.empty() && names.size() == 1)
+            report_.add(node.place, join(path, names[0]),
+                        fmt::format("{} has no '{}'", name_of_table(spec, path), names[0]),
+                        fmt::format("add {}: {}", names[0], describe(*keys[0])));
+        else if (given.empty())
             report_.add(node.place, path,
                         fmt::format("{} has none of {}", name_of_table(spec, path), fmt::join(names, ", ")),
                         "give exactly one of them");

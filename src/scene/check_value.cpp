@@ -25,15 +25,15 @@ public:
         case KeyType::flag:
             return is<bool>(node);
         case KeyType::integer:
-            return is<std::int64_t>(node) && in_range(node, static_cast<double>(*node.as<std::int64_t>()));
+            return is<std::int64_t>(node) && in_range(node, static_cast<double>(*node.as<std::int64_t>()), key_.limits);
         case KeyType::number:
-            return number(node);
+            return number(node, key_.limits);
         case KeyType::vector:
             return numbers(node, 3);
         case KeyType::span:
             return span(node);
-        case KeyType::spheres:
-            return spheres(node);
+        case KeyType::rows:
+            return rows(node);
         }
         return false;
     }
@@ -73,19 +73,19 @@ private:
         return right;
     }
 
-    bool in_range(const Node& at, double value) {
+    bool in_range(const Node& at, double value, const Limits& limits) {
         if (!std::isfinite(value))
             return refuse(at, fmt::format("'{}' is not a finite number", key_.name));
-        if (!key_.limits.hold(value))
+        if (!limits.hold(value))
             return refuse(at, fmt::format("'{}' = {} is out of range", key_.name, shortest(value)));
         return true;
     }
 
-    bool number(const Node& node) {
+    bool number(const Node& node, const Limits& limits) {
         if (const auto* whole = node.as<std::int64_t>())
-            return in_range(node, static_cast<double>(*whole));
+            return in_range(node, static_cast<double>(*whole), limits);
         if (const auto* real = node.as<double>())
-            return in_range(node, *real);
+            return in_range(node, *real, limits);
         return wrong_type(node);
     }
 
@@ -97,7 +97,7 @@ private:
             return refuse(node, fmt::format("'{}' has {} of {} numbers", key_.name, array->items.size(), wanted));
         bool right = true;
         for (const Node& item : array->items)
-            right = number(item) && right;
+            right = number(item, key_.limits) && right;
         return right;
     }
 
@@ -112,24 +112,27 @@ private:
                refuse(node, fmt::format("'{}' does not rise", key_.name));
     }
 
-    bool spheres(const Node& node) {
+    bool rows(const Node& node) {
         const Array* array = node.as<Array>();
         if (!array)
             return wrong_type(node);
         if (array->items.empty())
             return refuse(node, fmt::format("'{}' is empty", key_.name));
         bool right = true;
-        for (const Node& item : array->items) {
-            if (!numbers(item, 4)) {
-                right = false;
-                continue;
-            }
-            const Node& last = item.as<Array>()->items[3];
-            const double radius =
-                last.as<double>() ? *last.as<double>() : static_cast<double>(*last.as<std::int64_t>());
-            if (!(radius > 0))
-                right = refuse(last, fmt::format("the radius {} is not above 0", shortest(radius)));
-        }
+        for (const Node& item : array->items)
+            right = row(item) && right;
+        return right;
+    }
+
+    bool row(const Node& node) {
+        const Array* four = node.as<Array>();
+        if (!four)
+            return wrong_type(node);
+        if (four->items.size() != 4)
+            return refuse(node, fmt::format("a row of '{}' has {} of 4 numbers", key_.name, four->items.size()));
+        bool right = true;
+        for (std::size_t i = 0; i < 4; ++i)
+            right = number(four->items[i], i == 3 ? key_.limits : Limits{}) && right;
         return right;
     }
 

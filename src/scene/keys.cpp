@@ -38,8 +38,8 @@ std::string noun(const Key& key) {
         return "a list of three numbers [x, y, z]";
     case KeyType::span:
         return "a list of two numbers [low, high]";
-    case KeyType::spheres:
-        return "a list of spheres [x, y, z, radius]";
+    case KeyType::rows:
+        return "a list of rows of four numbers";
     }
     return "";
 }
@@ -86,7 +86,9 @@ std::string describe(const Key& key) {
     if (!key.unit.empty())
         text += " in " + key.unit;
     const std::string range = describe(key.limits);
-    return range.empty() ? text : text + ", " + range;
+    if (range.empty())
+        return text;
+    return text + (key.type == KeyType::rows ? ", the fourth " : ", ") + range;
 }
 
 std::string describe(const KeyDefault& standard) {

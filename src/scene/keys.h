@@ -21,7 +21,7 @@ enum class KeyType {
     number,
     vector, // [x, y, z]
     span,   // [low, high]
-    spheres // [[x, y, z, radius], ...]
+    rows    // a list of lists of four numbers; limits are those of the fourth
 };
 
 /// What a number may be, as typed. Infinite bounds are not said.

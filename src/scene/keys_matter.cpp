@@ -41,7 +41,8 @@ KeyTable body() {
             .one_of("shape"),
         number("radius_m", "m", above(0, 100), "Radius of a body of one sphere.").one_of("shape"),
         number("radius_mm", "mm", above(0, 1e5), "The same in millimetres.").si(1e-3).one_of("shape"),
-        KeyMaker("spheres_m", KeyType::spheres, "m", {}, "The spheres written out, centre and radius.").one_of("shape"),
+        KeyMaker("spheres_m", KeyType::rows, "m", above(0, 100), "The spheres written out: [[x, y, z, radius], ...].")
+            .one_of("shape"),
         number("scale", "", above(0, 1e6), "Size factor of `clump` and `spheres_m`.").otherwise(1.0),
         text("material", "Name of its material.").must(),
         number("mass_kg", "kg", above(0, 1e6), "Mass; without it density times the volume of the spheres' union."),

@@ -101,11 +101,15 @@ KeyTable motion() {
             .only_for({"rotation"})
             .one_of("speed"),
         vector("velocity_m_s", "m/s", from(-1e3, 1e3), "Velocity.").only_for({"linear"}).must(),
+        KeyMaker("rows", KeyType::rows, "s, m, m, m", {},
+                 "The table written out: [[t, x, y, z], ...], time from 0, rising.")
+            .only_for({"table"})
+            .one_of("table"),
         file("file",
              "harmonics: CSV with the head `axis,amplitude,period` and, if phases are known, `phase_deg`; metres "
              "and seconds. table: CSV with the head `t_s,x_m,y_m,z_m`.")
             .only_for({"harmonics", "table"})
-            .must(),
+            .one_of("table"),
     };
     return table;
 }

@@ -56,11 +56,4 @@ std::vector<Field> blank_fields(std::string_view line) {
     return fields;
 }
 
-std::string printable(std::string_view text) {
-    std::string shown;
-    for (const char c : text.substr(0, 40))
-        shown += c >= 0x20 && c < 0x7f ? c : '?';
-    return text.size() > 40 ? shown + "..." : shown;
-}
-
 } // namespace tumble::scene

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -37,8 +36,5 @@ std::string_view without_comment(std::string_view line);
 std::vector<Field> comma_fields(std::string_view line);
 /// Pieces between runs of blanks.
 std::vector<Field> blank_fields(std::string_view line);
-
-/// Text of a file as it may be shown: at most 40 characters, bytes that do not print replaced by '?'.
-std::string printable(std::string_view text);
 
 } // namespace tumble::scene

@@ -79,7 +79,7 @@ private:
             if (!value || !(std::abs(*value) <= farthest)) {
                 refuse(line, fields[i].column,
                        value ? fmt::format("{} m is too far for a body", shortest(*value))
-                             : fmt::format("'{}' is not a number", printable(fields[i].text)));
+                             : fmt::format("'{}' is not a number", excerpt(fields[i].text)));
                 right = false;
             } else
                 values[i] = *value;

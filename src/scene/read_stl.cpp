@@ -128,7 +128,7 @@ private:
     void unexpected(const std::string& wanted) {
         mesh_.refuse(
             line_.number, fields_.empty() ? 1 : fields_[0].column,
-            fmt::format("'{}' where '{}' was expected", fields_.empty() ? "" : printable(fields_[0].text), wanted));
+            fmt::format("'{}' where '{}' was expected", fields_.empty() ? "" : excerpt(fields_[0].text), wanted));
     }
 
     /// The next line must begin with these words and have `more` further ones (solid may have any).
@@ -166,7 +166,7 @@ private:
                 const auto value = parse_number(field.text);
                 if (!value || !(std::abs(*value) <= farthest)) {
                     mesh_.refuse(line_.number, field.column,
-                                 fmt::format("'{}' is not a usable number", printable(field.text)));
+                                 fmt::format("'{}' is not a usable number", excerpt(field.text)));
                     return false;
                 }
                 corner[static_cast<Eigen::Index>(k)] = *value;

@@ -1,94 +1,157 @@
 #include "scene/read_table.h"
 
+#include "base/table.h"
 #include "base/text.h"
-#include "scene/csv.h"
 #include "scene/read_file.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <numbers>
 
 namespace tumble::scene {
 namespace {
 
-constexpr std::size_t largest_table_file = 256ull * 1024 * 1024;
-constexpr std::size_t most_harmonics = 10000;
+constexpr TableLimits limits{.bytes = std::size_t{64} << 20, .rows = 2'000'000, .columns = 8};
+constexpr std::size_t most_harmonics = 10'000;
+constexpr std::size_t most_problems = 20;
 constexpr double longest_time = 1e6; // s
 constexpr double farthest = 100;     // m
+constexpr const char* table_form =
+    "write the head t_s,x_m,y_m,z_m and rows of time (s, from 0, rising) and displacement";
+constexpr const char* harmonics_form =
+    "write the head axis,amplitude,period (and phase_deg) and rows such as y,0.002,0.04";
 
-} // namespace
-
-Result<MotionTable> parse_motion_table(std::string_view text, const std::string& source) {
-    Csv csv(source, "write the head t_s,x_m,y_m,z_m and rows of time (s, from 0, rising) and displacement (m)");
-    MotionTable table;
-    csv.read(text, {"t_s,x_m,y_m,z_m"}, [&](const std::vector<Field>& fields, int line) {
-        const auto t = csv.number(fields[0], line, longest_time);
-        Eigen::Vector3d displacement;
-        bool right = t.has_value();
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto value = csv.number(fields[k + 1], line, farthest);
-            right = right && value;
-            displacement[static_cast<Eigen::Index>(k)] = value.value_or(0);
-        }
-        if (!right)
-            return;
-        if (table.time.empty() && *t != 0)
-            return csv.refuse(line, fields[0].column, fmt::format("the first time is {}, not 0", shortest(*t)));
-        if (!table.time.empty() && !(*t > table.time.back()))
-            return csv.refuse(line, fields[0].column,
-                              fmt::format("time {} does not rise above {}", shortest(*t), shortest(table.time.back())));
-        table.time.push_back(*t);
-        table.displacement.push_back(displacement);
-    });
-    if (csv.problems().empty() && table.time.size() < 2)
-        csv.refuse(0, 0, fmt::format("{} rows, a motion needs 2", table.time.size()));
-    if (!csv.problems().empty())
-        return csv.problems();
+/// A table whose heads are exactly these, the last `optional` of them perhaps missing.
+Result<tumble::Table> table_with(std::string_view text, const std::string& source, std::vector<std::string> heads,
+                                 std::size_t optional, const char* form) {
+    auto table = parse_table(std::string(text), source, limits);
+    if (!table)
+        return table;
+    std::vector<std::string> short_heads(heads.begin(), heads.end() - static_cast<std::ptrdiff_t>(optional));
+    if (table->heads() != heads && table->heads() != short_heads)
+        return Problem{source,
+                       0,
+                       0,
+                       "",
+                       fmt::format("the head is '{}', not '{}'",
+                                   excerpt(fmt::format("{}", fmt::join(table->heads(), ","))),
+                                   fmt::join(short_heads, ",")),
+                       form};
     return table;
 }
 
+/// Columns of numbers of one table, with the problems of all of them.
+class Columns {
+public:
+    Columns(const tumble::Table& table, const char* form) : table_(table), form_(form) {}
+
+    std::vector<double> read(std::string_view head, double lo, double hi) {
+        const std::size_t column = *table_.find(head);
+        std::vector<double> numbers(table_.rows());
+        auto read = table_.numbers(head);
+        if (!read) {
+            const Problems more = read.problems();
+            problems_.insert(problems_.end(), more.begin(), more.end());
+            return numbers;
+        }
+        for (std::size_t row = 0; row < table_.rows(); ++row)
+            if (!((*read)[row] >= lo && (*read)[row] <= hi))
+                refuse(row, column,
+                       fmt::format("{} is not within {} to {}", shortest((*read)[row]), shortest(lo), shortest(hi)));
+        return std::move(*read);
+    }
+
+    void refuse(std::size_t row, std::size_t column, std::string what) {
+        if (problems_.size() < most_problems)
+            problems_.push_back(table_.problem_at(row, column, std::move(what), form_));
+    }
+
+    [[nodiscard]] const Problems& problems() const { return problems_; }
+
+private:
+    const tumble::Table& table_;
+    const char* form_;
+    Problems problems_;
+};
+
+} // namespace
+
+std::vector<RowFault> time_faults(const std::vector<double>& time) {
+    std::vector<RowFault> faults;
+    if (time.size() < 2)
+        faults.push_back({0, fmt::format("a motion of {} row, it needs 2", time.size())});
+    if (!time.empty() && time[0] != 0)
+        faults.push_back({0, fmt::format("the first time is {}, not 0", shortest(time[0]))});
+    for (std::size_t row = 1; row < time.size(); ++row)
+        if (!(time[row] > time[row - 1]))
+            faults.push_back(
+                {row, fmt::format("time {} does not rise above {}", shortest(time[row]), shortest(time[row - 1]))});
+    return faults;
+}
+
+Result<MotionTable> parse_motion_table(std::string_view text, const std::string& source) {
+    const auto table = table_with(text, source, {"t_s", "x_m", "y_m", "z_m"}, 0, table_form);
+    if (!table)
+        return table.problems();
+    if (table->rows() == 0)
+        return Problem{source, 0, 0, "", "there is no row below the head", table_form};
+    Columns columns(*table, table_form);
+    MotionTable motion;
+    motion.time = columns.read("t_s", 0, longest_time);
+    std::array<std::vector<double>, 3> along;
+    for (std::size_t k = 0; k < 3; ++k)
+        along[k] = columns.read(std::array{"x_m", "y_m", "z_m"}[k], -farthest, farthest);
+    if (!columns.problems().empty())
+        return columns.problems();
+    for (const RowFault& fault : time_faults(motion.time))
+        columns.refuse(fault.row, 0, fault.what);
+    if (!columns.problems().empty())
+        return columns.problems();
+    for (std::size_t row = 0; row < table->rows(); ++row)
+        motion.displacement.emplace_back(along[0][row], along[1][row], along[2][row]);
+    return motion;
+}
+
 Result<std::vector<Harmonic>> parse_harmonics(std::string_view text, const std::string& source) {
-    Csv csv(source, "write the head axis,amplitude,period (and phase_deg) and rows such as y,1.949e-3,0.04; metres and "
-                    "seconds");
-    std::vector<Harmonic> harmonics;
-    csv.read(text, {"axis,amplitude,period", "axis,amplitude,period,phase_deg"},
-             [&](const std::vector<Field>& fields, int line) {
-                 Harmonic one;
-                 one.axis = fields[0].text == "x" ? 0 : fields[0].text == "y" ? 1 : fields[0].text == "z" ? 2 : -1;
-                 if (one.axis < 0)
-                     csv.refuse(line, fields[0].column,
-                                fmt::format("'{}' is not an axis x, y or z", printable(fields[0].text)));
-                 const auto amplitude = csv.number(fields[1], line, farthest);
-                 const auto period = csv.number(fields[2], line, longest_time);
-                 const auto phase = fields.size() > 3 ? csv.number(fields[3], line, 360) : 0.0;
-                 if (period && !(*period >= 1e-6))
-                     return csv.refuse(line, fields[2].column,
-                                       fmt::format("the period {} is below 1e-6 s", shortest(*period)));
-                 if (amplitude && *amplitude < 0)
-                     return csv.refuse(line, fields[1].column,
-                                       fmt::format("the amplitude {} is below 0", shortest(*amplitude)));
-                 if (harmonics.size() >= most_harmonics)
-                     return csv.refuse(line, 1, fmt::format("more than {} harmonics", most_harmonics));
-                 one.amplitude = amplitude.value_or(0);
-                 one.frequency = 1 / period.value_or(1);
-                 one.phase = phase.value_or(0) * std::numbers::pi / 180;
-                 harmonics.push_back(one);
-             });
-    if (csv.problems().empty() && harmonics.empty())
-        csv.refuse(0, 0, "there is no harmonic in this file");
-    if (!csv.problems().empty())
-        return csv.problems();
+    const auto table = table_with(text, source, {"axis", "amplitude", "period", "phase_deg"}, 1, harmonics_form);
+    if (!table)
+        return table.problems();
+    if (table->rows() == 0 || table->rows() > most_harmonics)
+        return Problem{source,        0, 0, "", fmt::format("{} harmonics, not 1 to {}", table->rows(), most_harmonics),
+                       harmonics_form};
+    Columns columns(*table, harmonics_form);
+    const auto amplitude = columns.read("amplitude", 0, farthest);
+    const auto period = columns.read("period", 1e-6, longest_time);
+    const auto phase =
+        table->heads().size() > 3 ? columns.read("phase_deg", -360, 360) : std::vector<double>(table->rows(), 0.0);
+    std::vector<Harmonic> harmonics(table->rows());
+    for (std::size_t row = 0; row < table->rows(); ++row) {
+        const std::string_view axis = table->cell(row, 0);
+        if (axis != "x" && axis != "y" && axis != "z")
+            columns.refuse(row, 0, fmt::format("'{}' is not an axis x, y or z", excerpt(axis)));
+        else
+            harmonics[row].axis = axis[0] - 'x';
+        harmonics[row].amplitude = amplitude[row];
+        harmonics[row].frequency = 1 / period[row];
+        harmonics[row].phase = phase[row] * std::numbers::pi / 180;
+    }
+    if (!columns.problems().empty())
+        return columns.problems();
     return harmonics;
 }
 
 Result<MotionTable> read_motion_table(const std::filesystem::path& file) {
-    const auto text = read_file(file, largest_table_file);
+    const auto text = read_file(file, limits.bytes);
     if (!text)
         return text.problems();
     return parse_motion_table(*text, file.string());
 }
 
 Result<std::vector<Harmonic>> read_harmonics(const std::filesystem::path& file) {
-    const auto text = read_file(file, largest_table_file);
+    const auto text = read_file(file, limits.bytes);
     if (!text)
         return text.problems();
     return parse_harmonics(*text, file.string());

@@ -15,6 +15,13 @@ namespace tumble::scene {
 Result<MotionTable> parse_motion_table(std::string_view text, const std::string& source);
 Result<MotionTable> read_motion_table(const std::filesystem::path& file);
 
+/// What keeps these times from being those of a motion, and at which row (from 0); empty when nothing does.
+struct RowFault {
+    std::size_t row = 0;
+    std::string what;
+};
+std::vector<RowFault> time_faults(const std::vector<double>& time);
+
 /// Harmonics, one a line: CSV with the head "axis,amplitude,period" (m, s) or "axis,amplitude,period,phase_deg".
 /// Activity as above.
 Result<std::vector<Harmonic>> parse_harmonics(std::string_view text, const std::string& source);

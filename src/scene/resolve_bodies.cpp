@@ -29,11 +29,10 @@ std::vector<Sphere> resolve_spheres(const View& view, const Resolving& to) {
     for (std::size_t i = 0; i + 3 < numbers.size(); i += 4)
         spheres.push_back({{numbers[i], numbers[i + 1], numbers[i + 2]}, numbers[i + 3]});
     const double scale = view.number("scale");
-    if (scale != 1)
-        for (Sphere& sphere : spheres) {
-            sphere.centre *= scale;
-            sphere.radius *= scale;
-        }
+    for (Sphere& sphere : spheres) {
+        sphere.centre *= scale;
+        sphere.radius *= scale;
+    }
     return spheres;
 }
 

@@ -20,15 +20,6 @@ Active active_of(const View& view, const Resolving& to) {
     return active;
 }
 
-Vector3d axis_of(const View& view, const Resolving& to) {
-    const Vector3d typed = view.vector("about");
-    if (typed.norm() > 0)
-        return typed.normalized();
-    if (view.given("about"))
-        to.refuse(view, "about", "'about' has no direction", "give at least one value that is not 0");
-    return Vector3d::UnitY();
-}
-
 /// The file's content, or its problems reported: at the key when they concern the file as a whole.
 template <class Content, class Read> std::optional<Content> read(const View& view, const Resolving& to, Read reader) {
     if (!view.given("file"))
@@ -62,6 +53,21 @@ void add_harmonics(const View& view, const Active& active, const Resolving& to, 
     motion.harmonics.push_back(one);
 }
 
+void add_table(const View& view, const Active& active, const Resolving& to, WallMotion& motion) {
+    MotionTable table = read<MotionTable>(view, to, read_motion_table).value_or(MotionTable{});
+    const std::vector<double> rows = view.numbers("rows");
+    for (std::size_t i = 0; i + 3 < rows.size(); i += 4) {
+        table.time.push_back(rows[i]);
+        table.displacement.emplace_back(rows[i + 1], rows[i + 2], rows[i + 3]);
+    }
+    if (view.given("rows"))
+        for (const RowFault& fault : time_faults(table.time))
+            to.refuse(view, "rows", fmt::format("row {}: {}", fault.row + 1, fault.what),
+                      "write [t, x, y, z] in each row, time from 0, rising");
+    table.active = active;
+    motion.tables.push_back(std::move(table));
+}
+
 } // namespace
 
 WallMotion resolve_motion(const View& wall, const Resolving& to) {
@@ -73,19 +79,16 @@ WallMotion resolve_motion(const View& wall, const Resolving& to) {
         if (kind == "harmonic" || kind == "harmonics")
             add_harmonics(view, active, to, motion);
         else if (kind == "rotation")
-            motion.rotations.push_back({active, view.vector("centre_m"), axis_of(view, to),
+            motion.rotations.push_back({active, view.vector("centre_m"), direction_of(view, "about", to),
                                         view.number(view.given("speed_rpm") ? "speed_rpm" : "speed_rad_s")});
         else if (kind == "rocking")
-            motion.rockings.push_back({active, view.vector("centre_m"), axis_of(view, to), view.number("amplitude_deg"),
-                                       view.number("frequency_Hz"), view.number("phase_deg")});
+            motion.rockings.push_back({active, view.vector("centre_m"), direction_of(view, "about", to),
+                                       view.number("amplitude_deg"), view.number("frequency_Hz"),
+                                       view.number("phase_deg")});
         else if (kind == "linear")
             motion.linears.push_back({active, view.vector("velocity_m_s")});
-        else if (kind == "table") {
-            if (auto table = read<MotionTable>(view, to, read_motion_table)) {
-                table->active = active;
-                motion.tables.push_back(std::move(*table));
-            }
-        }
+        else if (kind == "table")
+            add_table(view, active, to, motion);
     }
     return motion;
 }

@@ -10,18 +10,8 @@
 namespace tumble::scene {
 namespace {
 
-/// A unit vector; a problem and y when the typed one has no length.
-Vector3d direction(const View& view, const std::string& key, const Resolving& to) {
-    const Vector3d typed = view.vector(key);
-    if (typed.norm() > 0)
-        return typed.normalized();
-    if (view.given(key))
-        to.refuse(view, key, fmt::format("'{}' has no direction", key), "give at least one value that is not 0");
-    return Vector3d::UnitY();
-}
-
 PlaneShape plane(const View& view, const Resolving& to) {
-    return {view.vector("point_m"), direction(view, "normal", to)};
+    return {view.vector("point_m"), direction_of(view, "normal", to)};
 }
 
 BoxShape box(const View& view, const Resolving& to) {
@@ -37,7 +27,7 @@ BoxShape box(const View& view, const Resolving& to) {
 }
 
 DiscShape disc(const View& view, const Resolving& to) {
-    DiscShape shape{view.vector("centre_m"), direction(view, "normal", to), view.number("radius_m"),
+    DiscShape shape{view.vector("centre_m"), direction_of(view, "normal", to), view.number("radius_m"),
                     view.number("hole_radius_m")};
     if (view.given("hole_radius_m") && view.given("radius_m") && shape.hole_radius >= shape.radius)
         to.refuse(view, "hole_radius_m",
@@ -82,11 +72,10 @@ MeshShape mesh(const View& view, const Resolving& to) {
         return shape;
     }
     shape.triangles = std::move(*read);
-    const double scale = view.number("scale");
-    if (scale != 1)
-        for (auto& triangle : shape.triangles)
-            for (Vector3d& corner : triangle)
-                corner *= scale;
+    shape.scale = view.number("scale");
+    for (auto& triangle : shape.triangles)
+        for (Vector3d& corner : triangle)
+            corner *= shape.scale;
     return shape;
 }
 
@@ -95,7 +84,7 @@ WallShape resolve_shape(const View& view, const Resolving& to) {
     if (kind == "box")
         return box(view, to);
     if (kind == "cylinder")
-        return CylinderShape{view.vector("base_m"), direction(view, "axis", to), view.number("length_m"),
+        return CylinderShape{view.vector("base_m"), direction_of(view, "axis", to), view.number("length_m"),
                              view.number("radius_m")};
     if (kind == "disc")
         return disc(view, to);

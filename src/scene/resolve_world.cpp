@@ -1,6 +1,7 @@
 #include "base/text.h"
 #include "scene/resolve.h"
 
+#include <cmath>
 #include <fmt/format.h>
 
 namespace tumble::scene {
@@ -8,6 +9,18 @@ namespace tumble::scene {
 std::filesystem::path Resolving::file(const std::string& name) const {
     const std::filesystem::path path(name);
     return (path.is_absolute() ? path : folder / path).lexically_normal();
+}
+
+Vector3d direction_of(const View& view, const std::string& key, const Resolving& to) {
+    const Vector3d typed = view.vector(key);
+    const double length = typed.norm();
+    if (std::abs(length - 1) < 1e-15)
+        return typed;
+    if (length > 0)
+        return typed / length;
+    if (view.given(key))
+        to.refuse(view, key, fmt::format("'{}' has no direction", key), "give at least one value that is not 0");
+    return Vector3d::UnitY();
 }
 
 std::string in_words(const Eigen::Vector3d& point) {

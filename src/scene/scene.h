@@ -105,6 +105,7 @@ struct TroughShape {
 struct MeshShape {
     std::filesystem::path file;
     std::vector<std::array<Vector3d, 3>> triangles; // m
+    double scale = 1;                               // metres per unit of the file, already applied
 };
 
 using WallShape = std::variant<PlaneShape, BoxShape, CylinderShape, DiscShape, TroughShape, MeshShape>;

@@ -1,0 +1,244 @@
+#include "scene/to_toml.h"
+
+#include "scene/toml_writer.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace tumble::scene {
+namespace {
+
+void write_world(const Scene& scene, TomlWriter& to) {
+    to.table("", "");
+    to.text("title", scene.title);
+    to.text("claim", scene.claim);
+    to.integer("dimension", scene.dimension);
+    to.number("duration_s", scene.duration);
+    to.number("time_step_s", scene.time_step);
+    to.flag("allow_large_step", scene.allow_large_step);
+    to.integer("seed", static_cast<long long>(scene.seed));
+    to.vector("gravity_m_s2", scene.gravity);
+    to.number("skin_m", scene.skin);
+
+    to.table("domain", "[domain]");
+    to.vector("lo_m", scene.domain.box.lo);
+    to.vector("hi_m", scene.domain.box.hi);
+    std::vector<std::string> periodic;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (scene.domain.periodic[axis])
+            periodic.emplace_back(1, "xyz"[axis]);
+    to.words("periodic", periodic);
+
+    to.table("contact", "[contact]");
+    to.text("normal", scene.contact.normal == NormalLaw::linear ? "linear" : "hertz");
+    to.text("tangential", scene.contact.tangential == TangentialLaw::none     ? "none"
+                          : scene.contact.tangential == TangentialLaw::linear ? "linear"
+                                                                              : "mindlin");
+    to.flag("limit_force", scene.contact.limit_force);
+    to.flag("share_among_body_contacts", scene.contact.share_among_body_contacts);
+}
+
+void write_materials(const Scene& scene, TomlWriter& to) {
+    for (const contact::Material& material : scene.materials) {
+        to.table("material", fmt::format("[material.{}]", TomlWriter::name(material.name)));
+        to.number("density_kg_m3", material.density);
+        to.number("youngs_modulus_Pa", material.youngs_modulus);
+        to.number("poisson_ratio", material.poisson_ratio);
+        to.flag("allow_soft", material.youngs_modulus < 1e6);
+    }
+    const int n = static_cast<int>(scene.materials.size());
+    for (int a = 0; a < n; ++a)
+        for (int b = a; b < n; ++b) {
+            const contact::PairProperties& pair = scene.pair(a, b);
+            const auto name = [&](int i) { return scene.materials[static_cast<std::size_t>(i)].name; };
+            to.table("pair", fmt::format("[pair.{}]", TomlWriter::name(name(a) + "-" + name(b))));
+            to.number("restitution", pair.restitution);
+            to.number("friction", pair.friction);
+            if (pair.normal_stiffness > 0)
+                to.number("normal_stiffness_N_per_m", pair.normal_stiffness);
+            if (pair.tangential_stiffness > 0)
+                to.number("tangential_stiffness_N_per_m", pair.tangential_stiffness);
+        }
+}
+
+void write_bodies(const Scene& scene, TomlWriter& to) {
+    for (const BodyTemplate& body : scene.bodies) {
+        to.table("body", fmt::format("[body.{}]", TomlWriter::name(body.name)));
+        to.text("material", scene.materials[static_cast<std::size_t>(body.material)].name);
+        if (body.mass)
+            to.number("mass_kg", *body.mass);
+        if (body.principal_inertia)
+            to.vector("inertia_kg_m2", *body.principal_inertia);
+        std::vector<std::array<double, 4>> rows;
+        for (const Sphere& sphere : body.spheres)
+            rows.push_back({sphere.centre.x(), sphere.centre.y(), sphere.centre.z(), sphere.radius});
+        to.rows("spheres_m", rows);
+    }
+    for (const Fill& fill : scene.fills) {
+        to.table("fill", "[[fill]]");
+        to.text("body", scene.bodies[static_cast<std::size_t>(fill.body)].name);
+        if (fill.count)
+            to.integer("count", *fill.count);
+        if (fill.mass)
+            to.number("mass_kg", *fill.mass);
+        if (fill.position)
+            to.vector("position_m", *fill.position);
+        else {
+            to.vector("region_lo_m", fill.region.lo);
+            to.vector("region_hi_m", fill.region.hi);
+        }
+        to.text("orientation", fill.orientation == Orientation::as_written ? "as_written" : "random");
+        to.vector("velocity_m_s", fill.velocity);
+        to.vector("angular_velocity_rad_s", fill.angular_velocity);
+        to.number("start_s", fill.start);
+        to.number("until_s", fill.until);
+        to.number("every_s", fill.every);
+    }
+}
+
+struct ShapeWriter {
+    TomlWriter& to;
+
+    void operator()(const PlaneShape& plane) const {
+        to.text("shape", "plane");
+        to.vector("point_m", plane.point);
+        to.vector("normal", plane.normal);
+    }
+    void operator()(const BoxShape& box) const {
+        to.text("shape", "box");
+        to.vector("lo_m", box.box.lo);
+        to.vector("hi_m", box.box.hi);
+        std::vector<std::string> open;
+        for (std::size_t face = 0; face < 6; ++face)
+            if (box.open[face])
+                open.push_back(fmt::format("{}{}", "-+"[face % 2], "xyz"[face / 2]));
+        to.words("open", open);
+    }
+    void operator()(const CylinderShape& cylinder) const {
+        to.text("shape", "cylinder");
+        to.vector("base_m", cylinder.base);
+        to.vector("axis", cylinder.axis);
+        to.number("length_m", cylinder.length);
+        to.number("radius_m", cylinder.radius);
+    }
+    void operator()(const DiscShape& disc) const {
+        to.text("shape", "disc");
+        to.vector("centre_m", disc.centre);
+        to.vector("normal", disc.normal);
+        to.number("radius_m", disc.radius);
+        to.number("hole_radius_m", disc.hole_radius);
+    }
+    void operator()(const TroughShape& trough) const {
+        to.text("shape", "trough");
+        to.number("radius_m", trough.radius);
+        to.number("floor_m", trough.floor);
+        to.number("rim_m", trough.rim);
+        to.number("flare_deg", trough.flare);
+        to.number("x_lo_m", trough.x_lo);
+        to.number("x_hi_m", trough.x_hi);
+    }
+    void operator()(const MeshShape& mesh) const {
+        to.text("shape", "mesh");
+        std::error_code error;
+        const auto path = std::filesystem::absolute(mesh.file, error);
+        to.text("stl", (error ? mesh.file : path).string());
+        to.number("scale", mesh.scale);
+    }
+};
+
+void begin_motion(TomlWriter& to, const char* kind, const Active& active) {
+    to.table("wall.motion", "[[wall.motion]]");
+    to.text("kind", kind);
+    to.number("start_s", active.start);
+    if (std::isfinite(active.stop))
+        to.number("stop_s", active.stop);
+}
+
+void write_turns(const WallMotion& motion, TomlWriter& to) {
+    for (const Rotation& part : motion.rotations) {
+        begin_motion(to, "rotation", part.active);
+        to.vector("centre_m", part.centre);
+        to.vector("about", part.axis);
+        to.number("speed_rad_s", part.angular_velocity);
+    }
+    for (const Rocking& part : motion.rockings) {
+        begin_motion(to, "rocking", part.active);
+        to.vector("centre_m", part.centre);
+        to.vector("about", part.axis);
+        to.number("amplitude_deg", part.amplitude);
+        to.number("frequency_Hz", part.frequency);
+        to.number("phase_deg", part.phase);
+    }
+}
+
+void write_motion(const WallMotion& motion, TomlWriter& to) {
+    for (const Harmonic& part : motion.harmonics) {
+        begin_motion(to, "harmonic", part.active);
+        to.text("axis", std::string(1, "xyz"[part.axis]));
+        to.number("amplitude_m", part.amplitude);
+        to.number("frequency_Hz", part.frequency);
+        to.number("phase_deg", part.phase);
+    }
+    write_turns(motion, to);
+    for (const Linear& part : motion.linears) {
+        begin_motion(to, "linear", part.active);
+        to.vector("velocity_m_s", part.velocity);
+    }
+    for (const MotionTable& part : motion.tables) {
+        begin_motion(to, "table", part.active);
+        std::vector<std::array<double, 4>> rows;
+        for (std::size_t i = 0; i < part.time.size(); ++i)
+            rows.push_back(
+                {part.time[i], part.displacement[i].x(), part.displacement[i].y(), part.displacement[i].z()});
+        to.rows("rows", rows);
+    }
+}
+
+void write_output(const Scene& scene, TomlWriter& to) {
+    to.table("observe", "[observe]");
+    to.number("every_s", scene.observe.every);
+    to.words("measures", scene.observe.measures);
+    const Render& render = scene.render;
+    to.table("render", "[render]");
+    to.text("camera", render.camera);
+    to.text("projection", render.projection);
+    to.vector("eye_m", render.eye);
+    to.vector("target_m", render.target);
+    to.number("field_of_view_deg", render.field_of_view_deg);
+    if (render.view) {
+        to.vector("view_lo_m", render.view->lo);
+        to.vector("view_hi_m", render.view->hi);
+    }
+    to.text("color", render.color);
+    if (render.range)
+        to.span("range", (*render.range)[0], (*render.range)[1]);
+    to.text("colormap", render.colormap);
+    to.text("background", render.background);
+    to.integer("width_px", render.width);
+    to.integer("height_px", render.height);
+    to.number("every_s", render.every);
+    to.number("frames_per_second", render.frames_per_second);
+    to.flag("plot", render.plot);
+    to.text("plot_measure", render.plot_measure);
+}
+
+} // namespace
+
+std::string to_toml(const Scene& scene) {
+    TomlWriter to;
+    write_world(scene, to);
+    write_materials(scene, to);
+    write_bodies(scene, to);
+    for (const Wall& wall : scene.walls) {
+        to.table("wall", "[[wall]]");
+        to.text("name", wall.name);
+        to.text("material", scene.materials[static_cast<std::size_t>(wall.material)].name);
+        to.number("opacity", wall.opacity);
+        std::visit(ShapeWriter{to}, wall.shape);
+        write_motion(wall.motion, to);
+    }
+    write_output(scene, to);
+    return to.result();
+}
+
+} // namespace tumble::scene

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tumble::scene {
+
+/// Writes keys of one table of the list under its head, each value so that reading it gives the same bits. Keys at
+/// their default are left out.
+class TomlWriter {
+public:
+    /// Begins a table: `path` finds its keys in the list, `head` is the line to write ("" at the top).
+    void table(std::string_view path, const std::string& head);
+
+    /// Values in SI, as the scene holds them.
+    void number(const std::string& key, double si);
+    void vector(const std::string& key, const Eigen::Vector3d& value);
+    void span(const std::string& key, double lo, double hi);
+    void integer(const std::string& key, long long value);
+    void flag(const std::string& key, bool value);
+    void text(const std::string& key, std::string_view value);
+    void words(const std::string& key, const std::vector<std::string>& value);
+    /// Rows of four, one a line.
+    void rows(const std::string& key, const std::vector<std::array<double, 4>>& value);
+
+    [[nodiscard]] const std::string& result() const { return toml_; }
+
+    /// "text" with everything escaped that TOML wants escaped.
+    static std::string quoted(std::string_view text);
+    /// A name as it stands in a head: bare where TOML allows, quoted elsewhere.
+    static std::string name(std::string_view text);
+
+private:
+    void line(const std::string& key, const std::string& value);
+    [[nodiscard]] const struct Key& key(const std::string& name) const;
+
+    const struct KeyTable* table_ = nullptr;
+    std::string toml_;
+};
+
+} // namespace tumble::scene

@@ -1,0 +1,192 @@
+#include "render/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+#include <numbers>
+
+namespace tumble::render {
+
+using Eigen::Matrix3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+// Free room between what is shown and the edge of its area, as a share of the area.
+constexpr double margin = 0.03;
+
+Vector2d Camera::to_picture(const Vector3d& world) const {
+    const Vector3d v = to_view(world);
+    const double zoom = perspective ? scale / -v.z() : scale;
+    return {centre.x() + zoom * v.x(), centre.y() - zoom * v.y()};
+}
+
+double Camera::pixels_per_metre(const Vector3d& world) const {
+    return perspective ? scale / -to_view(world).z() : scale;
+}
+
+Eigen::Matrix4f Camera::clip_matrix(int width, int height) const {
+    Eigen::Matrix4d clip = Eigen::Matrix4d::Zero();
+    const double shift_x = 2 * centre.x() / width - 1;
+    const double shift_y = 1 - 2 * centre.y() / height;
+    clip(0, 0) = 2 * scale / width;
+    clip(1, 1) = 2 * scale / height;
+    if (perspective) {
+        clip(0, 2) = -shift_x;
+        clip(1, 2) = -shift_y;
+        clip(2, 2) = (farthest + nearest) / (nearest - farthest);
+        clip(2, 3) = 2 * farthest * nearest / (nearest - farthest);
+        clip(3, 2) = -1;
+    } else {
+        clip(0, 3) = shift_x;
+        clip(1, 3) = shift_y;
+        clip(2, 2) = 2 / (nearest - farthest);
+        clip(2, 3) = (farthest + nearest) / (nearest - farthest);
+        clip(3, 3) = 1;
+    }
+    return clip.cast<float>();
+}
+
+static std::array<Vector3d, 8> corners_of(const Eigen::AlignedBox3d& box) {
+    std::array<Vector3d, 8> corners;
+    for (int i = 0; i < 8; ++i) {
+        corners[static_cast<std::size_t>(i)] = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
+    }
+    return corners;
+}
+
+void Camera::enclose(const Eigen::AlignedBox3d& everything) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const Vector3d& corner : corners_of(everything)) {
+        const double distance = -to_view(corner).z();
+        low = std::min(low, distance);
+        high = std::max(high, distance);
+    }
+    const double slack = 1e-3 * (high - low) + 1e-9;
+    nearest = low - slack;
+    farthest = high + slack;
+    if (perspective) {
+        // A ratio beyond 1e4 would leave too few steps of depth at the far end.
+        farthest = std::max(farthest, 1e-6);
+        nearest = std::max(nearest, 1e-4 * farthest);
+    }
+}
+
+static Matrix3d looking(const Vector3d& direction, const Vector3d& up) {
+    const Vector3d back = -direction.normalized();
+    const Vector3d hint = back.cross(up).norm() > 1e-6 ? up : Vector3d(-Vector3d::UnitZ());
+    const Vector3d right = hint.cross(back).normalized();
+    Matrix3d axes;
+    axes.row(0) = right;
+    axes.row(1) = back.cross(right);
+    axes.row(2) = back;
+    return axes;
+}
+
+/// Places the eye or the scale so that the box just fits.
+static void fit(Camera& camera, const Eigen::AlignedBox3d& box, const Area& area, double field_of_view) {
+    const double half_width = 0.5 * area.width() * (1 - 2 * margin);
+    const double half_height = 0.5 * area.height() * (1 - 2 * margin);
+    camera.target = box.center();
+    double across = 1e-9;
+    double along = 1e-9;
+    for (const Vector3d& corner : corners_of(box)) {
+        const Vector3d v = camera.axes * (corner - camera.target);
+        across = std::max(across, std::abs(v.x()));
+        along = std::max(along, std::abs(v.y()));
+    }
+    if (!camera.perspective) {
+        camera.scale = std::min(half_width / across, half_height / along);
+        camera.eye = camera.target + camera.axes.row(2).transpose() * box.diagonal().norm();
+        return;
+    }
+    camera.scale = 0.5 * area.height() / std::tan(0.5 * field_of_view);
+    double distance = 1e-6;
+    for (const Vector3d& corner : corners_of(box)) {
+        const Vector3d v = camera.axes * (corner - camera.target);
+        distance = std::max(distance, v.z() + std::abs(v.x()) * camera.scale / half_width);
+        distance = std::max(distance, v.z() + std::abs(v.y()) * camera.scale / half_height);
+    }
+    camera.eye = camera.target + camera.axes.row(2).transpose() * distance;
+}
+
+static Result<Vector3d> direction_of(const scene::Render& settings) {
+    if (settings.camera == "front") {
+        return Vector3d(Vector3d::UnitX());
+    }
+    if (settings.camera == "side") {
+        return Vector3d(-Vector3d::UnitZ());
+    }
+    if (settings.camera == "top") {
+        return Vector3d(-Vector3d::UnitY());
+    }
+    if (settings.camera != "free") {
+        return Problem{.key = "render.camera",
+                       .what = fmt::format("there is no camera '{}'", settings.camera),
+                       .fix = "take front, side, top or free"};
+    }
+    const Vector3d direction = settings.target - settings.eye;
+    if (direction.norm() > 0) {
+        return direction;
+    }
+    if (settings.eye.norm() > 0) {
+        return Problem{.key = "render.eye",
+                       .what = "the free camera's eye and target are the same point",
+                       .fix = "move one of them, or leave both out to look from the front, right and above"};
+    }
+    return Vector3d(1.0, -0.55, -0.75);
+}
+
+Result<Camera> make_camera(const scene::Render& settings, const Eigen::AlignedBox3d& box, const Area& area) {
+    const auto direction = direction_of(settings);
+    if (!direction) {
+        return direction.problems();
+    }
+    if (settings.projection != "orthographic" && settings.projection != "perspective") {
+        return Problem{.key = "render.projection",
+                       .what = fmt::format("there is no projection '{}'", settings.projection),
+                       .fix = "take orthographic or perspective"};
+    }
+    if (!(settings.field_of_view_deg > 0 && settings.field_of_view_deg < 170)) {
+        return Problem{.key = "render.field_of_view_deg",
+                       .what = fmt::format("a field of view of {} degrees cannot be drawn", settings.field_of_view_deg),
+                       .fix = "take more than 0 and less than 170, usually 20 to 60"};
+    }
+    const double field_of_view = settings.field_of_view_deg * std::numbers::pi / 180;
+    Camera camera;
+    camera.perspective = settings.projection == "perspective";
+    camera.axes = looking(*direction, Vector3d::UnitY());
+    camera.centre = {0.5 * (area.left + area.right), 0.5 * (area.top + area.bottom)};
+    if (settings.camera == "free" && settings.eye != settings.target) {
+        camera.eye = settings.eye;
+        camera.target = settings.target;
+        camera.scale = 0.5 * area.height() / std::tan(0.5 * field_of_view);
+        if (!camera.perspective) {
+            camera.scale /= (settings.target - settings.eye).norm();
+        }
+    } else {
+        fit(camera, box, area, field_of_view);
+    }
+    camera.enclose(box);
+    return camera;
+}
+
+Eigen::AlignedBox3d bounds_of(const observe::Frame& frame) {
+    Eigen::AlignedBox3d box;
+    const observe::FrameLayout& layout = *frame.layout;
+    for (std::size_t b = 0; b < frame.bodies(); ++b) {
+        const observe::FrameShape& shape = layout.shapes[static_cast<std::size_t>(frame.shape[b])];
+        for (std::size_t s = 0; s < shape.centres.size(); ++s) {
+            const Vector3d centre = frame.position[b] + frame.orientation[b] * shape.centres[s];
+            box.extend(Eigen::AlignedBox3d(centre.array() - shape.radii[s], centre.array() + shape.radii[s]));
+        }
+    }
+    for (std::size_t w = 0; w < layout.walls.size() && w < frame.walls.size(); ++w) {
+        for (const Vector3d& vertex : layout.walls[w].vertices) {
+            box.extend(frame.walls[w].rotation * vertex + frame.walls[w].translation);
+        }
+    }
+    return box.isEmpty() ? Eigen::AlignedBox3d(layout.domain_lo, layout.domain_hi) : box;
+}
+
+} // namespace tumble::render

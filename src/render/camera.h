@@ -1,0 +1,50 @@
+#pragma once
+
+#include "base/problem.h"
+#include "observe/frame.h"
+#include "render/area.h"
+#include "scene/scene.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace tumble::render {
+
+/// A pinhole or a parallel projection onto a picture whose pixels are square.
+struct Camera {
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); // rows: right, up, and towards the eye; unit vectors
+    Eigen::Vector3d eye = Eigen::Vector3d::Zero();      // m; for a parallel projection any point of the axis
+    Eigen::Vector3d target = Eigen::Vector3d::Zero();   // m, on the axis
+    bool perspective = false;
+    double scale = 1;                                 // pixels a metre; perspective: pixels a unit of the tangent
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero(); // pixels, where the axis meets the picture
+    double nearest = 0;                               // m, distance along the axis in front of the eye
+    double farthest = 1;                              // m
+
+    /// World (m) to right, up and towards the eye (m), the eye at the origin.
+    [[nodiscard]] Eigen::Vector3d to_view(const Eigen::Vector3d& world) const { return axes * (world - eye); }
+
+    /// Where a world point (m) lies in the picture, pixels from its left and top. The point must lie before the eye.
+    [[nodiscard]] Eigen::Vector2d to_picture(const Eigen::Vector3d& world) const;
+
+    /// Pixels that a metre across the axis takes at a world point (m).
+    [[nodiscard]] double pixels_per_metre(const Eigen::Vector3d& world) const;
+
+    /// View space to OpenGL's clip space for a picture of that size (pixels).
+    [[nodiscard]] Eigen::Matrix4f clip_matrix(int width, int height) const;
+
+    /// Draws nearest and farthest around a box (m) that holds everything to be drawn.
+    void enclose(const Eigen::AlignedBox3d& everything);
+};
+
+/// All bodies and walls of a frame, m; the domain where there are neither.
+Eigen::AlignedBox3d bounds_of(const observe::Frame& frame);
+
+/// The camera that settings ask for. front looks along +x (y up, z to the right), side along -z (y up, x to the right),
+/// top along -y (x to the right, z downwards); they fit `box` (m) into `area` with a small margin. free takes eye,
+/// target and field of view (of the area's height), target in the area's middle; without eye and target it looks at the
+/// box from the front, right and above. Problems name an unknown camera or projection and a free camera without
+/// direction.
+Result<Camera> make_camera(const scene::Render& settings, const Eigen::AlignedBox3d& box, const Area& area);
+
+} // namespace tumble::render

@@ -1,0 +1,45 @@
+#include "render/color_range.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tumble::render {
+
+constexpr double percentile = 0.98;
+constexpr int patience = 25;      // frames
+constexpr double smallest = 1e-9; // anything slower is numerical noise of a bulk at rest
+
+static double robust_reach(std::vector<double>& values) {
+    std::erase_if(values, [](double v) { return !std::isfinite(v); });
+    if (values.empty()) {
+        return 0;
+    }
+    std::transform(values.begin(), values.end(), values.begin(), [](double v) { return std::abs(v); });
+    const auto rank = static_cast<std::ptrdiff_t>(percentile * static_cast<double>(values.size() - 1) + 0.5);
+    std::nth_element(values.begin(), values.begin() + rank, values.end());
+    const double reach = values[static_cast<std::size_t>(rank)];
+    return reach > smallest ? round_up(reach) : 0;
+}
+
+Span ColorRange::next(std::vector<double> values) {
+    if (fixed_) {
+        return *fixed_;
+    }
+    const double wanted = robust_reach(values);
+    if (wanted > reach_) {
+        reach_ = wanted;
+    }
+    if (3 * wanted < reach_) {
+        wanted_since_ = std::max(quiet_frames_ == 0 ? 0.0 : wanted_since_, wanted);
+        if (++quiet_frames_ >= patience) {
+            reach_ = wanted_since_;
+            quiet_frames_ = 0;
+        }
+    } else {
+        quiet_frames_ = 0;
+    }
+    const double reach = reach_ > 0 ? reach_ : 1;
+    return has_sign_ ? Span{-reach, reach} : Span{0, reach};
+}
+
+} // namespace tumble::render

@@ -1,0 +1,74 @@
+#include "render/file_swap.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <unistd.h>
+
+namespace tumble::render {
+
+std::filesystem::path unfinished(const std::filesystem::path& file) {
+    return file.string() + ".part";
+}
+
+Problem file_problem(const std::filesystem::path& file, const char* verb, int error) {
+    Problem problem{.file = file.string(), .what = fmt::format("cannot {}: {}", verb, std::strerror(error))};
+    switch (error) {
+    case ENOSPC:
+    case EDQUOT:
+        problem.fix = "free some space, or write to another disk";
+        break;
+    case EACCES:
+    case EPERM:
+    case EROFS:
+        problem.fix = "write to a folder that is yours";
+        break;
+    case ENOENT:
+    case ENOTDIR:
+        problem.fix = "make the folder first, or name another one";
+        break;
+    default:
+        problem.fix = "check the disk, or write to another folder";
+    }
+    return problem;
+}
+
+Result<Done> finish_file(const std::filesystem::path& file) {
+    if (std::rename(unfinished(file).c_str(), file.c_str()) != 0) {
+        const int error = errno;
+        ::unlink(unfinished(file).c_str());
+        return file_problem(file, "write the file", error);
+    }
+    return Done{};
+}
+
+static int write_all(int descriptor, std::span<const std::uint8_t> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+        if (count < 0 && errno != EINTR) {
+            return errno;
+        }
+        bytes = bytes.subspan(count > 0 ? static_cast<std::size_t>(count) : 0);
+    }
+    return 0;
+}
+
+Result<Done> write_file(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {
+    const std::filesystem::path growing = unfinished(file);
+    const int descriptor = ::open(growing.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (descriptor < 0) {
+        return file_problem(file, "write the file", errno);
+    }
+    int error = write_all(descriptor, bytes);
+    if (::close(descriptor) != 0 && error == 0) {
+        error = errno;
+    }
+    if (error != 0) {
+        ::unlink(growing.c_str());
+        return file_problem(file, "write the file", error);
+    }
+    return finish_file(file);
+}
+
+} // namespace tumble::render

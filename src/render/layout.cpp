@@ -1,0 +1,75 @@
+#include "render/layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tumble::render {
+
+constexpr double gap = 16;          // units between panels and to the edge
+constexpr double title_height = 28; // units
+constexpr double bar_height = 46;   // units: axes, scale bar and its label
+
+static Layout in_column(double width, double height, double unit, bool with_plot) {
+    const double pad = std::round(gap * unit);
+    const double panel = std::round(with_plot ? std::max(0.225 * width, 190 * unit) : 150 * unit);
+    Layout layout;
+    layout.unit = unit;
+    const double left = width - pad - panel;
+    const double right = width - pad;
+    const double top = pad + title_height * unit;
+    layout.title = {pad, pad, left - pad, top};
+    layout.time = {left, pad, right, top};
+    layout.scale_bar = {left, height - pad - bar_height * unit, right, height - pad};
+    double below = layout.scale_bar.top - pad;
+    if (with_plot) {
+        layout.plot = {left, below - std::max(0.27 * height, 118 * unit), right, below};
+        below = layout.plot.top - pad;
+    }
+    layout.legend = {left, top + 0.75 * pad, right, std::min(below, top + 0.75 * pad + 380 * unit)};
+    layout.scene = {pad, top, left - pad, height - pad};
+    return layout;
+}
+
+static Layout in_strip(double width, double height, double unit, bool with_plot) {
+    const double pad = std::round(gap * unit);
+    Layout layout;
+    layout.unit = unit;
+    layout.column = false;
+    const double strip = with_plot ? std::max(0.235 * height, 130 * unit) : 68 * unit;
+    const double strip_top = height - pad - strip;
+    const double top = pad + title_height * unit;
+    const double clock = 150 * unit;
+    layout.title = {pad, pad, width - 2 * pad - clock, top};
+    layout.time = {width - pad - clock, pad, width - pad, top};
+    const double bar_width = std::min(240 * unit, 0.27 * width);
+    layout.scale_bar = {pad, height - pad - bar_height * unit, pad + bar_width, height - pad};
+    const double plot_width = with_plot ? std::min(0.36 * width, 440 * unit) : 0;
+    const double legend_left = layout.scale_bar.right + 2 * pad;
+    const double legend_right = width - pad - (with_plot ? plot_width + 2 * pad : 0);
+    layout.legend = {std::max(legend_left, legend_right - 440 * unit), height - pad - 64 * unit, legend_right,
+                     height - pad};
+    if (with_plot) {
+        layout.plot = {width - pad - plot_width, strip_top, width - pad, height - pad};
+    }
+    layout.scene = {pad, top, width - pad, strip_top - 0.5 * pad};
+    return layout;
+}
+
+Layout make_layout(int width, int height, bool with_plot, const std::function<double(const Area&)>& zoom) {
+    const double w = width;
+    const double h = height;
+    if (width < 320 || height < 200) {
+        Layout bare;
+        bare.lettered = false;
+        bare.scene = {0, 0, w, h};
+        return bare;
+    }
+    // Below two thirds letters are hard to read; only pictures under 640 x 360 go there, as nothing else would fit.
+    const double share = std::min(w / 1280, h / 720);
+    const double unit = share >= 0.5 ? std::max(share, 0.68) : 0.68 * share / 0.5;
+    const Layout column = in_column(w, h, unit, with_plot);
+    const Layout strip = in_strip(w, h, unit, with_plot);
+    return zoom(column.scene) >= zoom(strip.scene) ? column : strip;
+}
+
+} // namespace tumble::render

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "render/layout.h"
+#include "render/panels.h"
+
+#include <memory>
+#include <string>
+
+namespace tumble::render {
+
+/// Everything that is written over one picture.
+struct OverlayContent {
+    std::string title;
+    std::string time;
+    Legend legend;
+    const PlotLine* plot = nullptr;
+    double now = 0;                        // s
+    double pixels_per_metre = 0;           // for the scale bar
+    std::string scale_note;                // behind the bar's length
+    std::array<Eigen::Vector2d, 3> axes{}; // the world's x, y, z on the picture, right and down
+};
+
+/// Lettering through Dear ImGui without a window. A context must be current from open() to the end.
+class Overlay {
+public:
+    /// Loads DejaVu Sans where the system has it, else the small font inside Dear ImGui, in sizes for the layout.
+    static Result<Overlay> open(const Layout& layout, const Theme& theme);
+
+    /// Into the bound framebuffer of that size (pixels). Returns where the colour bar lies.
+    Area draw(const OverlayContent& content, const Layout& layout, int width, int height);
+
+private:
+    struct Inside;
+    std::shared_ptr<Inside> inside_;
+};
+
+} // namespace tumble::render

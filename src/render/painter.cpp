@@ -1,0 +1,338 @@
+#include "render/painter.h"
+
+#include "render/color_range.h"
+#include "render/crevice_shade.h"
+#include "render/depth_pyramid.h"
+#include "render/gl_context.h"
+#include "render/overlay.h"
+#include "render/quantity.h"
+#include "render/sphere_drawer.h"
+#include "render/wall_drawer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace tumble::render {
+
+using Eigen::AlignedBox3d;
+using Eigen::Vector3d;
+
+constexpr int samples_per_pixel = 4;
+// Below this many spheres looking for hidden ones costs more than drawing them.
+constexpr std::size_t worth_culling = 20000;
+constexpr int culling_rounds = 5;
+constexpr double crevice_radius = 0.75; // of a body's
+constexpr double crevice_strength = 0.8;
+
+/// Everything that holds a name in the GL context, to be dropped as one while the context is current.
+struct Drawers {
+    Canvas canvas;
+    SphereDrawer spheres;
+    WallDrawer walls;
+    CreviceShade crevices;
+    std::optional<Overlay> overlay; // its letters depend on the arrangement
+};
+
+struct Painter::Inside {
+    GlContext context;
+    scene::Render settings;
+    PainterOptions options;
+    std::shared_ptr<const observe::FrameLayout> layout;
+    Theme theme;
+    Quantity quantity;
+    ColorMap map;
+    ColorRange range;
+    std::vector<std::vector<int>> showing;
+    std::vector<double> reach; // per shape, m: radius about the centre of mass that holds it
+    std::optional<Drawers> drawers;
+
+    AlignedBox3d fitted;
+    bool arranged = false;
+    Layout arrangement;
+    Camera camera;
+    Area legend_bar;
+    Span span;
+
+    Inside(GlContext made, const scene::Render& wanted, const PainterOptions& chosen,
+           std::shared_ptr<const observe::FrameLayout> scenery, Theme colors, Quantity shown, ColorMap scale)
+        : context(std::move(made)), settings(wanted), options(chosen), layout(std::move(scenery)),
+          theme(std::move(colors)), quantity(std::move(shown)), map(std::move(scale)),
+          range(settings.range ? std::optional<Span>({(*settings.range)[0], (*settings.range)[1]}) : std::nullopt,
+                quantity.has_sign) {}
+    Inside(const Inside&) = delete;
+    Inside& operator=(const Inside&) = delete;
+    ~Inside() {
+        const GlContext::Current current(context);
+        drawers.reset();
+    }
+
+    void arrange();
+    void enclose(const observe::Frame& frame);
+    std::vector<SphereMark> marks_of(const observe::Frame& frame, Legend& legend);
+    void draw_spheres(std::vector<SphereMark> marks);
+    void resolve(GLbitfield what);
+    void write(const observe::Frame& frame, const PlotLine& plot, const Legend& legend);
+    [[nodiscard]] Picture read() const;
+};
+
+static Problem bad_range(double lo, double hi) {
+    return {.key = "render.range",
+            .what = "a colour range from " + std::to_string(lo) + " to " + std::to_string(hi) + " holds no values",
+            .fix = "write the smaller value first, both finite and different"};
+}
+
+static std::optional<Drawers> open_drawers(const scene::Render& settings, const observe::FrameLayout& layout,
+                                           const Theme& theme, Problems& problems) {
+    auto canvas = make_canvas(settings.width, settings.height, samples_per_pixel);
+    if (!canvas) {
+        problems = canvas.problems();
+        return std::nullopt;
+    }
+    auto spheres = SphereDrawer::open();
+    auto walls = WallDrawer::open(layout, theme);
+    auto crevices = CreviceShade::open(*canvas);
+    for (const Problems& found : {spheres.problems(), walls.problems(), crevices.problems()}) {
+        problems.insert(problems.end(), found.begin(), found.end());
+    }
+    // Opened again once the arrangement is known; here it shows whether it can be.
+    const auto overlay = Overlay::open(Layout{}, theme);
+    const Problems found = overlay.problems();
+    problems.insert(problems.end(), found.begin(), found.end());
+    if (!problems.empty()) {
+        return std::nullopt;
+    }
+    return Drawers{std::move(*canvas), std::move(*spheres), std::move(*walls), std::move(*crevices), std::nullopt};
+}
+
+Result<Painter> Painter::open(const scene::Render& settings, std::shared_ptr<const observe::FrameLayout> layout,
+                              const PainterOptions& options) {
+    auto theme = find_theme(settings.background);
+    auto quantity = find_quantity(settings.color);
+    auto map = find_color_map(settings.colormap, quantity.ok() && quantity->has_sign);
+    const auto camera = make_camera(settings, AlignedBox3d(Vector3d::Zero(), Vector3d::Ones()), {0, 0, 100, 100});
+    Problems problems;
+    for (const Problems& found : {theme.problems(), quantity.problems(), map.problems(), camera.problems()}) {
+        problems.insert(problems.end(), found.begin(), found.end());
+    }
+    if (settings.range && !((*settings.range)[1] - (*settings.range)[0] > 0)) {
+        problems.push_back(bad_range((*settings.range)[0], (*settings.range)[1]));
+    }
+    if (!problems.empty()) {
+        return problems;
+    }
+    auto context = GlContext::open();
+    if (!context) {
+        return context.problems();
+    }
+    auto inside = std::make_unique<Inside>(*context, settings, options, std::move(layout), *theme, *quantity, *map);
+    const GlContext::Current current(inside->context);
+    inside->drawers = open_drawers(settings, *inside->layout, inside->theme, problems);
+    if (!inside->drawers) {
+        return problems;
+    }
+    inside->showing = showing_spheres(*inside->layout);
+    for (const observe::FrameShape& shape : inside->layout->shapes) {
+        double& reach = inside->reach.emplace_back(0);
+        for (std::size_t s = 0; s < shape.centres.size(); ++s) {
+            reach = std::max(reach, shape.centres[s].norm() + shape.radii[s]);
+        }
+    }
+    return Painter(std::move(inside));
+}
+
+Painter::Painter(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}
+Painter::Painter(Painter&&) noexcept = default;
+Painter& Painter::operator=(Painter&&) noexcept = default;
+Painter::~Painter() = default;
+
+void Painter::fit(const observe::Frame& frame) {
+    Inside& in = *inside_;
+    in.fitted.extend(bounds_of(frame));
+    in.arranged = false;
+}
+
+/// Settles panels and camera for what has been fitted.
+void Painter::Inside::arrange() {
+    const AlignedBox3d box = settings.view ? AlignedBox3d(settings.view->lo, settings.view->hi) : fitted;
+    const auto look = [&](const Area& area) { return *make_camera(settings, box, area); };
+    const auto zoom = [&](const Area& area) {
+        const Camera tried = look(area);
+        return tried.pixels_per_metre(tried.target);
+    };
+    arrangement = make_layout(settings.width, settings.height, settings.plot, zoom);
+    if (!options.lettering) {
+        arrangement = Layout{};
+        arrangement.lettered = false;
+        arrangement.scene = {0, 0, static_cast<double>(settings.width), static_cast<double>(settings.height)};
+    }
+    camera = look(arrangement.scene);
+    drawers->overlay.reset();
+    if (arrangement.lettered) {
+        if (auto overlay = Overlay::open(arrangement, theme)) {
+            drawers->overlay = std::move(*overlay);
+        }
+    }
+    arranged = true;
+}
+
+/// Nearest and farthest about all bodies and walls of this frame, wherever they have gone.
+void Painter::Inside::enclose(const observe::Frame& frame) {
+    AlignedBox3d box;
+    for (std::size_t b = 0; b < frame.bodies(); ++b) {
+        if (frame.position[b].allFinite()) {
+            const double r = reach[static_cast<std::size_t>(frame.shape[b])];
+            box.extend(AlignedBox3d(frame.position[b].array() - r, frame.position[b].array() + r));
+        }
+    }
+    for (std::size_t w = 0; w < layout->walls.size() && w < frame.walls.size(); ++w) {
+        for (const Vector3d& vertex : layout->walls[w].vertices) {
+            box.extend(frame.walls[w].rotation * vertex + frame.walls[w].translation);
+        }
+    }
+    if (!box.isEmpty()) {
+        camera.enclose(box);
+    }
+}
+
+std::vector<SphereMark> Painter::Inside::marks_of(const observe::Frame& frame, Legend& legend) {
+    const std::vector<double> values = values_of(quantity, frame);
+    span = range.next(values);
+    legend = {quantity.label, quantity.unit, span, map};
+    std::vector<std::uint32_t> colors;
+    colors.reserve(values.size());
+    for (const double value : values) {
+        colors.push_back(map.bytes_at((value - span.lo) / (span.hi - span.lo)));
+        legend.below = legend.below || value < span.lo;
+        legend.above = legend.above || value > span.hi;
+    }
+    return collect_spheres(frame, showing, colors, camera);
+}
+
+void Painter::Inside::resolve(GLbitfield what) {
+    const Canvas& canvas = drawers->canvas;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas.samples.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, canvas.resolved.name());
+    glBlitFramebuffer(0, 0, canvas.width, canvas.height, 0, 0, canvas.width, canvas.height, what, GL_NEAREST);
+}
+
+/// From front to back in a few rounds; before each, spheres behind what is drawn already are dropped. In a dense bed
+/// that is most of them.
+void Painter::Inside::draw_spheres(std::vector<SphereMark> marks) {
+    const Canvas& canvas = drawers->canvas;
+    auto front = marks.begin();
+    for (int round = 1; front != marks.end(); ++round) {
+        const auto left = marks.end() - front;
+        const bool all = marks.size() < worth_culling || round == culling_rounds;
+        const auto count = all ? left : std::max<std::ptrdiff_t>(left / (round == 1 ? 12 : 4), 1);
+        std::nth_element(front, front + count, marks.end(),
+                         [](const SphereMark& a, const SphereMark& b) { return a.z + a.radius > b.z + b.radius; });
+        glBindFramebuffer(GL_FRAMEBUFFER, canvas.samples.name());
+        drawers->spheres.draw(std::span(front, front + count), camera, canvas.width, canvas.height, theme.rim,
+                              options.lighting);
+        front += count;
+        if (front == marks.end()) {
+            return;
+        }
+        resolve(GL_DEPTH_BUFFER_BIT);
+        std::vector<float> depth(static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height));
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas.resolved.name());
+        glReadPixels(0, 0, canvas.width, canvas.height, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
+        const DepthPyramid pyramid(std::move(depth), canvas.width, canvas.height);
+        marks.erase(
+            std::remove_if(front, marks.end(),
+                           [&](const SphereMark& mark) { return is_hidden(mark, camera, canvas.height, pyramid); }),
+            marks.end());
+    }
+}
+
+void Painter::Inside::write(const observe::Frame& frame, const PlotLine& plot, const Legend& legend) {
+    OverlayContent content;
+    content.title = layout->title;
+    content.time = time_stamp(frame.time, settings.every);
+    content.legend = legend;
+    content.plot = settings.plot && !plot.label.empty() ? &plot : nullptr;
+    content.now = frame.time;
+    content.pixels_per_metre = camera.pixels_per_metre(camera.target);
+    content.scale_note = camera.perspective ? " in the middle" : "";
+    for (int i = 0; i < 3; ++i) {
+        const Vector3d axis = camera.axes.col(i);
+        content.axes[static_cast<std::size_t>(i)] = {axis.x(), -axis.y()};
+    }
+    legend_bar = drawers->overlay->draw(content, arrangement, settings.width, settings.height);
+}
+
+Picture Painter::Inside::read() const {
+    Picture picture{settings.width, settings.height, {}};
+    const std::size_t row = 4 * static_cast<std::size_t>(settings.width);
+    picture.rgba.resize(row * static_cast<std::size_t>(settings.height));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, drawers->canvas.resolved.name());
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, settings.width, settings.height, GL_RGBA, GL_UNSIGNED_BYTE, picture.rgba.data());
+    const auto begin = picture.rgba.begin();
+    for (int y = 0; y < settings.height / 2; ++y) {
+        const auto top = begin + static_cast<std::ptrdiff_t>(row) * y;
+        const auto bottom = begin + static_cast<std::ptrdiff_t>(row) * (settings.height - 1 - y);
+        std::swap_ranges(top, top + static_cast<std::ptrdiff_t>(row), bottom);
+    }
+    for (std::size_t i = 3; i < picture.rgba.size(); i += 4) {
+        picture.rgba[i] = 255;
+    }
+    return picture;
+}
+
+Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
+    Inside& in = *inside_;
+    const GlContext::Current current(in.context);
+    if (in.fitted.isEmpty()) {
+        fit(frame);
+    }
+    if (!in.arranged) {
+        in.arrange();
+    }
+    in.enclose(frame);
+    Legend legend;
+    std::vector<SphereMark> marks = in.marks_of(frame, legend);
+
+    const Canvas& canvas = in.drawers->canvas;
+    glViewport(0, 0, canvas.width, canvas.height);
+    glBindFramebuffer(GL_FRAMEBUFFER, canvas.samples.name());
+    const Eigen::Vector3f back = in.theme.background.cast<float>();
+    glClearColor(back.x(), back.y(), back.z(), 1);
+    glClearDepth(1);
+    glDepthMask(GL_TRUE);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    in.draw_spheres(std::move(marks));
+    glBindFramebuffer(GL_FRAMEBUFFER, canvas.samples.name());
+    in.drawers->walls.draw_opaque(frame, in.camera, canvas.width, canvas.height);
+    if (in.options.lighting && !in.reach.empty()) {
+        in.resolve(GL_DEPTH_BUFFER_BIT);
+        const double size = *std::max_element(in.reach.begin(), in.reach.end());
+        in.drawers->crevices.draw(canvas, in.camera, crevice_radius * size, crevice_strength);
+    }
+    const double line = std::max(1.2, 1.5 * in.arrangement.unit);
+    in.drawers->walls.draw_translucent(frame, in.camera, canvas.width, canvas.height, line);
+    in.resolve(GL_COLOR_BUFFER_BIT);
+    if (in.drawers->overlay) {
+        glBindFramebuffer(GL_FRAMEBUFFER, canvas.resolved.name());
+        in.write(frame, plot, legend);
+    }
+    return in.read();
+}
+
+const Camera& Painter::camera() const {
+    return inside_->camera;
+}
+const Layout& Painter::layout() const {
+    return inside_->arrangement;
+}
+const Area& Painter::legend_bar() const {
+    return inside_->legend_bar;
+}
+const Span& Painter::range() const {
+    return inside_->span;
+}
+
+} // namespace tumble::render

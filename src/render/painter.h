@@ -1,0 +1,56 @@
+#pragma once
+
+#include "base/problem.h"
+#include "observe/frame.h"
+#include "render/area.h"
+#include "render/camera.h"
+#include "render/layout.h"
+#include "render/picture.h"
+#include "render/plot_line.h"
+#include "render/ticks.h"
+#include "scene/scene.h"
+
+#include <memory>
+
+namespace tumble::render {
+
+/// What a caller with an own surface (a viewer, a test) may leave out of the pictures.
+struct PainterOptions {
+    bool lettering = true; // title, time, legend, scale bar, plot
+    bool lighting = true;  // false: bodies in the bare colours of the colour map
+};
+
+/// Draws frames of one run. The view and, with an automatic range, the meaning of the colours stay the same from
+/// picture to picture, so that pictures make a video; for that, frames are drawn in the order of their time. One thread
+/// at a time may use a painter, not always the same one.
+class Painter {
+public:
+    /// Problems: an unknown camera, projection, quantity, colour map or background, a size that cannot be drawn, a
+    /// system without OpenGL.
+    static Result<Painter> open(const scene::Render& settings, std::shared_ptr<const observe::FrameLayout> layout,
+                                const PainterOptions& options = {});
+    Painter(Painter&&) noexcept;
+    Painter& operator=(Painter&&) noexcept;
+    ~Painter();
+
+    /// Makes sure that the bodies and walls of a frame are in the picture, besides those fitted before. Has no effect
+    /// when the settings say what must be in the picture. draw() fits its first frame when nothing was fitted before.
+    void fit(const observe::Frame& frame);
+
+    /// frame.layout must be the painter's. With an empty label the plot's place stays free. A frame without bodies
+    /// shows its walls.
+    Picture draw(const observe::Frame& frame, const PlotLine& plot = {});
+
+    /// How the last picture was made: its camera, arrangement, colour bar (pixels) and the colours' range (SI unit).
+    [[nodiscard]] const Camera& camera() const;
+    [[nodiscard]] const Layout& layout() const;
+    [[nodiscard]] const Area& legend_bar() const;
+    [[nodiscard]] const Span& range() const;
+
+private:
+    struct Inside;
+    explicit Painter(std::unique_ptr<Inside> inside);
+    std::unique_ptr<Inside> inside_;
+};
+
+} // namespace tumble::render

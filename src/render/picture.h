@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace tumble::render {
+
+/// Rows from the top, four bytes a pixel: red, green, blue in sRGB, and opacity, which is 255 in finished pictures.
+struct Picture {
+    int width = 0;  // pixels
+    int height = 0; // pixels
+    std::vector<std::uint8_t> rgba;
+};
+
+} // namespace tumble::render

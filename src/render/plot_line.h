@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tumble::render {
+
+/// A measure over time for the small plot. Points after the frame's time only widen the axes, so that a finished run is
+/// redrawn with axes that stand still.
+struct PlotLine {
+    std::string label;
+    std::string unit;           // SI
+    std::vector<double> times;  // s, rising
+    std::vector<double> values; // in unit, as many as times; what is not finite leaves a gap
+};
+
+} // namespace tumble::render

@@ -1,0 +1,111 @@
+#include "render/png_writer.h"
+
+#include "render/file_swap.h"
+
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <stb/stb_image_write.h>
+#include <thread>
+#include <utility>
+
+namespace tumble::render {
+
+std::vector<std::uint8_t> encode_png(const Picture& picture) {
+    std::vector<std::uint8_t> rgb;
+    rgb.reserve(picture.rgba.size() / 4 * 3);
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+        rgb.insert(rgb.end(), {picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2]});
+    }
+    std::vector<std::uint8_t> bytes;
+    const auto take = [](void* out, void* data, int size) {
+        const auto* first = static_cast<const std::uint8_t*>(data);
+        auto& all = *static_cast<std::vector<std::uint8_t>*>(out);
+        all.insert(all.end(), first, first + size);
+    };
+    stbi_write_png_to_func(take, &bytes, picture.width, picture.height, 3, rgb.data(), 3 * picture.width);
+    return bytes;
+}
+
+struct PngWriter::Inside {
+    struct Job {
+        std::filesystem::path file;
+        Picture picture;
+    };
+    std::size_t room = 1;
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::deque<Job> waiting;
+    Problems problems;
+    bool busy = false;
+    bool closing = false;
+    std::thread worker;
+
+    void work() {
+        std::unique_lock lock(mutex);
+        while (true) {
+            changed.wait(lock, [&] { return closing || !waiting.empty(); });
+            if (waiting.empty()) {
+                return;
+            }
+            const Job job = std::move(waiting.front());
+            waiting.pop_front();
+            busy = true;
+            const bool skip = !problems.empty();
+            lock.unlock();
+            changed.notify_all();
+            Problems found;
+            if (!skip) {
+                found = write_file(job.file, encode_png(job.picture)).problems();
+            }
+            lock.lock();
+            problems.insert(problems.end(), found.begin(), found.end());
+            busy = false;
+            changed.notify_all();
+        }
+    }
+    [[nodiscard]] Result<Done> verdict() const { return problems.empty() ? Result<Done>(Done{}) : problems; }
+};
+
+PngWriter::PngWriter(std::size_t room) : inside_(std::make_unique<Inside>()) {
+    inside_->room = room > 0 ? room : 1;
+    inside_->worker = std::thread([inside = inside_.get()] { inside->work(); });
+}
+
+PngWriter::PngWriter(PngWriter&&) noexcept = default;
+
+PngWriter& PngWriter::operator=(PngWriter&& other) noexcept {
+    std::swap(inside_, other.inside_);
+    return *this;
+}
+
+PngWriter::~PngWriter() {
+    if (inside_) {
+        {
+            const std::lock_guard lock(inside_->mutex);
+            inside_->closing = true;
+        }
+        inside_->changed.notify_all();
+        inside_->worker.join();
+    }
+}
+
+Result<Done> PngWriter::add(std::filesystem::path file, Picture picture) {
+    Inside& in = *inside_;
+    std::unique_lock lock(in.mutex);
+    in.changed.wait(lock, [&] { return in.waiting.size() < in.room || !in.problems.empty(); });
+    if (in.problems.empty()) {
+        in.waiting.push_back({std::move(file), std::move(picture)});
+        in.changed.notify_all();
+    }
+    return in.verdict();
+}
+
+Result<Done> PngWriter::finish() {
+    Inside& in = *inside_;
+    std::unique_lock lock(in.mutex);
+    in.changed.wait(lock, [&] { return in.waiting.empty() && !in.busy; });
+    return in.verdict();
+}
+
+} // namespace tumble::render

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "base/problem.h"
+#include "render/picture.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+namespace tumble::render {
+
+/// The bytes of a PNG file, three channels.
+std::vector<std::uint8_t> encode_png(const Picture& picture);
+
+/// Writes pictures on a thread of its own, since encoding takes longer than drawing. At most `room` pictures wait;
+/// add() waits when there are more. A file appears under its name only once it is whole.
+class PngWriter {
+public:
+    explicit PngWriter(std::size_t room = 4);
+    PngWriter(PngWriter&&) noexcept;
+    PngWriter& operator=(PngWriter&&) noexcept;
+    /// Finishes what was added.
+    ~PngWriter();
+
+    /// The problem of an earlier picture comes back with the next call; nothing is written after it.
+    Result<Done> add(std::filesystem::path file, Picture picture);
+
+    /// Waits until all files are written.
+    Result<Done> finish();
+
+private:
+    struct Inside;
+    std::unique_ptr<Inside> inside_;
+};
+
+} // namespace tumble::render

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "base/problem.h"
+#include "observe/frame.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace tumble::render {
+
+/// One number a body that a picture can show as colour.
+struct Quantity {
+    std::string name;
+    std::string label;
+    std::string unit;      // SI
+    bool has_sign = false; // zero is the middle of an automatic range
+    double (*of)(const observe::Frame& frame, std::size_t body) = nullptr;
+};
+
+/// All that can be shown. A new one is a line here.
+const std::vector<Quantity>& quantities();
+
+/// Problem names the nearest right word.
+Result<Quantity> find_quantity(const std::string& name);
+
+/// The quantity for every body of a frame, in its unit.
+std::vector<double> values_of(const Quantity& quantity, const observe::Frame& frame);
+
+} // namespace tumble::render

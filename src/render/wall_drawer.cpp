@@ -1,0 +1,229 @@
+#include "render/wall_drawer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace tumble::render {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+
+// From this opacity on a wall hides what is behind it.
+constexpr double opaque_from = 0.995;
+
+struct WallDrawer::Corner {
+    Vector3f place;  // m, view space
+    Vector3f normal; // unit, view space
+    float opacity = 1;
+};
+
+struct WallDrawer::Stroke {
+    Vector3f from; // m, view space
+    Vector3f to;
+};
+
+static const char* const surface_vertex = R"(#version 400 core
+layout(location = 0) in vec3 place;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in float opacity;
+uniform mat4 clip;
+out vec3 at;
+out vec3 side;
+out float cover;
+void main() {
+    at = place;
+    side = normal;
+    cover = opacity;
+    gl_Position = clip * vec4(place, 1.0);
+}
+)";
+
+static const char* const surface_fragment = R"(#version 400 core
+in vec3 at;
+in vec3 side;
+in float cover;
+uniform vec3 tint;
+uniform bool perspective;
+out vec4 shade;
+void main() {
+    vec3 to_eye = perspective ? -normalize(at) : vec3(0.0, 0.0, 1.0);
+    vec3 normal = normalize(side);
+    if (dot(normal, to_eye) < 0.0) normal = -normal;
+    float facing = clamp(dot(normal, to_eye), 0.12, 1.0);
+    float light = 0.72 + 0.28 * dot(normal, vec3(-0.40, 0.66, 0.63)) / 0.63;
+    shade = vec4(tint * clamp(light, 0.45, 1.15), 1.0 - pow(1.0 - cover, 1.0 / facing));
+}
+)";
+
+static const char* const edge_vertex = R"(#version 400 core
+layout(location = 0) in vec3 from;
+layout(location = 1) in vec3 to;
+uniform mat4 clip;
+uniform vec2 size;
+uniform float thickness;
+void main() {
+    // A line that passes the eye is cut where it comes before it.
+    const float least = 1e-6;
+    vec4 a = clip * vec4(from, 1.0);
+    vec4 b = clip * vec4(to, 1.0);
+    if (a.w < least) a = mix(a, b, (least - a.w) / (b.w - a.w));
+    if (b.w < least) b = mix(b, a, (least - b.w) / (a.w - b.w));
+    vec2 along = (b.xy / b.w - a.xy / a.w) * size;
+    float reach = length(along);
+    along = reach > 1e-6 ? along / reach : vec2(1.0, 0.0);
+    vec2 across = vec2(-along.y, along.x) * ((gl_VertexID & 1) * 2.0 - 1.0);
+    float end = (gl_VertexID >> 1) * 2.0 - 1.0;
+    vec4 place = end < 0.0 ? a : b;
+    // Half the thickness longer at both ends, so that corners close; a little nearer, to lie on its own surface.
+    place.xy += (across + 0.5 * end * along) * thickness / size * place.w;
+    place.z -= 2e-4 * place.w;
+    gl_Position = place;
+}
+)";
+
+static const char* const edge_fragment = R"(#version 400 core
+uniform vec4 ink;
+out vec4 shade;
+void main() { shade = ink; }
+)";
+
+static void set_clip(GLuint program, const Camera& camera, int width, int height) {
+    const Eigen::Matrix4f clip = camera.clip_matrix(width, height);
+    glUniformMatrix4fv(glGetUniformLocation(program, "clip"), 1, GL_FALSE, clip.data());
+}
+
+Result<WallDrawer> WallDrawer::open(const observe::FrameLayout& layout, const Theme& theme) {
+    auto surface = make_program(surface_vertex, surface_fragment);
+    auto edge = make_program(edge_vertex, edge_fragment);
+    if (!surface || !edge) {
+        return surface ? edge.problems() : surface.problems();
+    }
+    WallDrawer drawer;
+    for (const observe::FrameWall& wall : layout.walls) {
+        drawer.surfaces_.push_back(make_wall_surface(wall));
+        drawer.opacities_.push_back(std::clamp(wall.opacity, 0.0, 1.0));
+    }
+    drawer.theme_ = theme;
+    drawer.surface_program_ = std::move(*surface);
+    drawer.edge_program_ = std::move(*edge);
+    const auto at = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
+    drawer.buffer_ = make_buffer();
+    drawer.surface_array_ = make_vertex_array();
+    glBindVertexArray(drawer.surface_array_.name());
+    glBindBuffer(GL_ARRAY_BUFFER, drawer.buffer_.name());
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Corner), at(offsetof(Corner, place)));
+    glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(Corner), at(offsetof(Corner, normal)));
+    glVertexAttribPointer(2, 1, GL_FLOAT, GL_FALSE, sizeof(Corner), at(offsetof(Corner, opacity)));
+    for (GLuint i = 0; i < 3; ++i) {
+        glEnableVertexAttribArray(i);
+    }
+    drawer.edge_buffer_ = make_buffer();
+    drawer.edge_array_ = make_vertex_array();
+    glBindVertexArray(drawer.edge_array_.name());
+    glBindBuffer(GL_ARRAY_BUFFER, drawer.edge_buffer_.name());
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Stroke), at(offsetof(Stroke, from)));
+    glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(Stroke), at(offsetof(Stroke, to)));
+    for (GLuint i = 0; i < 2; ++i) {
+        glEnableVertexAttribArray(i);
+        glVertexAttribDivisor(i, 1);
+    }
+    return drawer;
+}
+
+std::vector<WallDrawer::Corner> WallDrawer::collect(const observe::Frame& frame, const Camera& camera,
+                                                    bool opaque) const {
+    struct Placed {
+        std::array<Corner, 3> corners;
+        float depth = 0;
+    };
+    std::vector<Placed> placed;
+    for (std::size_t w = 0; w < surfaces_.size() && w < frame.walls.size(); ++w) {
+        if ((opacities_[w] >= opaque_from) != opaque || opacities_[w] == 0) {
+            continue;
+        }
+        const observe::WallPlace& place = frame.walls[w];
+        const Matrix3d turn = camera.axes * place.rotation;
+        const Vector3d origin = camera.to_view(place.translation);
+        for (const WallSurface::Triangle& triangle : surfaces_[w].triangles) {
+            Placed& p = placed.emplace_back();
+            for (std::size_t k = 0; k < 3; ++k) {
+                p.corners[k] = {(origin + turn * triangle.corners[k]).cast<float>(),
+                                (turn * triangle.normals[k]).cast<float>(), static_cast<float>(opacities_[w])};
+                const Vector3f& at = p.corners[k].place;
+                p.depth += camera.perspective ? at.norm() : -at.z();
+            }
+        }
+    }
+    std::stable_sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) { return a.depth > b.depth; });
+    std::vector<Corner> corners;
+    corners.reserve(3 * placed.size());
+    for (const Placed& p : placed) {
+        corners.insert(corners.end(), p.corners.begin(), p.corners.end());
+    }
+    return corners;
+}
+
+std::vector<WallDrawer::Stroke> WallDrawer::collect_edges(const observe::Frame& frame, const Camera& camera) const {
+    std::vector<Stroke> strokes;
+    for (std::size_t w = 0; w < surfaces_.size() && w < frame.walls.size(); ++w) {
+        const observe::WallPlace& place = frame.walls[w];
+        const Matrix3d turn = camera.axes * place.rotation;
+        const Vector3d origin = camera.to_view(place.translation);
+        for (const WallSurface::Edge& edge : surfaces_[w].edges) {
+            const Vector3d from = origin + turn * edge.ends[0];
+            const Vector3d to = origin + turn * edge.ends[1];
+            const Vector3d to_eye = camera.perspective ? Vector3d(-from.normalized()) : Vector3d(Vector3d::UnitZ());
+            const double one = (turn * edge.normals[0]).dot(to_eye);
+            const double other = (turn * edge.normals[1]).dot(to_eye);
+            // Seen exactly from its side a surface has no outline but its rims.
+            const bool turns_away = one * other < 0 && std::max(std::abs(one), std::abs(other)) > 1e-3;
+            if (edge.sharp || turns_away) {
+                strokes.push_back({from.cast<float>(), to.cast<float>()});
+            }
+        }
+    }
+    return strokes;
+}
+
+void WallDrawer::draw_surfaces(const std::vector<Corner>& corners, const Camera& camera, int width, int height) {
+    const GLuint program = surface_program_.name();
+    glUseProgram(program);
+    set_clip(program, camera, width, height);
+    const Vector3f tint = theme_.wall.cast<float>();
+    glUniform3fv(glGetUniformLocation(program, "tint"), 1, tint.data());
+    glUniform1i(glGetUniformLocation(program, "perspective"), camera.perspective ? 1 : 0);
+    glEnable(GL_DEPTH_TEST);
+    glBindVertexArray(surface_array_.name());
+    upload(buffer_, corners.data(), corners.size() * sizeof(Corner));
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
+}
+
+void WallDrawer::draw_opaque(const observe::Frame& frame, const Camera& camera, int width, int height) {
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+    draw_surfaces(collect(frame, camera, true), camera, width, height);
+}
+
+void WallDrawer::draw_translucent(const observe::Frame& frame, const Camera& camera, int width, int height,
+                                  double line) {
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glDepthMask(GL_FALSE);
+    draw_surfaces(collect(frame, camera, false), camera, width, height);
+    const GLuint program = edge_program_.name();
+    glUseProgram(program);
+    set_clip(program, camera, width, height);
+    glUniform2f(glGetUniformLocation(program, "size"), static_cast<float>(width), static_cast<float>(height));
+    glUniform1f(glGetUniformLocation(program, "thickness"), static_cast<float>(line));
+    const Vector3f ink = theme_.edge.cast<float>();
+    glUniform4f(glGetUniformLocation(program, "ink"), ink.x(), ink.y(), ink.z(), 0.85F);
+    const std::vector<Stroke> strokes = collect_edges(frame, camera);
+    glBindVertexArray(edge_array_.name());
+    upload(edge_buffer_, strokes.data(), strokes.size() * sizeof(Stroke));
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(strokes.size()));
+    glDepthMask(GL_TRUE);
+}
+
+} // namespace tumble::render

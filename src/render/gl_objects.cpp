@@ -95,7 +95,7 @@ void upload(const GlObject& buffer, const void* data, std::size_t bytes) {
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_STREAM_DRAW);
 }
 
-static GlObject sample_buffer(GLenum format, int width, int height, int samples) {
+GlObject make_sample_buffer(GLenum format, int width, int height, int samples) {
     GlObject buffer = make_renderbuffer();
     glBindRenderbuffer(GL_RENDERBUFFER, buffer.name());
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
@@ -116,8 +116,9 @@ Result<Canvas> make_canvas(int width, int height, int samples) {
     Canvas canvas;
     canvas.width = width;
     canvas.height = height;
-    canvas.sample_color = sample_buffer(GL_RGBA8, width, height, samples);
-    canvas.sample_depth = sample_buffer(GL_DEPTH_COMPONENT32F, width, height, samples);
+    canvas.samples_per_pixel = samples;
+    canvas.sample_color = make_sample_buffer(GL_RGBA8, width, height, samples);
+    canvas.sample_depth = make_sample_buffer(GL_DEPTH_COMPONENT32F, width, height, samples);
     canvas.samples = make_framebuffer();
     glBindFramebuffer(GL_FRAMEBUFFER, canvas.samples.name());
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, canvas.sample_color.name());

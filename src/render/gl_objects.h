@@ -45,6 +45,9 @@ Result<GlObject> make_program(const std::string& vertex_source, const std::strin
 /// A texture without mipmaps that is read texel by texel.
 GlObject make_plain_texture(GLenum format, int width, int height);
 
+/// A picture of several samples a pixel that is only drawn into.
+GlObject make_sample_buffer(GLenum format, int width, int height, int samples);
+
 /// Replaces the content of an array buffer.
 void upload(const GlObject& buffer, const void* data, std::size_t bytes);
 
@@ -52,6 +55,7 @@ void upload(const GlObject& buffer, const void* data, std::size_t bytes);
 struct Canvas {
     int width = 0;
     int height = 0;
+    int samples_per_pixel = 1;
     GlObject sample_color;
     GlObject sample_depth;
     GlObject samples; // framebuffer of the two above

@@ -7,7 +7,7 @@ namespace tumble::render {
 
 constexpr double gap = 16;          // units between panels and to the edge
 constexpr double title_height = 28; // units
-constexpr double bar_height = 46;   // units: axes, scale bar and its label
+constexpr double bar_height = 58;   // units: axes, scale bar and its label
 
 static Layout in_column(double width, double height, double unit, bool with_plot) {
     const double pad = std::round(gap * unit);
@@ -22,7 +22,7 @@ static Layout in_column(double width, double height, double unit, bool with_plot
     layout.scale_bar = {left, height - pad - bar_height * unit, right, height - pad};
     double below = layout.scale_bar.top - pad;
     if (with_plot) {
-        layout.plot = {left, below - std::max(0.27 * height, 118 * unit), right, below};
+        layout.plot = {left, below - std::max(0.30 * height, 125 * unit), right, below};
         below = layout.plot.top - pad;
     }
     layout.legend = {left, top + 0.75 * pad, right, std::min(below, top + 0.75 * pad + 380 * unit)};
@@ -35,7 +35,7 @@ static Layout in_strip(double width, double height, double unit, bool with_plot)
     Layout layout;
     layout.unit = unit;
     layout.column = false;
-    const double strip = with_plot ? std::max(0.235 * height, 130 * unit) : 68 * unit;
+    const double strip = with_plot ? std::max(0.245 * height, 135 * unit) : 68 * unit;
     const double strip_top = height - pad - strip;
     const double top = pad + title_height * unit;
     const double clock = 150 * unit;

@@ -93,25 +93,42 @@ Area draw_legend(Pen& pen, const Area& area, const Legend& legend, const Theme& 
     return bar;
 }
 
-double draw_scale_bar(Pen& pen, const Area& area, double pixels_per_metre, const std::string& note,
-                      const std::array<Vector2d, 3>& axes, const Theme& theme) {
-    const double u = pen.unit();
+/// The world's axes from their common root; one that points at the eye or away from it is left out.
+static void draw_axes(Pen& pen, const Area& area, const std::array<Vector2d, 3>& axes, const Theme& theme) {
     const double line = pen.height(Lettering::small);
-    const double arm = 0.34 * area.height();
-    const Vector2d root{area.left + 0.5 * area.height(), area.top + 0.5 * area.height()};
+    Vector2d low = Vector2d::Zero();
+    Vector2d high = Vector2d::Zero();
+    for (const Vector2d& axis : axes) {
+        low = low.cwiseMin(axis);
+        high = high.cwiseMax(axis);
+    }
+    // The letters stand beyond the tips and take a line's height on each side.
+    const Vector2d room{area.width() - 1.6 * line, area.height() - 1.6 * line};
+    const double arm = std::max(
+        std::min(room.x() / std::max(high.x() - low.x(), 0.2), room.y() / std::max(high.y() - low.y(), 0.2)), 0.0);
+    const double drawn = std::min(arm, 0.62 * area.height());
+    const Vector2d middle{0.5 * (area.left + area.right), 0.5 * (area.top + area.bottom)};
+    const Vector2d root = middle - 0.5 * drawn * (low + high);
     constexpr std::array<const char*, 3> names{"x", "y", "z"};
     for (std::size_t i = 0; i < 3; ++i) {
         const double reach = axes[i].norm();
         if (reach < 0.15) {
-            continue; // points at the eye or away from it
+            continue;
         }
-        const Vector2d end = root + arm * axes[i];
-        pen.line(root, end, 1.6 * u, theme.text);
-        const Vector2d letter = end + 0.55 * line * axes[i] / reach;
+        const Vector2d end = root + drawn * axes[i];
+        pen.line(root, end, 1.6 * pen.unit(), theme.text);
+        const Vector2d letter = end + 0.5 * line * axes[i] / reach;
         pen.text(letter.x(), letter.y() - 0.5 * line, names[i], Lettering::small, Align::middle, theme.text);
     }
-    const double left = std::round(area.left + 1.25 * area.height());
-    const double room = area.right - left - u;
+}
+
+double draw_scale_bar(Pen& pen, const Area& area, double pixels_per_metre, const std::string& note,
+                      const std::array<Vector2d, 3>& axes, const Theme& theme) {
+    const double u = pen.unit();
+    const double line = pen.height(Lettering::small);
+    draw_axes(pen, {area.right - 1.15 * area.height(), area.top, area.right, area.bottom}, axes, theme);
+    const double left = std::round(area.left);
+    const double room = area.width() - 1.45 * area.height();
     if (!(pixels_per_metre > 0) || !std::isfinite(pixels_per_metre) || room <= 4 * u) {
         return 0;
     }

@@ -22,7 +22,7 @@ using Eigen::Vector3d;
 
 constexpr int samples_per_pixel = 4;
 // Below this many spheres looking for hidden ones costs more than drawing them.
-constexpr std::size_t worth_culling = 20000;
+constexpr std::size_t worth_culling = 2000;
 constexpr int culling_rounds = 5;
 constexpr double crevice_radius = 0.75; // of a body's
 constexpr double crevice_strength = 0.8;
@@ -92,7 +92,7 @@ static std::optional<Drawers> open_drawers(const scene::Render& settings, const 
         return std::nullopt;
     }
     auto spheres = SphereDrawer::open();
-    auto walls = WallDrawer::open(layout, theme);
+    auto walls = WallDrawer::open(layout, theme, *canvas);
     auto crevices = CreviceShade::open(*canvas);
     for (const Problems& found : {spheres.problems(), walls.problems(), crevices.problems()}) {
         problems.insert(problems.end(), found.begin(), found.end());
@@ -305,15 +305,14 @@ Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
     glDepthMask(GL_TRUE);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     in.draw_spheres(std::move(marks));
-    glBindFramebuffer(GL_FRAMEBUFFER, canvas.samples.name());
-    in.drawers->walls.draw_opaque(frame, in.camera, canvas.width, canvas.height);
+    in.drawers->walls.draw_opaque(frame, in.camera, canvas);
     if (in.options.lighting && !in.reach.empty()) {
         in.resolve(GL_DEPTH_BUFFER_BIT);
         const double size = *std::max_element(in.reach.begin(), in.reach.end());
         in.drawers->crevices.draw(canvas, in.camera, crevice_radius * size, crevice_strength);
     }
     const double line = std::max(1.2, 1.5 * in.arrangement.unit);
-    in.drawers->walls.draw_translucent(frame, in.camera, canvas.width, canvas.height, line);
+    in.drawers->walls.draw_translucent(frame, in.camera, canvas, line);
     in.resolve(GL_COLOR_BUFFER_BIT);
     if (in.drawers->overlay) {
         glBindFramebuffer(GL_FRAMEBUFFER, canvas.resolved.name());

@@ -64,7 +64,7 @@ void main() {
     gloss *= gloss;
     gloss *= gloss;
     gloss *= gloss;
-    vec3 lit = paint * (0.44 + 0.10 * normal.y + 0.56 * max(dot(normal, lamp), 0.0)) +
+    vec3 lit = paint * (0.49 + 0.10 * normal.y + 0.54 * max(dot(normal, lamp), 0.0)) +
                vec3(0.10 * gloss + rim * turned * turned);
     shade = vec4(mix(paint, lit, light), 1.0);
 }

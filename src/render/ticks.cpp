@@ -30,19 +30,35 @@ double round_down(double value) {
     return power;
 }
 
+static double ticks_count(const Span& span, double step) {
+    return std::floor(span.hi / step + slack) - std::ceil(span.lo / step - slack) + 1;
+}
+
+static bool meets_both_ends(const Span& span, double step) {
+    const auto whole = [&](double v) { return std::abs(v / step - std::round(v / step)) < 1e-6; };
+    return whole(span.lo) && whole(span.hi);
+}
+
 std::vector<double> ticks_in(const Span& span, int most) {
     const double width = span.hi - span.lo;
     if (!(width > 0) || !std::isfinite(width)) {
         return {};
     }
-    double step = round_up(width / std::max(most, 2));
-    const auto first = [&] { return std::ceil(span.lo / step - slack); };
-    const auto last = [&] { return std::floor(span.hi / step + slack); };
-    while (last() - first() + 1 > std::max(most, 2)) {
+    const int limit = std::max(most, 2);
+    double finest = round_up(width / limit);
+    while (ticks_count(span, finest) > limit) {
+        finest = round_up(finest * 1.01);
+    }
+    double step = finest;
+    for (int i = 0; i < 3 && !meets_both_ends(span, step); ++i) {
         step = round_up(step * 1.01);
     }
+    if (!meets_both_ends(span, step) || ticks_count(span, step) < std::min(3, limit)) {
+        step = finest;
+    }
     std::vector<double> ticks;
-    for (double n = first(); n <= last(); n += 1) {
+    const double last = std::floor(span.hi / step + slack);
+    for (double n = std::ceil(span.lo / step - slack); n <= last; n += 1) {
         ticks.push_back(n == 0 ? 0.0 : n * step);
     }
     return ticks;

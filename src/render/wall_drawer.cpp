@@ -29,8 +29,8 @@ layout(location = 0) in vec3 place;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float opacity;
 uniform mat4 clip;
-out vec3 at;
-out vec3 side;
+centroid out vec3 at;
+centroid out vec3 side;
 out float cover;
 void main() {
     at = place;
@@ -41,19 +41,25 @@ void main() {
 )";
 
 static const char* const surface_fragment = R"(#version 400 core
-in vec3 at;
-in vec3 side;
+centroid in vec3 at;
+centroid in vec3 side;
 in float cover;
 uniform vec3 tint;
 uniform bool perspective;
-out vec4 shade;
+uniform float nearest;
+uniform float farthest;
+layout(location = 0) out vec4 shade;
+layout(location = 1) out float veil;
 void main() {
     vec3 to_eye = perspective ? -normalize(at) : vec3(0.0, 0.0, 1.0);
     vec3 normal = normalize(side);
     if (dot(normal, to_eye) < 0.0) normal = -normal;
     float facing = clamp(dot(normal, to_eye), 0.12, 1.0);
     float light = 0.72 + 0.28 * dot(normal, vec3(-0.40, 0.66, 0.63)) / 0.63;
-    shade = vec4(tint * clamp(light, 0.45, 1.15), 1.0 - pow(1.0 - cover, 1.0 / facing));
+    veil = 1.0 - pow(1.0 - cover, 1.0 / facing);
+    float far = clamp((-at.z - nearest) / (farthest - nearest), 0.0, 1.0);
+    float weight = cover < 1.0 ? 0.02 + pow(1.0 - far, 3.0) : 1.0;
+    shade = vec4(tint * clamp(light, 0.45, 1.15), 1.0) * veil * weight;
 }
 )";
 
@@ -94,13 +100,17 @@ static void set_clip(GLuint program, const Camera& camera, int width, int height
     glUniformMatrix4fv(glGetUniformLocation(program, "clip"), 1, GL_FALSE, clip.data());
 }
 
-Result<WallDrawer> WallDrawer::open(const observe::FrameLayout& layout, const Theme& theme) {
+Result<WallDrawer> WallDrawer::open(const observe::FrameLayout& layout, const Theme& theme, const Canvas& canvas) {
     auto surface = make_program(surface_vertex, surface_fragment);
     auto edge = make_program(edge_vertex, edge_fragment);
-    if (!surface || !edge) {
-        return surface ? edge.problems() : surface.problems();
+    auto veil = Veil::open(canvas);
+    for (const Problems& found : {surface.problems(), edge.problems(), veil.problems()}) {
+        if (!found.empty()) {
+            return found;
+        }
     }
     WallDrawer drawer;
+    drawer.veil_ = std::move(*veil);
     for (const observe::FrameWall& wall : layout.walls) {
         drawer.surfaces_.push_back(make_wall_surface(wall));
         drawer.opacities_.push_back(std::clamp(wall.opacity, 0.0, 1.0));
@@ -134,11 +144,7 @@ Result<WallDrawer> WallDrawer::open(const observe::FrameLayout& layout, const Th
 
 std::vector<WallDrawer::Corner> WallDrawer::collect(const observe::Frame& frame, const Camera& camera,
                                                     bool opaque) const {
-    struct Placed {
-        std::array<Corner, 3> corners;
-        float depth = 0;
-    };
-    std::vector<Placed> placed;
+    std::vector<Corner> corners;
     for (std::size_t w = 0; w < surfaces_.size() && w < frame.walls.size(); ++w) {
         if ((opacities_[w] >= opaque_from) != opaque || opacities_[w] == 0) {
             continue;
@@ -146,21 +152,13 @@ std::vector<WallDrawer::Corner> WallDrawer::collect(const observe::Frame& frame,
         const observe::WallPlace& place = frame.walls[w];
         const Matrix3d turn = camera.axes * place.rotation;
         const Vector3d origin = camera.to_view(place.translation);
+        const float opacity = opaque ? 1.0F : static_cast<float>(opacities_[w]);
         for (const WallSurface::Triangle& triangle : surfaces_[w].triangles) {
-            Placed& p = placed.emplace_back();
             for (std::size_t k = 0; k < 3; ++k) {
-                p.corners[k] = {(origin + turn * triangle.corners[k]).cast<float>(),
-                                (turn * triangle.normals[k]).cast<float>(), static_cast<float>(opacities_[w])};
-                const Vector3f& at = p.corners[k].place;
-                p.depth += camera.perspective ? at.norm() : -at.z();
+                corners.push_back({(origin + turn * triangle.corners[k]).cast<float>(),
+                                   (turn * triangle.normals[k]).cast<float>(), opacity});
             }
         }
-    }
-    std::stable_sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) { return a.depth > b.depth; });
-    std::vector<Corner> corners;
-    corners.reserve(3 * placed.size());
-    for (const Placed& p : placed) {
-        corners.insert(corners.end(), p.corners.begin(), p.corners.end());
     }
     return corners;
 }
@@ -187,39 +185,50 @@ std::vector<WallDrawer::Stroke> WallDrawer::collect_edges(const observe::Frame& 
     return strokes;
 }
 
-void WallDrawer::draw_surfaces(const std::vector<Corner>& corners, const Camera& camera, int width, int height) {
+void WallDrawer::draw_surfaces(const std::vector<Corner>& corners, const Camera& camera, const Canvas& canvas) {
     const GLuint program = surface_program_.name();
     glUseProgram(program);
-    set_clip(program, camera, width, height);
+    set_clip(program, camera, canvas.width, canvas.height);
     const Vector3f tint = theme_.wall.cast<float>();
     glUniform3fv(glGetUniformLocation(program, "tint"), 1, tint.data());
     glUniform1i(glGetUniformLocation(program, "perspective"), camera.perspective ? 1 : 0);
+    glUniform1f(glGetUniformLocation(program, "nearest"), static_cast<float>(camera.nearest));
+    glUniform1f(glGetUniformLocation(program, "farthest"), static_cast<float>(camera.farthest));
     glEnable(GL_DEPTH_TEST);
     glBindVertexArray(surface_array_.name());
     upload(buffer_, corners.data(), corners.size() * sizeof(Corner));
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
 }
 
-void WallDrawer::draw_opaque(const observe::Frame& frame, const Camera& camera, int width, int height) {
+void WallDrawer::draw_opaque(const observe::Frame& frame, const Camera& camera, const Canvas& canvas) {
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
-    draw_surfaces(collect(frame, camera, true), camera, width, height);
+    glBindFramebuffer(GL_FRAMEBUFFER, canvas.samples.name());
+    draw_surfaces(collect(frame, camera, true), camera, canvas);
 }
 
-void WallDrawer::draw_translucent(const observe::Frame& frame, const Camera& camera, int width, int height,
+void WallDrawer::draw_translucent(const observe::Frame& frame, const Camera& camera, const Canvas& canvas,
                                   double line) {
+    const std::vector<Corner> corners = collect(frame, camera, false);
+    if (!corners.empty()) {
+        veil_.begin(canvas);
+        draw_surfaces(corners, camera, canvas);
+        veil_.finish(canvas);
+    }
+    const std::vector<Stroke> strokes = collect_edges(frame, camera);
+    glBindFramebuffer(GL_FRAMEBUFFER, canvas.samples.name());
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    glDepthMask(GL_FALSE);
-    draw_surfaces(collect(frame, camera, false), camera, width, height);
     const GLuint program = edge_program_.name();
     glUseProgram(program);
-    set_clip(program, camera, width, height);
-    glUniform2f(glGetUniformLocation(program, "size"), static_cast<float>(width), static_cast<float>(height));
+    set_clip(program, camera, canvas.width, canvas.height);
+    glUniform2f(glGetUniformLocation(program, "size"), static_cast<float>(canvas.width),
+                static_cast<float>(canvas.height));
     glUniform1f(glGetUniformLocation(program, "thickness"), static_cast<float>(line));
     const Vector3f ink = theme_.edge.cast<float>();
     glUniform4f(glGetUniformLocation(program, "ink"), ink.x(), ink.y(), ink.z(), 0.85F);
-    const std::vector<Stroke> strokes = collect_edges(frame, camera);
     glBindVertexArray(edge_array_.name());
     upload(edge_buffer_, strokes.data(), strokes.size() * sizeof(Stroke));
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(strokes.size()));

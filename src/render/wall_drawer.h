@@ -3,6 +3,7 @@
 #include "render/camera.h"
 #include "render/gl_objects.h"
 #include "render/theme.h"
+#include "render/veil.h"
 #include "render/wall_surface.h"
 
 #include <vector>
@@ -12,25 +13,26 @@ namespace tumble::render {
 /// Draws walls as surfaces seen from both sides, and their edges as lines.
 class WallDrawer {
 public:
-    static Result<WallDrawer> open(const observe::FrameLayout& layout, const Theme& theme);
+    static Result<WallDrawer> open(const observe::FrameLayout& layout, const Theme& theme, const Canvas& canvas);
 
-    /// Walls of opacity 1: like bodies they hide what is behind them. Into the bound framebuffer of that size (pixels).
-    void draw_opaque(const observe::Frame& frame, const Camera& camera, int width, int height);
+    /// Walls of opacity 1 into the canvas' samples: like bodies they hide what is behind them.
+    void draw_opaque(const observe::Frame& frame, const Camera& camera, const Canvas& canvas);
 
-    /// The others, from back to front over what has been drawn, and all edges. Seen face-on a wall covers its opacity,
-    /// seen aslant more of it, as a plate would. `line` is the edges' thickness in pixels.
-    void draw_translucent(const observe::Frame& frame, const Camera& camera, int width, int height, double line);
+    /// The others over what has been drawn, and all edges. Seen face-on a wall covers its opacity, seen aslant more of
+    /// it, as a plate would. `line` is the edges' thickness in pixels.
+    void draw_translucent(const observe::Frame& frame, const Camera& camera, const Canvas& canvas, double line);
 
 private:
     struct Corner;
     struct Stroke;
     [[nodiscard]] std::vector<Corner> collect(const observe::Frame& frame, const Camera& camera, bool opaque) const;
     [[nodiscard]] std::vector<Stroke> collect_edges(const observe::Frame& frame, const Camera& camera) const;
-    void draw_surfaces(const std::vector<Corner>& corners, const Camera& camera, int width, int height);
+    void draw_surfaces(const std::vector<Corner>& corners, const Camera& camera, const Canvas& canvas);
 
     std::vector<WallSurface> surfaces_;
     std::vector<double> opacities_;
     Theme theme_;
+    Veil veil_;
     GlObject surface_program_;
     GlObject edge_program_;
     GlObject buffer_;

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "render/gl_objects.h"
+
+namespace tumble::render {
+
+/// Gathers translucent surfaces in any order and lays them over a canvas as one: sorting triangles fails where long
+/// ones lie behind each other (weighted blending after M. McGuire and L. Bavoil 2013, JCGT 2(2)). A single surface
+/// blends exactly as its opacity says; of several the nearer ones count more.
+class Veil {
+public:
+    static Result<Veil> open(const Canvas& canvas);
+
+    /// What the fragment shaders of surfaces write: output 0 is vec4(color * cover, cover) * weight, output 1 is cover.
+    /// Depth is tested against the canvas' samples and not written.
+    void begin(const Canvas& canvas);
+    void finish(const Canvas& canvas);
+
+private:
+    GlObject program_;
+    GlObject array_;
+    GlObject sample_sum_;
+    GlObject sample_clear_;
+    GlObject samples_;
+    GlObject sum_;
+    GlObject clear_;
+    GlObject resolved_;
+};
+
+} // namespace tumble::render

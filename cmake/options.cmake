@@ -4,6 +4,10 @@ set(TUMBLE_SANITIZE "" CACHE STRING "sanitizers, as -fsanitize takes them: addre
 
 add_library(tumble_options INTERFACE)
 target_compile_options(tumble_options INTERFACE -Wall -Wextra -Wshadow -Wpedantic)
+# g++ 12 sees overlapping copies in string additions where there are none (GCC bug 105329).
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  target_compile_options(tumble_options INTERFACE -Wno-restrict)
+endif()
 if(TUMBLE_WARNINGS_AS_ERRORS)
   target_compile_options(tumble_options INTERFACE -Werror)
 endif()
@@ -18,4 +22,9 @@ target_compile_definitions(tumble_options INTERFACE EIGEN_MAX_ALIGN_BYTES=32)
 if(TUMBLE_SANITIZE)
   target_compile_options(tumble_options INTERFACE -fsanitize=${TUMBLE_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(tumble_options INTERFACE -fsanitize=${TUMBLE_SANITIZE})
+endif()
+
+option(TUMBLE_FUZZ "build the fuzzers of tests/fuzz; needs clang" OFF)
+if(TUMBLE_FUZZ)
+  target_compile_options(tumble_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()

@@ -31,7 +31,8 @@ void Crew::work(std::uint64_t round) {
     const std::uint64_t tag = (round & 0xffffffffU) << 32;
     for (;;) {
         std::uint64_t ticket = next_.load(std::memory_order_acquire);
-        if ((ticket & ~0xffffffffULL) != tag || static_cast<int>(ticket & 0xffffffffU) >= count_.load(std::memory_order_relaxed))
+        if ((ticket & ~0xffffffffULL) != tag ||
+            static_cast<int>(ticket & 0xffffffffU) >= count_.load(std::memory_order_relaxed))
             return;
         if (!next_.compare_exchange_weak(ticket, ticket + 1, std::memory_order_acq_rel))
             continue;

@@ -12,6 +12,7 @@ namespace tumble {
 namespace {
 
 constexpr std::size_t most_problems = 20;
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
 } // namespace
 
@@ -27,7 +28,6 @@ public:
         if (table_.text_.size() > std::min<std::size_t>(limits_.bytes, std::numeric_limits<std::uint32_t>::max()))
             return problem(0, 0, fmt::format("{} bytes are more than a table may have", table_.text_.size()),
                            fmt::format("split it, or leave rows out, to at most {} bytes", limits_.bytes));
-        constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
         std::size_t begin = table_.text_.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
         for (int line = 1; begin < table_.text_.size() && problems_.size() < most_problems && !full_; ++line) {
             const std::size_t end = std::min(table_.text_.find('\n', begin), table_.text_.size());
@@ -229,7 +229,8 @@ std::string csv_line(std::span<const std::string> cells) {
     for (const std::string& cell : cells) {
         if (!line.empty() || &cell != cells.data())
             line += ',';
-        if (cell.find_first_of(",\"#\r\n") == std::string::npos && trimmed(cell).size() == cell.size()) {
+        const bool plain = cell.find_first_of(",\"#\r\n") == std::string::npos && !cell.starts_with(byte_order_mark);
+        if (plain && trimmed(cell).size() == cell.size()) {
             line += cell;
             continue;
         }
@@ -237,11 +238,12 @@ std::string csv_line(std::span<const std::string> cells) {
         for (const char c : cell) {
             if (c == '"')
                 line += '"';
-            line += c == '\n' || c == '\r' ? ' ' : c;
+            line += c == '\n' ? ' ' : c;
         }
         line += '"';
     }
-    return line + '\n';
+    // A line with nothing on it is no row.
+    return line.empty() ? "\"\"\n" : line + '\n';
 }
 
 std::string csv_line(std::span<const double> numbers) {

@@ -5,7 +5,8 @@
 
 namespace tumble::contact {
 
-/// A normal and a tangential law put together. `limit_force` true: the normal force never pulls at the end of a rebound.
+/// A normal and a tangential law put together. `limit_force` true: the normal force never pulls at the end of a
+/// rebound.
 template <class Normal, class Tangential> struct Law {
     bool limit_force = false;
 

@@ -39,6 +39,7 @@ struct ShapeConstants {
     double mass;
     double inertia[3];
     double reach; // m, farthest point from the centre of mass
+    int material;
     bool single;
     const double* exposed; // x y z r
     int exposed_count;
@@ -144,7 +145,6 @@ struct IntegrateContext {
     int end;
     double dt;
     double gravity[3];
-    double travel_at_rebuild;
 };
 
 struct SphereScan {
@@ -156,9 +156,9 @@ struct SphereScan {
     double offset[3];     // m, b's centre of mass in a's frame
     double bounding_a[4]; // centre and radius, m, a's frame
     double bounding_b[4]; // centre and radius, m, a's frame
-    double skin;        // m, pairs with a smaller gap are candidates
-    double far_skin;    // m, gaps up to here are measured
-    double* scratch;    // 4 * (count_a + 8) doubles, 64-byte aligned
+    double skin;          // m, pairs with a smaller gap are candidates
+    double far_skin;      // m, gaps up to here are measured
+    double* scratch;      // 4 * (count_a + 8) doubles, 64-byte aligned
 };
 
 struct Kernels {
@@ -170,8 +170,8 @@ struct Kernels {
     void (*push_bodies)(PushContext&, const BodyContact* contacts, int count, MemoryLanes* memory);
     void (*push_walls)(PushContext&, WallContact* contacts, int count);
     IntegrateSums (*integrate)(const IntegrateContext&);
-    /// Writes candidates as (a << 16 | b), at most `room`; returns how many there are. `smallest_gap` becomes the smallest
-    /// gap of all pairs, m, never above far_skin.
+    /// Writes candidates as (a << 16 | b), at most `room`; returns how many there are. `smallest_gap` becomes the
+    /// smallest gap of all pairs, m, never above far_skin.
     int (*scan_spheres)(const SphereScan&, std::uint32_t* found, int room, double* smallest_gap);
 };
 
@@ -185,8 +185,8 @@ template <class T> struct LineAllocator {
     using value_type = T;
     LineAllocator() = default;
     template <class U> LineAllocator(const LineAllocator<U>&) {}
-    T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t{64})); }
-    void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t{64}); }
+    T* allocate(std::size_t n) { return static_cast<T*>(::operator new (n * sizeof(T), std::align_val_t{64})); }
+    void deallocate(T* p, std::size_t) { ::operator delete (p, std::align_val_t{64}); }
     friend bool operator==(const LineAllocator&, const LineAllocator&) { return true; }
 };
 template <class T> using Lines = std::vector<T, LineAllocator<T>>;

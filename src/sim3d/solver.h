@@ -43,11 +43,11 @@ Books books_of(const World& world);
 /// A template as the solver uses it: centred on its centre of mass, turned into its principal frame.
 struct BodyShape {
     std::string name;
-    double mass = 0;                                      // kg
-    double volume = 0;                                    // m3, of the union
-    Eigen::Vector3d inertia = Eigen::Vector3d::Zero();    // kg m2, principal
-    std::vector<scene::Sphere> spheres;                   // m, principal frame, all of them, also wholly covered ones
-    double bounding_radius = 0;                           // m, about the centre of mass
+    double mass = 0;                                   // kg
+    double volume = 0;                                 // m3, of the union
+    Eigen::Vector3d inertia = Eigen::Vector3d::Zero(); // kg m2, principal
+    std::vector<scene::Sphere> spheres;                // m, principal frame, all of them, also wholly covered ones
+    double bounding_radius = 0;                        // m, about the centre of mass
     Eigen::Vector3d written_centre = Eigen::Vector3d::Zero(); // m, centre of mass in the template's frame
     Eigen::Quaterniond written_from_principal = Eigen::Quaterniond::Identity(); // orientation of a body "as written"
 };
@@ -56,10 +56,10 @@ const std::vector<BodyShape>& shapes_of(const World& world);
 struct BodyState {
     std::int64_t id = 0; // constant over the run, in order of insertion
     int shape = 0;
-    Eigen::Vector3d position = Eigen::Vector3d::Zero();         // m, centre of mass
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();              // m, centre of mass
     Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity(); // principal frame to world
-    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();         // m/s, at the same instant as the position
-    Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero(); // rad/s, world frame
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();              // m/s, at the same instant as the position
+    Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();      // rad/s, world frame
 };
 /// Ordered by id.
 std::vector<BodyState> bodies_of(const World& world);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Contacts of full stiffness that one body is taken to have at once. docs/bodies.md
+/// Contacts that one body is taken to have at once, sharing one impact between them. docs/bodies.md
 constexpr double contacts_at_once = 4;
 /// Overlap beyond this share of the smaller radius is not asked to be stable: a run stops long before.
 constexpr double overlap_most = 0.5;
@@ -85,11 +85,12 @@ Contact contact_of(const scene::Scene& scene, const Side& a, const Side& b) {
     return contact;
 }
 
-/// Tangent stiffness, N/m: of Hertz at the overlap of an impact at `speed` (Johnson 1985, 11.22), or the linear law's.
+/// Tangent stiffness of one contact, N/m: of Hertz at the overlap of an impact at `speed` that all contacts at once
+/// share (Johnson 1985, 11.22, with as many times the stiffness), or the linear law's.
 double stiffness_of(const Contact& contact, const scene::ContactLaws& laws, double speed) {
-    const double overlap = std::min(
-        overlap_most * contact.radius_small,
-        std::pow(15 * contact.mass * speed * speed / (16 * contact.pair.E_eff * std::sqrt(contact.radius)), 0.4));
+    const double energy = 15 * contact.mass * speed * speed;
+    const double hardness = 16 * contacts_at_once * contact.pair.E_eff * std::sqrt(contact.radius);
+    const double overlap = std::min(overlap_most * contact.radius_small, std::pow(energy / hardness, 0.4));
     const double reach = std::sqrt(contact.radius * overlap);
     double stiffness =
         laws.normal == scene::NormalLaw::linear ? contact.pair.normal_stiffness : 2 * contact.pair.E_eff * reach;

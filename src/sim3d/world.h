@@ -25,11 +25,7 @@ namespace tumble::sim3d {
 struct ShapeData {
     BodyShape shape;
     int material = 0;
-    bool single = false;                // one sphere: candidates need no second level
-    std::vector<double> exposed;        // x y z r of the spheres that can touch anything, principal frame
-    std::vector<int> exposed_index;     // which of shape.spheres each is
-    Eigen::Vector3d bounding_centre = Eigen::Vector3d::Zero(); // m, principal frame; tighter than about the mass centre
-    double bounding_radius = 0;                                // m, about bounding_centre
+    std::vector<double> exposed; // x y z r of the spheres that can touch anything, principal frame
 };
 
 /// Where the spheres of a body pair may soon touch: valid until the two have travelled `expires` together.
@@ -54,8 +50,7 @@ struct SphereCandidate {
 struct BodyWall {
     int body = 0;
     int wall = 0;
-    int image = 0;
-    double expires = 0;
+    double expires = 0;       // m, on the body's odometer plus the wall's
     int primitives_begin = 0; // into Chunk::wall_primitives
     int primitives_count = 0;
     int begin = 0; // into Chunk::wall_candidates
@@ -75,23 +70,10 @@ struct WallCandidate {
     std::array<MemoryLanes, max_wall_touches> memory{};
 };
 
-/// A force on a body of another chunk.
-struct Letter {
-    int body = 0;
-    std::array<double, 3> force{};
-    std::array<double, 3> torque{};
-};
-
 /// Sums of one chunk, J and extremes; added up in chunk order.
 struct Sums {
-    double kinetic_translation = 0;
-    double kinetic_rotation = 0;
-    double gravity = 0;
     ContactSums contacts;
-    double travel_max = 0;        // m since the last rebuild
-    double speed_squared_max = 0; // m2/s2
-    double spin_squared_max = 0;  // rad2/s2
-    bool finite = true;
+    IntegrateSums motion{0, 0, 0, 0, 0, 0, true};
 };
 
 /// A contiguous range of slots and everything that its bodies own.
@@ -112,12 +94,14 @@ struct Chunk {
     std::vector<WallCandidate> wall_candidates;
     std::vector<int> sphere_primitives;
 
-    std::vector<std::vector<int>> sphere_contacts;    // per material pair: touching entries of sphere_pairs
+    std::vector<std::vector<int>> sphere_contacts;       // per material pair: touching entries of sphere_pairs
     std::vector<std::vector<BodyContact>> body_contacts; // per material pair
     std::vector<std::vector<WallContact>> wall_contacts; // per material pair
 
-    std::vector<std::vector<Letter>> outbox; // per receiving chunk
-    double dropped_history = 0;              // J forgotten by contacts that ended in this step
+    std::vector<std::vector<ForeignPush>> outbox; // per receiving chunk
+    std::vector<ForeignPush> foreign;             // room for the kernels; delivered through the outbox
+    std::vector<int> found;                       // room for the kernels
+    double dropped_history = 0;                   // J forgotten by contacts that ended in this step
     Sums sums;
 };
 
@@ -136,7 +120,6 @@ struct FillState {
     std::int64_t placed = 0;
     std::int64_t next_step = 0;
     bool over = false;
-    std::string report;
 };
 
 /// Running sums, J. Losses are sums of force * velocity * dt at the steps; the books take the last one half.
@@ -167,7 +150,7 @@ struct World {
     Lines<BodyMotion> motion;
     Lines<BodyLoad> load;
     Lines<BodyTurn> turn;
-    std::vector<double> travel; // m, upper bound on the way any point of the body has gone
+    std::vector<double> travel; // m, upper bound on the way any sphere's centre has gone since the last rebuild
 
     // Per id.
     std::vector<int> slot_of;
@@ -176,13 +159,13 @@ struct World {
     std::vector<ShapeConstants> shape_constants;
 
     std::vector<Chunk> chunks;
-    std::vector<int> chunk_of; // per slot
+    std::vector<int> chunk_of;                 // per slot
     std::vector<std::array<double, 3>> images; // m, 27 shifts of the periodic box
-    double skin = 0;           // m, of the body list
-    double sphere_skin = 0;    // m, of the sphere candidates of a body pair
-    double travel_at_rebuild = 0;
-    double rebuild_time = 0;   // s
-    bool stale = true;         // the body list must be rebuilt
+    double skin = 0;                           // m, of the body list
+    double sphere_skin = 0;                    // m, of the sphere candidates of a body pair
+    double smallest_radius = 0;                // m, of all exposed spheres
+    double rebuild_time = 0;                   // s
+    bool stale = true;                         // the body list must be rebuilt
     std::int64_t rebuilds = 0;
 
     Ledger ledger;
@@ -193,6 +176,14 @@ struct World {
 
     explicit World(int threads) : crew(threads) {}
     [[nodiscard]] int bodies() const { return static_cast<int>(id.size()); }
+    [[nodiscard]] const ShapeConstants& shape_at(int slot) const {
+        return shape_constants[static_cast<std::size_t>(shape[static_cast<std::size_t>(slot)])];
+    }
+    /// Index into `pairs` of a body's material against another material.
+    [[nodiscard]] int kind_of(int slot, int other_material) const {
+        return shape_at(slot).material * materials + other_material;
+    }
+    [[nodiscard]] double time() const { return static_cast<double>(step) * dt; }
 };
 
 } // namespace tumble::sim3d

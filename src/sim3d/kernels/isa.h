@@ -6,6 +6,8 @@
 /// One instruction set's kernels; what each does stands at sim3d/kernels.h.
 namespace tumble::sim3d::TUMBLE_ISA {
 
+using tumble::TUMBLE_ISA::Pack;
+
 int touch_spheres(const BodyMotion* motion, const SpherePair* pairs, int count, const double (*images)[3],
                   const std::uint8_t* was, int* found);
 void push_spheres(PushContext& context, const SpherePair* pairs, const int* which, int count, MemoryLanes* memory);

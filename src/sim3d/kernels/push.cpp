@@ -82,7 +82,7 @@ TUMBLE_INLINE void push_pack(const ThisLaw& law, const PushContext& context, con
         touch.overlap = Pack::load(in.overlap + at);
         touch.radius = ra;
         touch.mass = ma;
-        arm_a = load3(in.arm_a, at) - touch.normal * (ra - touch.overlap);
+        arm_a = load3(in.arm_a, at) + touch.normal * (Pack(0.5) * touch.overlap - ra);
         touch.velocity = load3(in.velocity_a, at) - load3(in.velocity_b, at) + cross(load3(in.spin_a, at), arm_a);
     } else {
         const Pack rb = Pack::load(in.radius_b + at);
@@ -181,7 +181,8 @@ TUMBLE_INLINE int fill_up(Gathered& in, int n) {
 template <class ThisLaw> struct Pusher {
     ThisLaw law;
 
-    void spheres(PushContext& context, const SpherePair* pairs, const int* which, int count, MemoryLanes* memory) const {
+    void spheres(PushContext& context, const SpherePair* pairs, const int* which, int count,
+                 MemoryLanes* memory) const {
         Gathered in;
         Pushed out;
         PackSums sums;

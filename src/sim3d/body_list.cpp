@@ -1,0 +1,221 @@
+#include "sim3d/body_list.h"
+
+#include "sim3d/cells.h"
+#include "sim3d/kept_memory.h"
+#include "sim3d/phase.h"
+#include "sim3d/placement.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tumble::sim3d {
+
+namespace {
+
+using Eigen::Vector3d;
+
+// Sorting moves every body in memory; neighbours drift apart slowly, so it pays only now and then.
+constexpr std::int64_t rebuilds_per_sort = 16;
+
+constexpr int fewest_bodies_per_chunk = 48;
+constexpr int most_chunks = 16;
+
+void wrap(World& world) {
+    const scene::Domain& domain = world.scene.domain;
+    for (BodyMotion& body : world.motion)
+        for (int k = 0; k < 3; ++k) {
+            if (!domain.periodic[static_cast<std::size_t>(k)])
+                continue;
+            const double length = domain.box.hi[k] - domain.box.lo[k];
+            body.position[k] -= length * std::floor((body.position[k] - domain.box.lo[k]) / length);
+        }
+}
+
+template <class Array> void reorder(Array& values, const std::vector<int>& order) {
+    Array sorted(values.size());
+    for (std::size_t k = 0; k < order.size(); ++k)
+        sorted[k] = values[static_cast<std::size_t>(order[k])];
+    values = std::move(sorted);
+}
+
+void sort_slots(World& world, const std::vector<int>& order) {
+    reorder(world.id, order);
+    reorder(world.shape, order);
+    reorder(world.motion, order);
+    reorder(world.load, order);
+    reorder(world.turn, order);
+    for (std::size_t slot = 0; slot < world.id.size(); ++slot)
+        world.slot_of[static_cast<std::size_t>(world.id[slot])] = static_cast<int>(slot);
+}
+
+void cut_chunks(World& world) {
+    const int bodies = world.bodies();
+    const int count = std::clamp(bodies / fewest_bodies_per_chunk, 1, most_chunks);
+    world.chunks.resize(static_cast<std::size_t>(count));
+    world.chunk_of.resize(static_cast<std::size_t>(bodies));
+    const auto kinds = static_cast<std::size_t>(world.materials * world.materials);
+    for (int k = 0; k < count; ++k) {
+        Chunk& chunk = world.chunks[static_cast<std::size_t>(k)];
+        chunk.begin = static_cast<int>(static_cast<std::int64_t>(bodies) * k / count);
+        chunk.end = static_cast<int>(static_cast<std::int64_t>(bodies) * (k + 1) / count);
+        chunk.sphere_contacts.resize(kinds);
+        chunk.body_contacts.resize(kinds);
+        chunk.wall_contacts.resize(kinds);
+        chunk.outbox.resize(static_cast<std::size_t>(count));
+        std::fill(world.chunk_of.begin() + chunk.begin, world.chunk_of.begin() + chunk.end, k);
+    }
+}
+
+void clear(Chunk& chunk) {
+    chunk.sphere_pairs.clear();
+    chunk.sphere_memory.clear();
+    chunk.sphere_touching.clear();
+    chunk.body_pairs.clear();
+    chunk.candidates.clear();
+    chunk.memory.clear();
+    chunk.body_walls.clear();
+    chunk.wall_primitives.clear();
+    chunk.wall_candidates.clear();
+    chunk.sphere_primitives.clear();
+}
+
+void add_sphere_pair(const World& world, Chunk& chunk, const KeptMemory& kept, int a, int b, int image) {
+    const auto id_a = world.id[static_cast<std::size_t>(a)];
+    const auto id_b = world.id[static_cast<std::size_t>(b)];
+    MemoryLanes memory{};
+    bool touching = false;
+    for (const KeptPair& old : kept.of_pair(std::min(id_a, id_b)))
+        if (old.second == std::max(id_a, id_b)) {
+            memory = id_a < id_b ? old.memory : mirrored(old.memory);
+            touching = true;
+        }
+    chunk.sphere_pairs.push_back({a, b, static_cast<std::int16_t>(image),
+                                  static_cast<std::int16_t>(world.kind_of(a, world.shape_at(b).material))});
+    chunk.sphere_memory.push_back(memory);
+    chunk.sphere_touching.push_back(touching ? 1 : 0);
+}
+
+// The pair starts expired, with only what it remembers; the first refresh completes it.
+void add_body_pair(const World& world, Chunk& chunk, const KeptMemory& kept, int a, int b, int image) {
+    const auto id_a = world.id[static_cast<std::size_t>(a)];
+    const auto id_b = world.id[static_cast<std::size_t>(b)];
+    BodyPair pair{a, b, -1.0, static_cast<int>(chunk.candidates.size()), 0, 0, static_cast<std::int16_t>(image)};
+    for (const KeptPair& old : kept.of_pair(std::min(id_a, id_b))) {
+        if (old.second != std::max(id_a, id_b))
+            continue;
+        const bool straight = id_a < id_b;
+        const int sphere_a = straight ? old.sphere_of_first : old.sphere_of_second;
+        const int sphere_b = straight ? old.sphere_of_second : old.sphere_of_first;
+        chunk.candidates.push_back({static_cast<std::int16_t>(sphere_a), static_cast<std::int16_t>(sphere_b), true});
+        chunk.memory.push_back(straight ? old.memory : mirrored(old.memory));
+        ++pair.count;
+    }
+    pair.capacity = pair.count;
+    chunk.body_pairs.push_back(pair);
+}
+
+void list_pairs(const World& world, Chunk& chunk, const Cells& cells, const std::vector<Vector3d>& centres,
+                const KeptMemory& kept) {
+    std::array<Cells::Seen, 27> seen{};
+    for (int a = chunk.begin; a < chunk.end; ++a) {
+        const Vector3d& centre = centres[static_cast<std::size_t>(a)];
+        const double own_reach = world.shape_at(a).bounding_radius + world.skin;
+        const bool single = world.shape_at(a).single;
+        const int count = cells.around(centre, seen);
+        for (int k = 0; k < count; ++k) {
+            const Cells::Seen& cell = seen[static_cast<std::size_t>(k)];
+            const auto& shift = world.images[static_cast<std::size_t>(cell.image)];
+            const Vector3d from = centre - Vector3d(shift[0], shift[1], shift[2]);
+            for (const int* b = cell.begin; b != cell.end; ++b) {
+                if (*b <= a)
+                    continue;
+                const double reach = own_reach + world.shape_at(*b).bounding_radius;
+                if ((from - centres[static_cast<std::size_t>(*b)]).squaredNorm() >= reach * reach)
+                    continue;
+                if (single && world.shape_at(*b).single)
+                    add_sphere_pair(world, chunk, kept, a, *b, cell.image);
+                else
+                    add_body_pair(world, chunk, kept, a, *b, cell.image);
+            }
+        }
+    }
+}
+
+void add_body_wall(const World& world, Chunk& chunk, const KeptMemory& kept, BodyWall near) {
+    for (const KeptWall& old : kept.of_wall(world.id[static_cast<std::size_t>(near.body)])) {
+        if (old.wall != near.wall)
+            continue;
+        WallCandidate candidate;
+        candidate.sphere = static_cast<std::int16_t>(old.sphere);
+        candidate.touches = 1;
+        candidate.feature[0] = old.feature;
+        candidate.memory[0] = old.memory;
+        chunk.wall_candidates.push_back(candidate);
+        ++near.count;
+    }
+    near.capacity = near.count;
+    chunk.body_walls.push_back(near);
+}
+
+void list_walls(const World& world, Chunk& chunk, const std::vector<Vector3d>& centres, const KeptMemory& kept) {
+    std::vector<int> primitives;
+    for (int body = chunk.begin; body < chunk.end; ++body)
+        for (std::size_t w = 0; w < world.walls.size(); ++w) {
+            const WallState& wall = world.walls[w];
+            const Vector3d centre = centres[static_cast<std::size_t>(body)] - wall.pose.translation;
+            wall.surface.primitives_near(wall.pose.rotation.transpose() * centre,
+                                         world.shape_at(body).bounding_radius + world.skin, primitives);
+            if (primitives.empty())
+                continue;
+            BodyWall near;
+            near.body = body;
+            near.wall = static_cast<int>(w);
+            near.expires = -1;
+            near.primitives_begin = static_cast<int>(chunk.wall_primitives.size());
+            near.primitives_count = static_cast<int>(primitives.size());
+            near.begin = static_cast<int>(chunk.wall_candidates.size());
+            chunk.wall_primitives.insert(chunk.wall_primitives.end(), primitives.begin(), primitives.end());
+            add_body_wall(world, chunk, kept, near);
+        }
+}
+
+} // namespace
+
+void rebuild_body_list(World& world) {
+    const KeptMemory kept(world);
+    wrap(world);
+    double largest = 0;
+    double offset = 0;
+    for (const ShapeConstants& shape : world.shape_constants) {
+        largest = std::max(largest, shape.bounding_radius);
+        offset = std::max(offset, Vector3d(shape.bounding_centre).norm());
+    }
+    // A body is wrapped by its mass centre, so its bounding sphere may stand this far outside the periodic box.
+    const double reach = 2 * largest + world.skin + offset;
+
+    const auto find_centres = [&] {
+        std::vector<Vector3d> centres(world.id.size());
+        for (int slot = 0; slot < world.bodies(); ++slot)
+            centres[static_cast<std::size_t>(slot)] = bounding_centre(world, placement_of(world, slot));
+        return centres;
+    };
+    std::vector<Vector3d> centres = find_centres();
+    if (world.stale || world.rebuilds % rebuilds_per_sort == 0) {
+        sort_slots(world, Cells(world.scene.domain, centres, reach).order());
+        centres = find_centres();
+    }
+    const Cells cells(world.scene.domain, centres, reach);
+    cut_chunks(world);
+    std::fill(world.travel.begin(), world.travel.end(), 0.0);
+    world.travel.resize(world.id.size(), 0.0);
+    for_chunks(world, [&](Chunk& chunk) {
+        clear(chunk);
+        list_pairs(world, chunk, cells, centres, kept);
+        list_walls(world, chunk, centres, kept);
+    });
+    world.stale = false;
+    world.rebuild_time = static_cast<double>(world.step) * world.dt;
+    ++world.rebuilds;
+}
+
+} // namespace tumble::sim3d

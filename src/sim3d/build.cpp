@@ -1,0 +1,203 @@
+#include "sim3d/body_shape.h"
+#include "sim3d/cells.h"
+#include "sim3d/fill.h"
+#include "sim3d/time_step.h"
+#include "sim3d/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace tumble::sim3d {
+
+namespace {
+
+using Eigen::Vector3d;
+
+// Lists as long as these parts of the bodies were found quickest on dense beds (bench/spheres, bench/trough).
+constexpr double skin_per_bounding_radius = 0.16;
+constexpr double sphere_skin_per_radius = 0.15;
+
+/// Smallest sphere around all spheres, by repeatedly stepping towards the farthest (Badoiu and Clarkson 2003); a little
+/// too large is fine, too small never happens because the radius is measured at the end.
+void find_bounding_sphere(const std::vector<scene::Sphere>& spheres, ShapeConstants& shape) {
+    Vector3d centre = Vector3d::Zero();
+    const auto farthest = [&] {
+        return *std::max_element(spheres.begin(), spheres.end(), [&](const auto& a, const auto& b) {
+            return (a.centre - centre).norm() + a.radius < (b.centre - centre).norm() + b.radius;
+        });
+    };
+    for (int k = 1; k <= 2000 && spheres.size() > 1; ++k)
+        centre += (farthest().centre - centre) / (k + 1.0);
+    const scene::Sphere last = farthest();
+    Eigen::Map<Vector3d>{shape.bounding_centre} = centre;
+    shape.bounding_radius = (last.centre - centre).norm() + last.radius;
+}
+
+ShapeData prepare_shape(const BodyShape& shape, int material) {
+    ShapeData data{shape, material, {}};
+    for (const int k : contact_spheres(shape)) {
+        const scene::Sphere& sphere = shape.spheres[static_cast<std::size_t>(k)];
+        data.exposed.insert(data.exposed.end(),
+                            {sphere.centre.x(), sphere.centre.y(), sphere.centre.z(), sphere.radius});
+    }
+    return data;
+}
+
+ShapeConstants constants_of(const ShapeData& data) {
+    ShapeConstants constants{};
+    constants.mass = data.shape.mass;
+    Eigen::Map<Vector3d>{constants.inertia} = data.shape.inertia;
+    constants.material = data.material;
+    constants.single = data.shape.spheres.size() == 1;
+    constants.exposed = data.exposed.data();
+    constants.exposed_count = static_cast<int>(data.exposed.size() / 4);
+    for (const scene::Sphere& sphere : data.shape.spheres)
+        constants.reach = std::max(constants.reach, sphere.centre.norm());
+    find_bounding_sphere(data.shape.spheres, constants);
+    return constants;
+}
+
+Problem scene_problem(const scene::Scene& scene, std::string key, std::string what, std::string fix) {
+    return {scene.file.string(), 0, 0, std::move(key), std::move(what), std::move(fix)};
+}
+
+Problems make_shapes(World& world) {
+    Problems problems;
+    for (const scene::BodyTemplate& body : world.scene.bodies) {
+        const auto shape = make_body_shape(body, world.scene.materials[static_cast<std::size_t>(body.material)]);
+        if (!shape) {
+            const Problems more = shape.problems();
+            problems.insert(problems.end(), more.begin(), more.end());
+            continue;
+        }
+        world.plain_shapes.push_back(*shape);
+        world.shapes.push_back(prepare_shape(*shape, body.material));
+    }
+    for (const ShapeData& data : world.shapes)
+        world.shape_constants.push_back(constants_of(data));
+    return problems;
+}
+
+Problems make_walls(World& world) {
+    Problems problems;
+    const scene::Domain& domain = world.scene.domain;
+    const Vector3d middle = 0.5 * (domain.box.lo + domain.box.hi);
+    for (const scene::Wall& wall : world.scene.walls) {
+        const auto surface = WallSurface::make(wall.shape, domain);
+        if (!surface) {
+            const Problems more = surface.problems();
+            problems.insert(problems.end(), more.begin(), more.end());
+            continue;
+        }
+        WallState state{wall, *surface, scene::pose_at(wall.motion, 0), {}, 0};
+        state.half_pose = scene::pose_at(wall.motion, -0.5 * world.dt);
+        state.speed_bound = scene::speed_bound(wall.motion, middle, (domain.box.hi - middle).norm());
+        world.walls.push_back(std::move(state));
+    }
+    return problems;
+}
+
+void make_pairs(World& world) {
+    world.materials = static_cast<int>(world.scene.materials.size());
+    for (int a = 0; a < world.materials; ++a)
+        for (int b = 0; b < world.materials; ++b)
+            world.pairs.push_back(contact::derive(world.scene.materials[static_cast<std::size_t>(a)],
+                                                  world.scene.materials[static_cast<std::size_t>(b)],
+                                                  world.scene.pair(a, b)));
+}
+
+void make_images(World& world) {
+    const scene::Domain& domain = world.scene.domain;
+    const Vector3d length = domain.box.hi - domain.box.lo;
+    world.images.resize(27);
+    for (int z = -1; z <= 1; ++z)
+        for (int y = -1; y <= 1; ++y)
+            for (int x = -1; x <= 1; ++x)
+                world.images[static_cast<std::size_t>(image_index(x, y, z))] = {
+                    domain.periodic[0] ? x * length.x() : 0.0, domain.periodic[1] ? y * length.y() : 0.0,
+                    domain.periodic[2] ? z * length.z() : 0.0};
+}
+
+void choose_skins(World& world) {
+    double largest = 0;
+    double smallest_sphere = std::numeric_limits<double>::infinity();
+    for (const ShapeConstants& shape : world.shape_constants) {
+        largest = std::max(largest, shape.bounding_radius);
+        for (int s = 0; s < shape.exposed_count; ++s)
+            smallest_sphere = std::min(smallest_sphere, shape.exposed[4 * s + 3]);
+    }
+    world.smallest_radius = smallest_sphere;
+    world.skin = world.scene.skin > 0 ? world.scene.skin : skin_per_bounding_radius * largest;
+    world.sphere_skin = std::min(sphere_skin_per_radius * smallest_sphere, world.skin);
+}
+
+Problems check_periods(const World& world) {
+    Problems problems;
+    const scene::Domain& domain = world.scene.domain;
+    double reach = world.skin;
+    for (const ShapeConstants& shape : world.shape_constants)
+        reach = std::max(reach, 2 * shape.bounding_radius + Vector3d(shape.bounding_centre).norm() + world.skin);
+    for (int k = 0; k < 3; ++k)
+        if (domain.periodic[static_cast<std::size_t>(k)] && domain.box.hi[k] - domain.box.lo[k] < reach)
+            problems.push_back(scene_problem(
+                world.scene, "domain",
+                fmt::format("the domain is {:.4g} m long in its periodic direction {}, but a body must never meet its "
+                            "own image: at least {:.4g} m are needed",
+                            domain.box.hi[k] - domain.box.lo[k], "xyz"[k], reach),
+                "make the domain longer or the bodies smaller"));
+    return problems;
+}
+
+Problems check_law(const World& world) {
+    const scene::ContactLaws& laws = world.scene.contact;
+    if (laws.normal == scene::NormalLaw::linear && laws.tangential == scene::TangentialLaw::mindlin)
+        return {scene_problem(world.scene, "contact.tangential",
+                              "tangential = \"mindlin\" takes its stiffness from the Hertz contact, which "
+                              "normal = \"linear\" does not have",
+                              "write tangential = \"linear\" or \"none\", or normal = \"hertz\"")};
+    return {};
+}
+
+Problems check_step(const World& world) {
+    const TimeStepReport report = time_step_report(world.scene, world.plain_shapes);
+    if (report.stable() || world.scene.allow_large_step)
+        return {};
+    return {scene_problem(
+        world.scene, "time_step_s",
+        fmt::format("a time step of {:.4g} s is above the stable limit of {:.4g} s", report.step, report.limit),
+        fmt::format("use at most {:.3g} s, or soften the materials; allow_large_step = true runs it "
+                    "all the same",
+                    0.5 * report.limit))};
+}
+
+void append(Problems& all, const Problems& more) {
+    all.insert(all.end(), more.begin(), more.end());
+}
+
+} // namespace
+
+Result<WorldPtr> build_world(const scene::Scene& scene, int threads) {
+    WorldPtr world(new World(std::max(threads, 1)));
+    world->scene = scene;
+    world->dt = scene.time_step;
+    world->kernels = &choose_kernels();
+    make_pairs(*world);
+    Problems problems = make_shapes(*world);
+    append(problems, make_walls(*world));
+    append(problems, check_law(*world));
+    if (!problems.empty())
+        return problems;
+    choose_skins(*world);
+    make_images(*world);
+    append(problems, check_periods(*world));
+    append(problems, check_step(*world));
+    append(problems, prepare_fills(*world));
+    if (!problems.empty())
+        return problems;
+    if (auto problem = insert_due_fills(*world))
+        return *problem;
+    return world;
+}
+
+} // namespace tumble::sim3d

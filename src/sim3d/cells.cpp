@@ -1,0 +1,105 @@
+#include "sim3d/cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace tumble::sim3d {
+
+namespace {
+
+// A few bodies far apart must not make millions of empty cells.
+constexpr double cells_per_body = 4;
+
+} // namespace
+
+Cells::Cells(const scene::Domain& domain, const std::vector<Eigen::Vector3d>& centres, double reach)
+    : periodic_(domain.periodic) {
+    Eigen::Vector3d lo = domain.box.lo;
+    Eigen::Vector3d hi = domain.box.hi;
+    for (int k = 0; k < 3; ++k) {
+        if (periodic_[static_cast<std::size_t>(k)] || centres.empty())
+            continue;
+        lo[k] = hi[k] = centres.front()[k];
+        for (const Eigen::Vector3d& centre : centres) {
+            lo[k] = std::min(lo[k], centre[k]);
+            hi[k] = std::max(hi[k], centre[k]);
+        }
+    }
+    const Eigen::Vector3d length = (hi - lo).cwiseMax(reach);
+    double width = reach;
+    const double room = cells_per_body * static_cast<double>(centres.size()) + 64;
+    while ((length / width).array().floor().max(1).prod() > room)
+        width *= 1.26;
+    for (int k = 0; k < 3; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        size_[at] = std::max(1, static_cast<int>(std::floor(length[k] / width)));
+        per_cell_[k] = size_[at] / length[k];
+    }
+    lo_ = lo;
+    std::iota(axis_.begin(), axis_.end(), 0);
+    std::stable_sort(axis_.begin(), axis_.end(), [&](int a, int b) {
+        return size_[static_cast<std::size_t>(a)] > size_[static_cast<std::size_t>(b)];
+    });
+
+    begin_.assign(static_cast<std::size_t>(count()) + 1, 0);
+    std::vector<int> cell(centres.size());
+    for (std::size_t body = 0; body < centres.size(); ++body) {
+        cell[body] = cell_of(centres[body]);
+        ++begin_[static_cast<std::size_t>(cell[body]) + 1];
+    }
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    std::vector<int> next = begin_;
+    order_.resize(centres.size());
+    for (std::size_t body = 0; body < centres.size(); ++body)
+        order_[static_cast<std::size_t>(next[static_cast<std::size_t>(cell[body])]++)] = static_cast<int>(body);
+}
+
+std::array<int, 3> Cells::place_of(const Eigen::Vector3d& centre) const {
+    std::array<int, 3> place{};
+    for (int k = 0; k < 3; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        const int p = static_cast<int>(std::floor((centre[k] - lo_[k]) * per_cell_[k]));
+        place[at] = std::clamp(p, 0, size_[at] - 1);
+    }
+    return place;
+}
+
+int Cells::index_of(const std::array<int, 3>& place) const {
+    const auto slow = static_cast<std::size_t>(axis_[0]);
+    const auto mid = static_cast<std::size_t>(axis_[1]);
+    const auto fast = static_cast<std::size_t>(axis_[2]);
+    return (place[slow] * size_[mid] + place[mid]) * size_[fast] + place[fast];
+}
+
+int Cells::cell_of(const Eigen::Vector3d& centre) const {
+    return index_of(place_of(centre));
+}
+
+int Cells::around(const Eigen::Vector3d& centre, std::array<Seen, 27>& seen) const {
+    const std::array<int, 3> home = place_of(centre);
+    int n = 0;
+    for (int code = 0; code < 27; ++code) {
+        std::array<int, 3> place{};
+        std::array<int, 3> wraps{};
+        bool exists = true;
+        int rest = code;
+        for (std::size_t k = 0; k < 3; ++k) {
+            place[k] = home[k] + rest % 3 - 1;
+            rest /= 3;
+            if (place[k] >= 0 && place[k] < size_[k])
+                continue;
+            exists = exists && periodic_[k];
+            wraps[k] = place[k] < 0 ? -1 : 1;
+            place[k] -= wraps[k] * size_[k];
+        }
+        if (!exists)
+            continue;
+        const auto cell = static_cast<std::size_t>(index_of(place));
+        seen[static_cast<std::size_t>(n++)] = {order_.data() + begin_[cell], order_.data() + begin_[cell + 1],
+                                               image_index(wraps[0], wraps[1], wraps[2])};
+    }
+    return n;
+}
+
+} // namespace tumble::sim3d

@@ -1,0 +1,240 @@
+#include "sim3d/fill.h"
+
+#include "sim3d/placement.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+
+namespace tumble::sim3d {
+
+namespace {
+
+using Eigen::Vector3d;
+
+// A region counts as full after this many misses in a row.
+constexpr int misses_until_full = 3000;
+
+/// Uniform over all rotations (Shoemake 1992).
+Eigen::Quaterniond random_orientation(Rng& rng) {
+    const double u = rng.uniform();
+    const double a = rng.uniform(0, 2 * std::numbers::pi);
+    const double b = rng.uniform(0, 2 * std::numbers::pi);
+    return {std::sqrt(1 - u) * std::sin(a), std::sqrt(1 - u) * std::cos(a), std::sqrt(u) * std::sin(b),
+            std::sqrt(u) * std::cos(b)};
+}
+
+/// Bodies by the cell of their bounding sphere, growing as bodies are placed.
+class Crowd {
+public:
+    explicit Crowd(const World& world) : world_(world) {
+        double width = 1e-9;
+        for (const ShapeConstants& shape : world.shape_constants)
+            width = std::max(width, 2 * shape.bounding_radius);
+        const scene::Box& box = world.scene.domain.box;
+        for (int k = 0; k < 3; ++k)
+            size_[static_cast<std::size_t>(k)] = std::clamp(static_cast<int>((box.hi[k] - box.lo[k]) / width), 1, 200);
+        cells_.resize(static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]) *
+                      static_cast<std::size_t>(size_[2]));
+        for (int slot = 0; slot < world.bodies(); ++slot)
+            add(placement_of(world, slot));
+    }
+
+    void add(const Placement& body) {
+        cells_[index(place(bounding_centre(world_, body)))].push_back(static_cast<int>(bodies_.size()));
+        bodies_.push_back(body);
+    }
+
+    [[nodiscard]] bool leaves_room_for(const Placement& body) const {
+        const Vector3d centre = bounding_centre(world_, body);
+        const std::array<int, 3> home = place(centre);
+        std::array<int, 3> at{};
+        for (at[0] = home[0] - 1; at[0] <= home[0] + 1; ++at[0])
+            for (at[1] = home[1] - 1; at[1] <= home[1] + 1; ++at[1])
+                for (at[2] = home[2] - 1; at[2] <= home[2] + 1; ++at[2])
+                    if (!cell_leaves_room(body, centre, at))
+                        return false;
+        return true;
+    }
+
+private:
+    [[nodiscard]] bool cell_leaves_room(const Placement& body, const Vector3d& centre, std::array<int, 3> at) const {
+        const scene::Domain& domain = world_.scene.domain;
+        Vector3d shift = Vector3d::Zero();
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (at[k] >= 0 && at[k] < size_[k])
+                continue;
+            if (!domain.periodic[k])
+                return true;
+            const auto axis = static_cast<Eigen::Index>(k);
+            const int turn = at[k] < 0 ? -1 : 1;
+            shift[axis] = turn * (domain.box.hi[axis] - domain.box.lo[axis]);
+            at[k] -= turn * size_[k];
+        }
+        const double own = world_.shape_constants[static_cast<std::size_t>(body.shape)].bounding_radius;
+        for (const int other : cells_[index(at)]) {
+            const Placement& neighbour = bodies_[static_cast<std::size_t>(other)];
+            const double reach =
+                own + world_.shape_constants[static_cast<std::size_t>(neighbour.shape)].bounding_radius;
+            if ((bounding_centre(world_, neighbour) + shift - centre).squaredNorm() < reach * reach &&
+                overlap(world_, body, neighbour, shift))
+                return false;
+        }
+        return true;
+    }
+
+    [[nodiscard]] std::array<int, 3> place(const Vector3d& centre) const {
+        const scene::Box& box = world_.scene.domain.box;
+        std::array<int, 3> at{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto axis = static_cast<Eigen::Index>(k);
+            const double part = (centre[axis] - box.lo[axis]) / (box.hi[axis] - box.lo[axis]);
+            at[k] = std::clamp(static_cast<int>(std::floor(part * size_[k])), 0, size_[k] - 1);
+        }
+        return at;
+    }
+
+    [[nodiscard]] std::size_t index(const std::array<int, 3>& at) const {
+        return static_cast<std::size_t>((at[0] * size_[1] + at[1]) * size_[2] + at[2]);
+    }
+
+    const World& world_;
+    std::array<int, 3> size_{1, 1, 1};
+    std::vector<std::vector<int>> cells_;
+    std::vector<Placement> bodies_;
+};
+
+bool spans_period(const scene::Domain& domain, const scene::Box& region, int axis) {
+    return domain.periodic[static_cast<std::size_t>(axis)] && region.lo[axis] <= domain.box.lo[axis] &&
+           region.hi[axis] >= domain.box.hi[axis];
+}
+
+bool inside_region(const World& world, const scene::Box& region, const Placement& body) {
+    const ShapeConstants& shape = world.shape_constants[static_cast<std::size_t>(body.shape)];
+    for (int s = 0; s < shape.exposed_count; ++s) {
+        const double* sphere = shape.exposed + 4 * static_cast<std::ptrdiff_t>(s);
+        const Vector3d centre = body.position + body.rotation * Vector3d(sphere[0], sphere[1], sphere[2]);
+        for (int axis = 0; axis < 3; ++axis)
+            if (!spans_period(world.scene.domain, region, axis) &&
+                (centre[axis] - sphere[3] < region.lo[axis] || centre[axis] + sphere[3] > region.hi[axis]))
+                return false;
+    }
+    return true;
+}
+
+BodyState state_of(const scene::Fill& fill, const Vector3d& position, const Eigen::Quaterniond& orientation) {
+    BodyState state;
+    state.shape = fill.body;
+    state.position = position;
+    state.orientation = orientation;
+    state.velocity = fill.velocity;
+    state.angular_velocity = fill.angular_velocity;
+    return state;
+}
+
+std::vector<BodyState> place_at_random(const World& world, FillState& fill, Crowd& crowd) {
+    const scene::Box& region = fill.fill.region;
+    const Eigen::Quaterniond as_written =
+        world.shapes[static_cast<std::size_t>(fill.fill.body)].shape.written_from_principal;
+    std::vector<BodyState> placed;
+    int misses = 0;
+    while (fill.placed + static_cast<std::int64_t>(placed.size()) < fill.asked && misses < misses_until_full) {
+        Vector3d position;
+        for (int axis = 0; axis < 3; ++axis)
+            position[axis] = fill.rng.uniform(region.lo[axis], region.hi[axis]);
+        const Eigen::Quaterniond orientation =
+            fill.fill.orientation == scene::Orientation::random ? random_orientation(fill.rng) : as_written;
+        const Placement body{fill.fill.body, position, orientation.toRotationMatrix()};
+        if (!inside_region(world, region, body) || in_wall(world, body) || !crowd.leaves_room_for(body)) {
+            ++misses;
+            continue;
+        }
+        misses = 0;
+        crowd.add(body);
+        placed.push_back(state_of(fill.fill, position, orientation));
+    }
+    return placed;
+}
+
+std::string owed(const World& world, const FillState& fill) {
+    const Vector3d size = fill.fill.region.hi - fill.fill.region.lo;
+    return fmt::format(
+        "asked for {} of body '{}', placed {} in the region of {:.4g} x {:.4g} x {:.4g} m; {} did not fit", fill.asked,
+        world.shapes[static_cast<std::size_t>(fill.fill.body)].shape.name, fill.placed, size.x(), size.y(), size.z(),
+        fill.asked - fill.placed);
+}
+
+void schedule(World& world) {
+    world.next_fill_step = std::numeric_limits<std::int64_t>::max();
+    for (const FillState& fill : world.fills)
+        if (!fill.over)
+            world.next_fill_step = std::min(world.next_fill_step, fill.next_step);
+}
+
+std::optional<Problem> insert_fill(World& world, FillState& fill) {
+    std::vector<BodyState> placed;
+    if (fill.fill.position) {
+        const Eigen::Quaterniond orientation =
+            fill.fill.orientation == scene::Orientation::random
+                ? random_orientation(fill.rng)
+                : world.shapes[static_cast<std::size_t>(fill.fill.body)].shape.written_from_principal;
+        placed.push_back(state_of(fill.fill, *fill.fill.position, orientation));
+    } else {
+        Crowd crowd(world);
+        placed = place_at_random(world, fill, crowd);
+    }
+    fill.placed += static_cast<std::int64_t>(placed.size());
+    const double again = world.time() + fill.fill.every;
+    fill.next_step = static_cast<std::int64_t>(std::ceil(again / world.dt));
+    fill.over = fill.placed >= fill.asked || again > fill.fill.until;
+    if (auto problem = insert(world, placed))
+        return problem;
+    if (fill.placed >= fill.asked || fill.fill.until > fill.fill.start)
+        return std::nullopt;
+    return Problem{world.scene.file.string(),
+                   0,
+                   0,
+                   "fill",
+                   owed(world, fill),
+                   "enlarge the region, ask for fewer, or give until_s so that bodies come in over time"};
+}
+
+} // namespace
+
+Problems prepare_fills(World& world) {
+    Problems problems;
+    for (const scene::Fill& fill : world.scene.fills) {
+        FillState state{fill, Rng(world.scene.seed * 0x9e3779b97f4a7c15ULL + world.fills.size()), 0, 0, 0, false};
+        const double mass = world.shapes[static_cast<std::size_t>(fill.body)].shape.mass;
+        state.asked = fill.count ? *fill.count : std::llround(fill.mass.value_or(0) / mass);
+        state.next_step = static_cast<std::int64_t>(std::ceil(fill.start / world.dt - 1e-9));
+        if (state.asked < 1)
+            problems.push_back({world.scene.file.string(), 0, 0, "fill",
+                                fmt::format("a fill asks for less than one body of {:.4g} kg", mass),
+                                "ask for more mass, or give a count"});
+        world.fills.push_back(std::move(state));
+    }
+    schedule(world);
+    return problems;
+}
+
+std::optional<Problem> insert_due_fills(World& world) {
+    for (FillState& fill : world.fills)
+        if (!fill.over && fill.next_step <= world.step)
+            if (auto problem = insert_fill(world, fill))
+                return problem;
+    schedule(world);
+    return std::nullopt;
+}
+
+std::vector<std::string> unfilled(const World& world) {
+    std::vector<std::string> reports;
+    for (const FillState& fill : world.fills)
+        if (fill.placed < fill.asked && (fill.over || fill.placed > 0))
+            reports.push_back(owed(world, fill));
+    return reports;
+}
+
+} // namespace tumble::sim3d

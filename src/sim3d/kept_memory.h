@@ -1,0 +1,48 @@
+#pragma once
+
+#include "sim3d/world.h"
+
+#include <span>
+#include <vector>
+
+namespace tumble::sim3d {
+
+/// What one touching contact remembers, named by body ids, so that it outlives lists and slots.
+struct KeptPair {
+    std::int64_t first = 0; // the smaller id; `memory` is from its side
+    std::int64_t second = 0;
+    int sphere_of_first = 0;
+    int sphere_of_second = 0;
+    MemoryLanes memory{};
+};
+
+struct KeptWall {
+    std::int64_t body = 0;
+    int wall = 0;
+    int sphere = 0;
+    int feature = 0;
+    MemoryLanes memory{};
+};
+
+/// Every touching contact of the world, findable by body.
+class KeptMemory {
+public:
+    explicit KeptMemory(const World& world);
+
+    /// The entries whose smaller id is `first`.
+    [[nodiscard]] std::span<const KeptPair> of_pair(std::int64_t first) const;
+    [[nodiscard]] std::span<const KeptWall> of_wall(std::int64_t body) const;
+
+private:
+    std::vector<KeptPair> pairs_;
+    std::vector<int> pairs_begin_; // per id, one more at the end
+    std::vector<KeptWall> walls_;
+    std::vector<int> walls_begin_;
+};
+
+/// The same memory seen from the other body.
+inline MemoryLanes mirrored(const MemoryLanes& memory) {
+    return {{-memory.spring[0], -memory.spring[1], -memory.spring[2]}, memory.energy};
+}
+
+} // namespace tumble::sim3d

@@ -1,0 +1,85 @@
+#include "sim3d/phase.h"
+#include "sim3d/step.h"
+
+namespace tumble::sim3d {
+
+namespace {
+
+PushContext context_of(World& world, Chunk& chunk, std::size_t kind) {
+    PushContext context{};
+    context.motion = world.motion.data();
+    context.load = world.load.data();
+    context.begin = chunk.begin;
+    context.end = chunk.end;
+    context.images = reinterpret_cast<const double(*)[3]>(world.images.data());
+    context.dt = world.dt;
+    context.pair = world.pairs[kind];
+    context.normal_law = static_cast<int>(world.scene.contact.normal);
+    context.tangential_law = static_cast<int>(world.scene.contact.tangential);
+    context.limit_force = world.scene.contact.limit_force;
+    context.sums = &chunk.sums.contacts;
+    return context;
+}
+
+template <class Contacts> void prepare_foreign(Chunk& chunk, PushContext& context, const Contacts& contacts) {
+    if (chunk.foreign.size() < contacts.size())
+        chunk.foreign.resize(contacts.size() * 2);
+    context.foreign = chunk.foreign.data();
+    context.foreign_count = 0;
+}
+
+void post(const World& world, Chunk& chunk, const PushContext& context) {
+    for (int k = 0; k < context.foreign_count; ++k) {
+        const ForeignPush& push = chunk.foreign[static_cast<std::size_t>(k)];
+        chunk.outbox[static_cast<std::size_t>(world.chunk_of[static_cast<std::size_t>(push.body)])].push_back(push);
+    }
+}
+
+void push_chunk(World& world, Chunk& chunk) {
+    chunk.sums.contacts = {};
+    chunk.sums.contacts.lost_history = chunk.dropped_history;
+    for (auto& letters : chunk.outbox)
+        letters.clear();
+    for (std::size_t kind = 0; kind < world.pairs.size(); ++kind) {
+        PushContext context = context_of(world, chunk, kind);
+        if (const auto& which = chunk.sphere_contacts[kind]; !which.empty()) {
+            prepare_foreign(chunk, context, which);
+            world.kernels->push_spheres(context, chunk.sphere_pairs.data(), which.data(),
+                                        static_cast<int>(which.size()), chunk.sphere_memory.data());
+            post(world, chunk, context);
+        }
+        if (const auto& contacts = chunk.body_contacts[kind]; !contacts.empty()) {
+            prepare_foreign(chunk, context, contacts);
+            world.kernels->push_bodies(context, contacts.data(), static_cast<int>(contacts.size()),
+                                       chunk.memory.data());
+            post(world, chunk, context);
+        }
+        if (auto& contacts = chunk.wall_contacts[kind]; !contacts.empty()) {
+            world.kernels->push_walls(context, contacts.data(), static_cast<int>(contacts.size()));
+            for (const WallContact& contact : contacts)
+                chunk.wall_candidates[static_cast<std::size_t>(contact.candidate)]
+                    .memory[static_cast<std::size_t>(contact.touch)] = contact.memory;
+        }
+    }
+}
+
+void collect(World& world, std::size_t receiver) {
+    for (const Chunk& sender : world.chunks)
+        for (const ForeignPush& push : sender.outbox[receiver]) {
+            BodyLoad& load = world.load[static_cast<std::size_t>(push.body)];
+            for (int axis = 0; axis < 3; ++axis) {
+                load.force[axis] += push.force[axis];
+                load.torque[axis] += push.torque[axis];
+            }
+        }
+}
+
+} // namespace
+
+void push_contacts(World& world) {
+    for_chunks(world, [&](Chunk& chunk) { push_chunk(world, chunk); });
+    world.crew.share(static_cast<int>(world.chunks.size()),
+                     [&](int receiver) { collect(world, static_cast<std::size_t>(receiver)); });
+}
+
+} // namespace tumble::sim3d

@@ -1,0 +1,132 @@
+#include "sim3d/refresh.h"
+
+#include "sim3d/placement.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace tumble::sim3d {
+
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using RowMajor = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
+
+// A range that outgrew its place moves to the end of the pool; the next rebuild starts the pool anew.
+void make_room(Chunk& chunk, BodyPair& pair, int count) {
+    if (count <= pair.capacity)
+        return;
+    pair.capacity = static_cast<std::int16_t>(count + 2);
+    pair.begin = static_cast<int>(chunk.candidates.size());
+    chunk.candidates.resize(chunk.candidates.size() + static_cast<std::size_t>(pair.capacity));
+    chunk.memory.resize(chunk.candidates.size());
+}
+
+} // namespace
+
+double wall_travel(const World& world, const WallState& wall) {
+    return wall.speed_bound * (static_cast<double>(world.step) * world.dt - world.rebuild_time);
+}
+
+Vector3d sphere_arm(const World& world, int slot, int exposed) {
+    const double* s = world.shape_at(slot).exposed + 4 * static_cast<std::ptrdiff_t>(exposed);
+    return RowMajor(world.turn[static_cast<std::size_t>(slot)].rotation) * Vector3d(s[0], s[1], s[2]);
+}
+
+void refresh(const World& world, Chunk& chunk, BodyPair& pair) {
+    const double travelled =
+        world.travel[static_cast<std::size_t>(pair.a)] + world.travel[static_cast<std::size_t>(pair.b)];
+    const auto& image = world.images[static_cast<std::size_t>(pair.image)];
+    SphereScan scan = scan_between(world, placement_of(world, pair.a), placement_of(world, pair.b),
+                                   Vector3d(image[0], image[1], image[2]));
+    const double apart =
+        (Vector3d(scan.bounding_a) - Vector3d(scan.bounding_b)).norm() - scan.bounding_a[3] - scan.bounding_b[3];
+    double smallest_gap = apart;
+    const std::uint32_t* found = nullptr;
+    const int count = apart < scan.far_skin ? run_scan(world, scan, smallest_gap, found) : 0;
+    pair.expires = travelled + (count > 0 ? world.sphere_skin : smallest_gap);
+
+    thread_local std::vector<SphereCandidate> old;
+    thread_local std::vector<MemoryLanes> old_memory;
+    old.assign(chunk.candidates.begin() + pair.begin, chunk.candidates.begin() + pair.begin + pair.count);
+    old_memory.assign(chunk.memory.begin() + pair.begin, chunk.memory.begin() + pair.begin + pair.count);
+    make_room(chunk, pair, count);
+    pair.count = static_cast<std::int16_t>(count);
+    for (int k = 0; k < count; ++k) {
+        SphereCandidate fresh;
+        fresh.a = static_cast<std::int16_t>(found[k] >> 16);
+        fresh.b = static_cast<std::int16_t>(found[k] & 0xffffU);
+        MemoryLanes memory{};
+        for (std::size_t o = 0; o < old.size(); ++o)
+            if (old[o].touching && old[o].a == fresh.a && old[o].b == fresh.b) {
+                fresh.touching = true;
+                memory = old_memory[o];
+            }
+        chunk.candidates[static_cast<std::size_t>(pair.begin + k)] = fresh;
+        chunk.memory[static_cast<std::size_t>(pair.begin + k)] = memory;
+    }
+}
+
+namespace {
+
+/// Spheres of the body that may soon touch the wall, as fresh candidates at the end of the pool, and the smallest gap.
+double find_wall_spheres(const World& world, Chunk& chunk, const BodyWall& near, std::vector<WallCandidate>& fresh) {
+    const WallState& wall = world.walls[static_cast<std::size_t>(near.wall)];
+    const ShapeConstants& shape = world.shape_at(near.body);
+    const Matrix3d to_wall = wall.pose.rotation.transpose() * placement_of(world, near.body).rotation;
+    const Vector3d place =
+        wall.pose.rotation.transpose() * (placement_of(world, near.body).position - wall.pose.translation);
+    double smallest = std::numeric_limits<double>::infinity();
+    for (int s = 0; s < shape.exposed_count; ++s) {
+        const double* sphere = shape.exposed + 4 * static_cast<std::ptrdiff_t>(s);
+        const Vector3d centre = place + to_wall * Vector3d(sphere[0], sphere[1], sphere[2]);
+        WallCandidate candidate;
+        candidate.sphere = static_cast<std::int16_t>(s);
+        candidate.primitives_begin = static_cast<int>(chunk.sphere_primitives.size());
+        for (int p = 0; p < near.primitives_count; ++p) {
+            const int primitive = chunk.wall_primitives[static_cast<std::size_t>(near.primitives_begin + p)];
+            const double gap = wall.surface.distance(primitive, centre) - sphere[3];
+            smallest = std::min(smallest, gap);
+            if (gap < world.sphere_skin)
+                chunk.sphere_primitives.push_back(primitive);
+        }
+        candidate.primitives_count = static_cast<int>(chunk.sphere_primitives.size()) - candidate.primitives_begin;
+        if (candidate.primitives_count > 0)
+            fresh.push_back(candidate);
+    }
+    return smallest;
+}
+
+void remember(WallCandidate& fresh, const std::vector<WallCandidate>& old) {
+    for (const WallCandidate& before : old)
+        for (int t = 0; before.sphere == fresh.sphere && t < before.touches && fresh.touches < max_wall_touches; ++t) {
+            const auto to = static_cast<std::size_t>(fresh.touches++);
+            fresh.feature[to] = before.feature[static_cast<std::size_t>(t)];
+            fresh.memory[to] = before.memory[static_cast<std::size_t>(t)];
+        }
+}
+
+} // namespace
+
+void refresh(const World& world, Chunk& chunk, BodyWall& near) {
+    thread_local std::vector<WallCandidate> old;
+    old.assign(chunk.wall_candidates.begin() + near.begin, chunk.wall_candidates.begin() + near.begin + near.count);
+    std::vector<WallCandidate> fresh;
+    const double smallest = find_wall_spheres(world, chunk, near, fresh);
+    near.expires = world.travel[static_cast<std::size_t>(near.body)] +
+                   wall_travel(world, world.walls[static_cast<std::size_t>(near.wall)]) +
+                   (fresh.empty() ? smallest : world.sphere_skin);
+    if (static_cast<int>(fresh.size()) > near.capacity) {
+        near.capacity = static_cast<int>(fresh.size()) + 2;
+        near.begin = static_cast<int>(chunk.wall_candidates.size());
+        chunk.wall_candidates.resize(chunk.wall_candidates.size() + static_cast<std::size_t>(near.capacity));
+    }
+    near.count = static_cast<int>(fresh.size());
+    for (std::size_t k = 0; k < fresh.size(); ++k) {
+        remember(fresh[k], old);
+        chunk.wall_candidates[static_cast<std::size_t>(near.begin) + k] = fresh[k];
+    }
+}
+
+} // namespace tumble::sim3d

@@ -1,0 +1,129 @@
+#include "sim3d/sanity.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace tumble::sim3d {
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double deepest_overlap_ratio = 1.0;
+// Leaving the domain harms nothing at once, so positions are looked at only so often.
+constexpr std::int64_t steps_per_look = 50;
+
+double smallest_radius(const World& world, int slot) {
+    const ShapeConstants& shape = world.shape_at(slot);
+    double smallest = shape.exposed[3];
+    for (int s = 1; s < shape.exposed_count; ++s)
+        smallest = std::min(smallest, shape.exposed[4 * s + 3]);
+    return smallest;
+}
+
+std::string name_of(const World& world, int slot) {
+    return fmt::format("body {} ({})", world.id[static_cast<std::size_t>(slot)],
+                       world.shapes[static_cast<std::size_t>(world.shape[static_cast<std::size_t>(slot)])].shape.name);
+}
+
+Problem stop(const World& world, const std::string& what, const std::string& fix) {
+    return {world.scene.file.string(),
+            0,
+            0,
+            "",
+            fmt::format("stopped at t = {:.6g} s, step {}: {}", world.time(), world.step, what),
+            fix};
+}
+
+const char* const shorter_step = "use a shorter time step or stiffer materials, and look at the frames just before";
+
+std::optional<Problem> wild_motion(const World& world) {
+    for (int slot = 0; slot < world.bodies(); ++slot) {
+        const BodyMotion& motion = world.motion[static_cast<std::size_t>(slot)];
+        const double speed = Vector3d(motion.velocity).norm();
+        const double spin = Vector3d(motion.spin).norm();
+        if (!(speed + spin < 1e15))
+            return stop(world, name_of(world, slot) + " has a velocity that is not a finite number", shorter_step);
+        if (speed * world.dt > smallest_radius(world, slot))
+            return stop(world,
+                        fmt::format("{} moves at {:.4g} m/s, more than its smallest sphere's radius in one step",
+                                    name_of(world, slot), speed),
+                        shorter_step);
+    }
+    return std::nullopt;
+}
+
+std::string deepest_pair(const World& world) {
+    double deepest = 0;
+    std::string who = "two bodies";
+    const auto consider = [&](double ratio, auto&& name) {
+        if (ratio > deepest) {
+            deepest = ratio;
+            who = name();
+        }
+    };
+    for (const Chunk& chunk : world.chunks) {
+        for (const auto& contacts : chunk.wall_contacts)
+            for (const WallContact& c : contacts)
+                consider(c.overlap / c.radius, [&] {
+                    const int wall = [&] {
+                        for (const BodyWall& near : chunk.body_walls)
+                            if (c.candidate >= near.begin && c.candidate < near.begin + near.count)
+                                return near.wall;
+                        return 0;
+                    }();
+                    return fmt::format("{} and wall '{}'", name_of(world, c.body),
+                                       world.walls[static_cast<std::size_t>(wall)].wall.name);
+                });
+        for (const auto& contacts : chunk.body_contacts)
+            for (const BodyContact& c : contacts)
+                consider((c.radius_a + c.radius_b - Vector3d(c.d).norm()) / std::min(c.radius_a, c.radius_b),
+                         [&] { return name_of(world, c.a) + " and " + name_of(world, c.b); });
+        for (const auto& which : chunk.sphere_contacts)
+            for (const int p : which) {
+                const SpherePair& pair = chunk.sphere_pairs[static_cast<std::size_t>(p)];
+                const BodyMotion& a = world.motion[static_cast<std::size_t>(pair.a)];
+                const BodyMotion& b = world.motion[static_cast<std::size_t>(pair.b)];
+                const Vector3d d = Vector3d(a.position) - Vector3d(b.position) -
+                                   Vector3d(world.images[static_cast<std::size_t>(pair.image)].data());
+                consider((a.radius + b.radius - d.norm()) / std::min(a.radius, b.radius),
+                         [&] { return name_of(world, pair.a) + " and " + name_of(world, pair.b); });
+            }
+    }
+    return who;
+}
+
+std::optional<Problem> outside(const World& world) {
+    const scene::Domain& domain = world.scene.domain;
+    for (int slot = 0; slot < world.bodies(); ++slot)
+        for (int k = 0; k < 3; ++k) {
+            const double x = world.motion[static_cast<std::size_t>(slot)].position[k];
+            if (!domain.periodic[static_cast<std::size_t>(k)] && (x < domain.box.lo[k] || x > domain.box.hi[k]))
+                return stop(
+                    world, fmt::format("{} left the domain at {} = {:.4g} m", name_of(world, slot), "xyz"[k], x),
+                    "enlarge the domain, close the walls, or make them stiffer so that nothing is pushed through");
+        }
+    return std::nullopt;
+}
+
+} // namespace
+
+std::optional<Problem> insanity(const World& world) {
+    bool wild = false;
+    for (const Chunk& chunk : world.chunks)
+        wild = wild || !chunk.sums.motion.finite;
+    if (wild || world.books.speed_max * world.dt > world.smallest_radius)
+        if (auto problem = wild_motion(world))
+            return problem;
+    if (world.books.overlap_ratio_max > deepest_overlap_ratio)
+        return stop(world,
+                    fmt::format("{} overlap by {:.3g} of the smaller sphere's radius", deepest_pair(world),
+                                world.books.overlap_ratio_max),
+                    "use stiffer materials, a shorter time step, or let the bodies come in more slowly");
+    if (world.step % steps_per_look == 0)
+        return outside(world);
+    return std::nullopt;
+}
+
+} // namespace tumble::sim3d

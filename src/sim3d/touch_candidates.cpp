@@ -1,0 +1,194 @@
+#include "sim3d/phase.h"
+#include "sim3d/refresh.h"
+#include "sim3d/step.h"
+
+#include <cmath>
+
+namespace tumble::sim3d {
+
+namespace {
+
+using Eigen::Vector3d;
+
+void forget(Chunk& chunk, MemoryLanes& memory) {
+    chunk.dropped_history += memory.energy;
+    memory = {};
+}
+
+void touch_spheres(const World& world, Chunk& chunk) {
+    for (auto& list : chunk.sphere_contacts)
+        list.clear();
+    if (chunk.sphere_pairs.empty())
+        return;
+    chunk.found.resize(chunk.sphere_pairs.size() + 1);
+    const int count = world.kernels->touch_spheres(
+        world.motion.data(), chunk.sphere_pairs.data(), static_cast<int>(chunk.sphere_pairs.size()),
+        reinterpret_cast<const double(*)[3]>(world.images.data()), chunk.sphere_touching.data(), chunk.found.data());
+    for (int k = 0; k < count; ++k) {
+        const int code = chunk.found[static_cast<std::size_t>(k)];
+        const auto pair = static_cast<std::size_t>(code >> 1);
+        const bool now = (code & 1) != 0;
+        chunk.sphere_touching[pair] = now ? 1 : 0;
+        if (now)
+            chunk.sphere_contacts[static_cast<std::size_t>(chunk.sphere_pairs[pair].kind)].push_back(code >> 1);
+        else
+            forget(chunk, chunk.sphere_memory[pair]);
+    }
+}
+
+/// Appends the pair's touching spheres to `contacts`; returns how many.
+int touch_pair(const World& world, Chunk& chunk, const BodyPair& pair, std::vector<BodyContact>& contacts) {
+    const auto& image = world.images[static_cast<std::size_t>(pair.image)];
+    const BodyMotion& a = world.motion[static_cast<std::size_t>(pair.a)];
+    const BodyMotion& b = world.motion[static_cast<std::size_t>(pair.b)];
+    const ShapeConstants& shape_a = world.shape_at(pair.a);
+    const ShapeConstants& shape_b = world.shape_at(pair.b);
+    const Vector3d between(a.position[0] - b.position[0] - image[0], a.position[1] - b.position[1] - image[1],
+                           a.position[2] - b.position[2] - image[2]);
+    int touching = 0;
+    for (int k = pair.begin; k < pair.begin + pair.count; ++k) {
+        SphereCandidate& candidate = chunk.candidates[static_cast<std::size_t>(k)];
+        const Vector3d arm_a = sphere_arm(world, pair.a, candidate.a);
+        const Vector3d arm_b = sphere_arm(world, pair.b, candidate.b);
+        const Vector3d d = between + arm_a - arm_b;
+        const double radius_a = shape_a.exposed[4 * candidate.a + 3];
+        const double radius_b = shape_b.exposed[4 * candidate.b + 3];
+        const bool now = d.squaredNorm() < (radius_a + radius_b) * (radius_a + radius_b);
+        if (!now) {
+            if (candidate.touching)
+                forget(chunk, chunk.memory[static_cast<std::size_t>(k)]);
+            candidate.touching = false;
+            continue;
+        }
+        candidate.touching = true;
+        ++touching;
+        contacts.push_back({pair.a,
+                            pair.b,
+                            k,
+                            1.0F,
+                            {d.x(), d.y(), d.z()},
+                            {arm_a.x(), arm_a.y(), arm_a.z()},
+                            {arm_b.x(), arm_b.y(), arm_b.z()},
+                            radius_a,
+                            radius_b});
+    }
+    return touching;
+}
+
+template <class Contact> void share_damping(std::vector<Contact>& contacts, int last) {
+    const auto share = static_cast<float>(1 / std::sqrt(static_cast<double>(last)));
+    for (auto contact = contacts.end() - last; contact != contacts.end(); ++contact)
+        contact->damping_share = share;
+}
+
+void touch_bodies(const World& world, Chunk& chunk) {
+    for (auto& list : chunk.body_contacts)
+        list.clear();
+    for (const BodyPair& pair : chunk.body_pairs) {
+        if (pair.count == 0)
+            continue;
+        const int kind = world.kind_of(pair.a, world.shape_at(pair.b).material);
+        auto& contacts = chunk.body_contacts[static_cast<std::size_t>(kind)];
+        const int touching = touch_pair(world, chunk, pair, contacts);
+        if (touching > 1 && world.scene.contact.share_among_body_contacts)
+            share_damping(contacts, touching);
+    }
+}
+
+/// Memory of the touches by feature: features that ended are forgotten, new ones start at rest.
+void match_features(Chunk& chunk, WallCandidate& candidate, const std::array<WallTouch, max_wall_touches>& touches,
+                    int count) {
+    WallCandidate matched = candidate;
+    matched.touches = static_cast<std::int16_t>(count);
+    matched.memory = {};
+    for (std::size_t t = 0; t < static_cast<std::size_t>(count); ++t)
+        matched.feature[t] = touches[t].feature;
+    for (std::size_t old = 0; old < static_cast<std::size_t>(candidate.touches); ++old) {
+        bool lives = false;
+        for (std::size_t t = 0; t < static_cast<std::size_t>(count) && !lives; ++t)
+            if (matched.feature[t] == candidate.feature[old]) {
+                matched.memory[t] = candidate.memory[old];
+                lives = true;
+            }
+        if (!lives)
+            forget(chunk, candidate.memory[old]);
+    }
+    candidate = matched;
+}
+
+void put(double* to, const Vector3d& from) {
+    Eigen::Map<Vector3d>{to} = from;
+}
+
+WallContact wall_contact(const WallState& wall, const BodyMotion& body, const Vector3d& arm, double radius,
+                         const WallTouch& touch) {
+    WallContact contact{};
+    contact.damping_share = 1;
+    contact.overlap = -touch.gap;
+    contact.radius = radius;
+    const Vector3d normal = wall.pose.rotation * touch.normal;
+    const Vector3d point = Vector3d(body.position) + arm - normal * (radius - 0.5 * contact.overlap);
+    put(contact.normal, normal);
+    put(contact.arm, arm);
+    put(contact.wall_velocity, wall.half_pose.velocity_at(point));
+    put(contact.wall_now, wall.pose.velocity_at(point));
+    return contact;
+}
+
+/// Appends the body's touches with the wall to `contacts`; returns how many.
+int touch_wall(const World& world, Chunk& chunk, const BodyWall& near, std::vector<WallContact>& contacts) {
+    const WallState& wall = world.walls[static_cast<std::size_t>(near.wall)];
+    const BodyMotion& body = world.motion[static_cast<std::size_t>(near.body)];
+    const ShapeConstants& shape = world.shape_at(near.body);
+    int touching = 0;
+    for (int k = near.begin; k < near.begin + near.count; ++k) {
+        WallCandidate& candidate = chunk.wall_candidates[static_cast<std::size_t>(k)];
+        const Vector3d arm = sphere_arm(world, near.body, candidate.sphere);
+        const double radius = shape.exposed[4 * candidate.sphere + 3];
+        const Vector3d local = wall.pose.rotation.transpose() * (Vector3d(body.position) + arm - wall.pose.translation);
+        std::array<WallTouch, max_wall_touches> touches;
+        const int count = wall.surface.touches(local, radius,
+                                               {chunk.sphere_primitives.data() + candidate.primitives_begin,
+                                                static_cast<std::size_t>(candidate.primitives_count)},
+                                               touches);
+        if (count > 0 || candidate.touches > 0)
+            match_features(chunk, candidate, touches, count);
+        for (int t = 0; t < count; ++t) {
+            WallContact contact = wall_contact(wall, body, arm, radius, touches[static_cast<std::size_t>(t)]);
+            contact.body = near.body;
+            contact.candidate = k;
+            contact.touch = t;
+            contact.memory = candidate.memory[static_cast<std::size_t>(t)];
+            contacts.push_back(contact);
+        }
+        touching += count;
+    }
+    return touching;
+}
+
+void touch_walls(const World& world, Chunk& chunk) {
+    for (auto& list : chunk.wall_contacts)
+        list.clear();
+    for (const BodyWall& near : chunk.body_walls) {
+        if (near.count == 0)
+            continue;
+        const int kind = world.kind_of(near.body, world.walls[static_cast<std::size_t>(near.wall)].wall.material);
+        auto& contacts = chunk.wall_contacts[static_cast<std::size_t>(kind)];
+        const int touching = touch_wall(world, chunk, near, contacts);
+        if (touching > 1 && world.scene.contact.share_among_body_contacts)
+            share_damping(contacts, touching);
+    }
+}
+
+} // namespace
+
+void touch_candidates(World& world) {
+    for_chunks(world, [&](Chunk& chunk) {
+        chunk.dropped_history = 0;
+        touch_spheres(world, chunk);
+        touch_bodies(world, chunk);
+        touch_walls(world, chunk);
+    });
+}
+
+} // namespace tumble::sim3d

@@ -1,0 +1,148 @@
+#include "sim3d/world.h"
+
+#include "sim3d/fill.h"
+#include "sim3d/sanity.h"
+#include "sim3d/step.h"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+namespace tumble::sim3d {
+
+using Eigen::Vector3d;
+
+namespace {
+
+BodyTurn turn_of(const ShapeConstants& shape, const BodyState& state) {
+    BodyTurn turn{};
+    const Eigen::Quaterniond q = state.orientation.normalized();
+    turn.orientation[0] = q.w();
+    turn.orientation[1] = q.x();
+    turn.orientation[2] = q.y();
+    turn.orientation[3] = q.z();
+    const Eigen::Matrix3d rotation = shape.single ? Eigen::Matrix3d::Identity() : q.toRotationMatrix();
+    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>{turn.rotation} = rotation;
+    const Vector3d inertia(shape.inertia);
+    Eigen::Map<Vector3d>{turn.momentum} =
+        rotation * inertia.cwiseProduct(rotation.transpose() * state.angular_velocity);
+    return turn;
+}
+
+BodyMotion motion_of(const World& world, const ShapeConstants& shape, const BodyState& state) {
+    BodyMotion motion{};
+    Eigen::Map<Vector3d>{motion.position} = state.position;
+    // Leapfrog keeps velocities half a step behind; contacts that start deep are not foreseen.
+    Eigen::Map<Vector3d>{motion.velocity} = state.velocity - 0.5 * world.dt * world.scene.gravity;
+    Eigen::Map<Vector3d>{motion.spin} = state.angular_velocity;
+    motion.radius = shape.single ? shape.exposed[3] : 0;
+    motion.mass = shape.mass;
+    return motion;
+}
+
+double energy_of(const World& world, const ShapeConstants& shape, const BodyState& state, const BodyTurn& turn) {
+    return 0.5 * shape.mass * state.velocity.squaredNorm() + 0.5 * Vector3d(turn.momentum).dot(state.angular_velocity) -
+           shape.mass * world.scene.gravity.dot(state.position);
+}
+
+std::optional<Problem> refuse(const World& world, const BodyState& state, std::size_t number) {
+    const auto problem = [&](const std::string& what, const std::string& fix) {
+        return Problem{world.scene.file.string(), 0, 0, "", fmt::format("body {} to insert {}", number + 1, what), fix};
+    };
+    if (state.shape < 0 || state.shape >= static_cast<int>(world.shapes.size()))
+        return problem(fmt::format("names shape {}, of {}", state.shape, world.shapes.size()), "give an index from 0");
+    if (!state.position.allFinite() || !state.velocity.allFinite() || !state.angular_velocity.allFinite() ||
+        !state.orientation.coeffs().allFinite() || state.orientation.norm() < 0.5)
+        return problem("has a number that is not finite, or no orientation", "check where the state comes from");
+    const scene::Domain& domain = world.scene.domain;
+    for (int k = 0; k < 3; ++k)
+        if (!domain.periodic[static_cast<std::size_t>(k)] &&
+            (state.position[k] < domain.box.lo[k] || state.position[k] > domain.box.hi[k]))
+            return problem(fmt::format("stands at {} = {:.6g} m, outside the domain", "xyz"[k], state.position[k]),
+                           "enlarge the domain or move the body");
+    return std::nullopt;
+}
+
+} // namespace
+
+void WorldDeleter::operator()(World* world) const {
+    delete world;
+}
+
+std::optional<Problem> insert(World& world, const std::vector<BodyState>& bodies) {
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+        if (auto problem = refuse(world, bodies[k], k))
+            return problem;
+    for (const BodyState& state : bodies) {
+        const ShapeConstants& shape = world.shape_constants[static_cast<std::size_t>(state.shape)];
+        const BodyTurn turn = turn_of(shape, state);
+        world.slot_of.push_back(world.bodies());
+        world.id.push_back(static_cast<std::int64_t>(world.id.size()));
+        world.shape.push_back(state.shape);
+        world.motion.push_back(motion_of(world, shape, state));
+        world.turn.push_back(turn);
+        const Vector3d weight = shape.mass * world.scene.gravity;
+        world.load.push_back({{weight.x(), weight.y(), weight.z(), 0}, {0, 0, 0, 0}});
+        world.travel.push_back(0);
+        world.ledger.inserted += energy_of(world, shape, state, turn);
+    }
+    world.stale = world.stale || !bodies.empty();
+    return std::nullopt;
+}
+
+std::optional<Problem> advance(World& world, std::int64_t steps) {
+    for (std::int64_t k = 0; k < steps; ++k) {
+        if (world.step >= world.next_fill_step)
+            if (auto problem = insert_due_fills(world))
+                return problem;
+        step(world);
+        if (auto problem = insanity(world))
+            return problem;
+    }
+    return std::nullopt;
+}
+
+double time_of(const World& world) {
+    return world.time();
+}
+
+std::int64_t steps_of(const World& world) {
+    return world.step;
+}
+
+Books books_of(const World& world) {
+    return world.books;
+}
+
+const std::vector<BodyShape>& shapes_of(const World& world) {
+    return world.plain_shapes;
+}
+
+std::vector<BodyState> bodies_of(const World& world) {
+    std::vector<BodyState> bodies(world.id.size());
+    for (std::size_t slot = 0; slot < world.id.size(); ++slot) {
+        const BodyMotion& motion = world.motion[slot];
+        const BodyLoad& load = world.load[slot];
+        const BodyTurn& turn = world.turn[slot];
+        BodyState& state = bodies[static_cast<std::size_t>(world.id[slot])];
+        state.id = world.id[slot];
+        state.shape = world.shape[slot];
+        state.position = Vector3d(motion.position);
+        state.orientation = {turn.orientation[0], turn.orientation[1], turn.orientation[2], turn.orientation[3]};
+        state.velocity = Vector3d(motion.velocity) + 0.5 * world.dt / motion.mass * Vector3d(load.force);
+        state.angular_velocity = Vector3d(motion.spin);
+    }
+    return bodies;
+}
+
+std::vector<scene::WallPose> walls_of(const World& world) {
+    std::vector<scene::WallPose> poses;
+    for (const WallState& wall : world.walls)
+        poses.push_back(scene::pose_at(wall.wall.motion, world.time()));
+    return poses;
+}
+
+std::vector<PhaseTime> phase_times(const World& world) {
+    return world.phases;
+}
+
+} // namespace tumble::sim3d

@@ -1,5 +1,6 @@
 #include "base/text.h"
 #include "scene/check_keys.h"
+#include "scene/keys.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,7 +78,7 @@ private:
         if (!std::isfinite(value))
             return refuse(at, fmt::format("'{}' is not a finite number", key_.name));
         if (!limits.hold(value))
-            return refuse(at, fmt::format("'{}' = {} is out of range", key_.name, shortest(value)));
+            return refuse(at, fmt::format("'{}' = {} is out of range", key_.name, plain(value)));
         return true;
     }
 

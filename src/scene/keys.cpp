@@ -68,16 +68,20 @@ const Key* find_key(const KeyTable& table, std::string_view name) {
     return found == table.keys.end() ? nullptr : &*found;
 }
 
+std::string plain(double value) {
+    return std::abs(value) < 1e9 && value == std::floor(value) ? fmt::format("{:.0f}", value) : shortest(value);
+}
+
 std::string describe(const Limits& limits) {
     std::string text;
     const bool low = std::isfinite(limits.lo);
     const bool high = std::isfinite(limits.hi);
     if (low && high && !limits.above && !limits.below)
-        return fmt::format("{} to {}", shortest(limits.lo), shortest(limits.hi));
+        return fmt::format("{} to {}", plain(limits.lo), plain(limits.hi));
     if (low)
-        text = (limits.above ? "above " : "at least ") + shortest(limits.lo);
+        text = (limits.above ? "above " : "at least ") + plain(limits.lo);
     if (high)
-        text += (low ? ", " : "") + std::string(limits.below ? "below " : "at most ") + shortest(limits.hi);
+        text += (low ? ", " : "") + std::string(limits.below ? "below " : "at most ") + plain(limits.hi);
     return text;
 }
 

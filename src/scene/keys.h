@@ -78,6 +78,9 @@ const KeyTable* find_table(std::string_view path);
 /// The key of that name, or nullptr.
 const Key* find_key(const KeyTable& table, std::string_view name);
 
+/// A number for a sentence: "100000" where shortest() would say "1e+05".
+std::string plain(double value);
+
 /// "number in kg/m3, above 0, at most 30000", "one of "hertz", "linear"".
 std::string describe(const Key& key);
 /// The range alone: "above 0, at most 30000"; empty when anything goes.

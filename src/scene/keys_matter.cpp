@@ -73,8 +73,8 @@ KeyTable fill() {
             .otherwise(std::vector<double>{0, 0, 0}),
         number("start_s", "s", from(0, 1e6), "When bodies begin to appear.").otherwise(0.0),
         number("until_s", "s", from(0, 1e6),
-               "When the last try is made; without it all must fit at `start_s`. Bodies are spread evenly over the "
-               "tries, what did not fit is tried again."),
+               "When the last try is made; without it all must fit at `start_s`. Each try puts in what fits, the next "
+               "goes on."),
         number("every_s", "s", above(0, 1e6), "Time between tries.").otherwise(0.02),
     };
     return table;

@@ -32,11 +32,14 @@ KeyTable render() {
                "Lowest corner of what must be in the picture; without it all walls "
                "and bodies."),
         vector("view_hi_m", "m", from(-1e4, 1e4), "Highest corner of it."),
-        text("color", "Quantity that colours the bodies: `speed`, `vx`, `vy`, `vz`, ...")
+        text("color", "Quantity that colours the bodies: `speed`, `vx`, `vy`, `vz`, `spin`.")
             .otherwise(std::string("speed")),
         KeyMaker("range", KeyType::span, "", {},
                  "Values at the two ends of the colour scale, in the quantity's SI unit; without it what occurs."),
-        text("colormap", "Name of the colour scale.").otherwise(std::string("viridis")),
+        text("colormap", "Colour scale: `auto` (coolwarm for quantities with a sign, else viridis), `viridis`, "
+                         "`cividis`, `inferno`, "
+                         "`coolwarm`.")
+            .otherwise(std::string("auto")),
         word("background", {"dark", "white"}, "Behind the picture.").otherwise(std::string("dark")),
         integer("width_px", from(64, 8192), "Width of the picture.").otherwise(std::int64_t{1280}),
         integer("height_px", from(64, 8192), "Height of the picture.").otherwise(std::int64_t{720}),

@@ -52,6 +52,9 @@ public:
             if (!node)
                 return nullptr;
             path_ += (path_.empty() ? "" : ".") + std::string(part);
+            const std::string inner = (table_.empty() ? "" : table_ + ".") + std::string(part);
+            if (find_table(inner))
+                table_ = inner;
         }
         return node;
     }
@@ -70,13 +73,26 @@ private:
         if (Table* table = node.as<Table>()) {
             if (Entry* entry = table->find(part))
                 return &entry->node;
-            table->entries.push_back({part, place_, Node{place_, Table{}}});
+            table->entries.push_back({part, place_, default_of(part)});
             return &table->entries.back().node;
         }
         if (Array* array = node.as<Array>())
             return member(*array, part);
         return refuse(fmt::format("'{}' is {}, there is no '{}' in it", path_, kind_of(node), part),
                       "shorten the key; `tumble list keys` names all of them");
+    }
+
+    /// What the list of keys has for a value that is not written: a vector whose second member is set alone keeps the
+    /// others. Everything else begins as an empty table.
+    Node default_of(const std::string& part) {
+        const Key* key = find_key(*find_table(table_), part);
+        const auto* numbers = key ? std::get_if<std::vector<double>>(&key->standard) : nullptr;
+        if (!numbers)
+            return {place_, Table{}};
+        Array array;
+        for (const double number : *numbers)
+            array.items.push_back({place_, number});
+        return {place_, array};
     }
 
     Node* member(Array& array, const std::string& part) {
@@ -102,6 +118,7 @@ private:
     const std::string& key_;
     const Place& place_;
     std::string path_;
+    std::string table_; // path in the list of keys, without names and numbers
     Problems problems_;
 };
 

@@ -1,6 +1,7 @@
 #include "scene/read_clump.h"
 
 #include "base/text.h"
+#include "scene/keys.h"
 #include "scene/lines.h"
 #include "scene/read_file.h"
 
@@ -78,14 +79,14 @@ private:
             const auto value = parse_number(fields[i].text);
             if (!value || !(std::abs(*value) <= farthest)) {
                 refuse(line, fields[i].column,
-                       value ? fmt::format("{} m is too far for a body", shortest(*value))
+                       value ? fmt::format("{} m is too far for a body", plain(*value))
                              : fmt::format("'{}' is not a number", excerpt(fields[i].text)));
                 right = false;
             } else
                 values[i] = *value;
         }
         if (right && !(values[3] > 0)) {
-            refuse(line, fields[3].column, fmt::format("the radius {} is not above 0", shortest(values[3])));
+            refuse(line, fields[3].column, fmt::format("the radius {} is not above 0", plain(values[3])));
             right = false;
         }
         if (right)

@@ -2,6 +2,7 @@
 
 #include "base/table.h"
 #include "base/text.h"
+#include "scene/keys.h"
 #include "scene/read_file.h"
 
 #include <algorithm>
@@ -60,7 +61,7 @@ public:
         for (std::size_t row = 0; row < table_.rows(); ++row)
             if (!((*read)[row] >= lo && (*read)[row] <= hi))
                 refuse(row, column,
-                       fmt::format("{} is not within {} to {}", shortest((*read)[row]), shortest(lo), shortest(hi)));
+                       fmt::format("{} is not within {} to {}", plain((*read)[row]), plain(lo), plain(hi)));
         return std::move(*read);
     }
 
@@ -84,11 +85,11 @@ std::vector<RowFault> time_faults(const std::vector<double>& time) {
     if (time.size() < 2)
         faults.push_back({0, fmt::format("a motion of {} row, it needs 2", time.size())});
     if (!time.empty() && time[0] != 0)
-        faults.push_back({0, fmt::format("the first time is {}, not 0", shortest(time[0]))});
+        faults.push_back({0, fmt::format("the first time is {}, not 0", plain(time[0]))});
     for (std::size_t row = 1; row < time.size(); ++row)
         if (!(time[row] > time[row - 1]))
             faults.push_back(
-                {row, fmt::format("time {} does not rise above {}", shortest(time[row]), shortest(time[row - 1]))});
+                {row, fmt::format("time {} does not rise above {}", plain(time[row]), plain(time[row - 1]))});
     return faults;
 }
 

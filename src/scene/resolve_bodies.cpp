@@ -1,4 +1,5 @@
 #include "base/text.h"
+#include "scene/keys.h"
 #include "scene/read_clump.h"
 #include "scene/resolve.h"
 
@@ -150,10 +151,10 @@ void resolve_fills(const View& root, const Resolving& to) {
         fill.until = view.given("until_s") ? view.number("until_s") : fill.start;
         fill.every = view.number("every_s");
         if (fill.until < fill.start)
-            to.refuse(view, "until_s",
-                      fmt::format("the last try at {} s is before the first at {} s", shortest(fill.until),
-                                  shortest(fill.start)),
-                      "give until_s >= start_s");
+            to.refuse(
+                view, "until_s",
+                fmt::format("the last try at {} s is before the first at {} s", plain(fill.until), plain(fill.start)),
+                "give until_s >= start_s");
         check_region(view, fill, to);
         check_position(view, fill, to);
         to.scene.fills.push_back(fill);

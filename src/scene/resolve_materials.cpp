@@ -1,4 +1,5 @@
 #include "base/text.h"
+#include "scene/keys.h"
 #include "scene/resolve.h"
 
 #include <algorithm>
@@ -139,7 +140,7 @@ void resolve_materials(const View& root, const Resolving& to) {
         if (view.given("youngs_modulus_Pa") && material.youngs_modulus < softest_usual && !view.flag("allow_soft"))
             to.refuse(view, "youngs_modulus_Pa",
                       fmt::format("{} Pa is softer than rubber, grains will sink into each other",
-                                  shortest(material.youngs_modulus)),
+                                  plain(material.youngs_modulus)),
                       "write allow_soft = true next to it if that is meant");
         scene.materials.push_back(material);
     }

@@ -1,4 +1,4 @@
-#include "base/text.h"
+#include "scene/keys.h"
 #include "scene/read_table.h"
 #include "scene/resolve.h"
 
@@ -13,10 +13,10 @@ Active active_of(const View& view, const Resolving& to) {
     if (view.given("stop_s"))
         active.stop = view.number("stop_s");
     if (active.stop <= active.start)
-        to.refuse(view, "stop_s",
-                  fmt::format("the motion stops at {} s, before it starts at {} s", shortest(active.stop),
-                              shortest(active.start)),
-                  "give stop_s above start_s");
+        to.refuse(
+            view, "stop_s",
+            fmt::format("the motion stops at {} s, before it starts at {} s", plain(active.stop), plain(active.start)),
+            "give stop_s above start_s");
     return active;
 }
 

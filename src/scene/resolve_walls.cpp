@@ -1,4 +1,4 @@
-#include "base/text.h"
+#include "scene/keys.h"
 #include "scene/read_stl.h"
 #include "scene/resolve.h"
 
@@ -31,8 +31,8 @@ DiscShape disc(const View& view, const Resolving& to) {
                     view.number("hole_radius_m")};
     if (view.given("hole_radius_m") && view.given("radius_m") && shape.hole_radius >= shape.radius)
         to.refuse(view, "hole_radius_m",
-                  fmt::format("a hole of radius {} m leaves nothing of a disc of {} m", shortest(shape.hole_radius),
-                              shortest(shape.radius)),
+                  fmt::format("a hole of radius {} m leaves nothing of a disc of {} m", plain(shape.hole_radius),
+                              plain(shape.radius)),
                   "make it smaller than radius_m");
     return shape;
 }
@@ -48,8 +48,8 @@ TroughShape trough(const View& view, const Resolving& to) {
     if (view.given("radius_m") && view.given("floor_m") && view.given("rim_m") &&
         shape.rim < shape.floor + shape.radius)
         to.refuse(view, "rim_m",
-                  fmt::format("the rim at {} m is below the end of the round bottom at {} m", shortest(shape.rim),
-                              shortest(shape.floor + shape.radius)),
+                  fmt::format("the rim at {} m is below the end of the round bottom at {} m", plain(shape.rim),
+                              plain(shape.floor + shape.radius)),
                   "the sides begin at floor_m + radius_m; raise the rim");
     if (shape.x_lo >= shape.x_hi)
         to.refuse(view, view.written("x_lo_m") ? "x_lo_m" : "x_hi_m", "the trough has no length along x",

@@ -1,4 +1,4 @@
-#include "base/text.h"
+#include "scene/keys.h"
 #include "scene/resolve.h"
 
 #include <cmath>
@@ -24,7 +24,7 @@ Vector3d direction_of(const View& view, const std::string& key, const Resolving&
 }
 
 std::string in_words(const Eigen::Vector3d& point) {
-    return fmt::format("[{}, {}, {}]", shortest(point.x()), shortest(point.y()), shortest(point.z()));
+    return fmt::format("[{}, {}, {}]", plain(point.x()), plain(point.y()), plain(point.z()));
 }
 
 namespace {
@@ -43,8 +43,8 @@ void resolve_top(const View& root, const Resolving& to) {
     scene.time_step = root.number("time_step_s");
     if (root.given("duration_s") && root.given("time_step_s") && scene.time_step > scene.duration)
         to.refuse(root, "time_step_s",
-                  fmt::format("the step of {} s is longer than the whole run of {} s", shortest(scene.time_step),
-                              shortest(scene.duration)),
+                  fmt::format("the step of {} s is longer than the whole run of {} s", plain(scene.time_step),
+                              plain(scene.duration)),
                   "shorten time_step_s or lengthen duration_s");
     scene.allow_large_step = root.flag("allow_large_step");
     scene.seed = static_cast<std::uint64_t>(root.integer("seed"));

@@ -132,7 +132,7 @@ struct Render {
     std::optional<Box> view;            // m, what must be in the picture; default: walls and bodies
     std::string color = "speed";
     std::optional<std::array<double, 2>> range; // in the quantity's SI unit
-    std::string colormap = "viridis";
+    std::string colormap = "auto"; // coolwarm for quantities with a sign, viridis for others
     std::string background = "dark";    // dark or white
     int width = 1280;
     int height = 720;

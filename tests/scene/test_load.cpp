@@ -1,12 +1,44 @@
 #include "scene/load.h"
 
+#include <cmath>
 #include <doctest/doctest.h>
+#include <filesystem>
+#include <numbers>
 
 using namespace tumble;
 using namespace tumble::scene;
 
+namespace {
+
+const std::filesystem::path scenes = TUMBLE_ROOT "/scenes";
+
+/// A complete scene; tests add to it or set keys of it.
+const std::string small = R"(
+duration_s = 1
+time_step_s = 1e-5
+[domain]
+lo_m = [-1, -1, -1]
+hi_m = [1, 1, 1]
+[material.glass]
+density_kg_m3 = 2500
+youngs_modulus_Pa = 5e10
+poisson_ratio = 0.2
+[pair.glass-glass]
+restitution = 0.9
+friction = 0.4
+[body.bead]
+radius_mm = 2
+material = "glass"
+)";
+
+Result<Scene> load(const std::string& more, const std::vector<Override>& sets = {}) {
+    return load_scene_text(small + more, std::filesystem::path(TUMBLE_ROOT "/tests/scene/data/small.toml"), sets);
+}
+
+} // namespace
+
 TEST_CASE("the drop scene loads in SI units with its defaults filled in") {
-    const auto scene = load_scene(TUMBLE_ROOT "/scenes/drop.toml");
+    const auto scene = load_scene(scenes / "drop.toml");
     REQUIRE_MESSAGE(scene, to_string(scene.problems()));
     CHECK(scene->bodies.at(0).spheres.at(0).radius == doctest::Approx(0.01275).epsilon(1e-15));
     CHECK(scene->materials.at(0).youngs_modulus == 4.6e8);
@@ -16,4 +48,141 @@ TEST_CASE("the drop scene loads in SI units with its defaults filled in") {
     CHECK(scene->fills[0].position->y() == 0.21275);
     CHECK(scene->fills[0].until == scene->fills[0].start);
     CHECK(std::holds_alternative<PlaneShape>(scene->walls.at(0).shape));
+}
+
+TEST_CASE("every shipped scene loads and says what it claims") {
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(scenes)) {
+        if (entry.path().extension() != ".toml")
+            continue;
+        ++count;
+        const auto scene = load_scene(entry.path());
+        CHECK_MESSAGE(scene, to_string(scene.problems()));
+        if (scene) {
+            CAPTURE(entry.path());
+            CHECK(!scene->title.empty());
+            CHECK(scene->claim.size() > 80);
+        }
+    }
+    CHECK(count >= 5);
+}
+
+TEST_CASE("the trough slice is the thesis' case") {
+    const auto scene = load_scene(scenes / "trough-slice.toml");
+    REQUIRE(scene);
+    CHECK(scene->bodies.at(0).spheres.size() == 65);
+    CHECK(scene->fills.at(0).count == 4878);
+    CHECK(1 / scene->time_step == doctest::Approx(350000).epsilon(1e-14));
+    const auto& harmonics = scene->walls.at(0).motion.harmonics;
+    REQUIRE(harmonics.size() == 12);
+    CHECK(harmonics[9].axis == 1);
+    CHECK(harmonics[9].amplitude == 1.949234e-3);
+    CHECK(harmonics[9].frequency == doctest::Approx(25));
+    CHECK(harmonics[9].active.start == 1.5);
+    // a (2 pi f)^2: the vertical acceleration is 4.9 g.
+    const double peak = harmonics[9].amplitude * std::pow(2 * std::numbers::pi * harmonics[9].frequency, 2) / 9.81;
+    CHECK(peak == doctest::Approx(4.9).epsilon(0.01));
+    CHECK(scene->domain.periodic == std::array{true, false, false});
+}
+
+TEST_CASE("the shipped steps stay below a fifth of the smallest sphere's Rayleigh time") {
+    // Li, Xu and Thornton 2005: pi R sqrt(rho / G) / (0.1631 nu + 0.8766).
+    for (const char* name : {"trough-slice.toml", "trough-quick.toml", "settle-cones.toml"}) {
+        CAPTURE(name);
+        const auto scene = load_scene(scenes / name);
+        REQUIRE(scene);
+        const contact::Material& media = scene->materials.at(0);
+        double radius = 1;
+        for (const Sphere& sphere : scene->bodies.at(0).spheres)
+            radius = std::min(radius, sphere.radius);
+        const double shear = media.youngs_modulus / (2 * (1 + media.poisson_ratio));
+        const double rayleigh =
+            std::numbers::pi * radius * std::sqrt(media.density / shear) / (0.1631 * media.poisson_ratio + 0.8766);
+        CHECK(scene->time_step < 0.2 * rayleigh);
+    }
+}
+
+TEST_CASE("units in key names are turned into SI once") {
+    const auto scene = load(R"(
+[[wall]]
+name = "drum"
+shape = "cylinder"
+material = "glass"
+base_m = [0, 0, 0]
+axis = [0, 0, 3]
+length_m = 0.2
+radius_m = 0.1
+[[wall.motion]]
+kind = "rotation"
+centre_m = [0, 0, 0]
+about = [0, 0, -2]
+speed_rpm = 30
+[[wall.motion]]
+kind = "rocking"
+centre_m = [0, 0, 0]
+about = [1, 0, 0]
+amplitude_deg = 90
+frequency_Hz = 2
+phase_deg = -180
+)");
+    REQUIRE_MESSAGE(scene, to_string(scene.problems()));
+    const WallMotion& motion = scene->walls.at(0).motion;
+    CHECK(std::get<CylinderShape>(scene->walls[0].shape).axis == Vector3d::UnitZ());
+    CHECK(motion.rotations.at(0).angular_velocity == doctest::Approx(std::numbers::pi).epsilon(1e-15));
+    CHECK(motion.rotations[0].axis == Vector3d(0, 0, -1));
+    CHECK(motion.rockings.at(0).amplitude == doctest::Approx(std::numbers::pi / 2).epsilon(1e-15));
+    CHECK(motion.rockings[0].phase == doctest::Approx(-std::numbers::pi).epsilon(1e-15));
+    CHECK(scene->bodies.at(0).spheres.at(0).radius == doctest::Approx(0.002).epsilon(1e-15));
+}
+
+TEST_CASE("open faces of a box are found by their sign and axis") {
+    const auto scene = load(R"(
+[[wall]]
+name = "box"
+shape = "box"
+material = "glass"
+lo_m = [-0.5, -0.5, -0.5]
+hi_m = [0.5, 0.5, 0.5]
+open = ["-x", "+y", "+z"]
+)");
+    REQUIRE_MESSAGE(scene, to_string(scene.problems()));
+    CHECK(std::get<BoxShape>(scene->walls.at(0).shape).open == std::array{true, false, false, true, false, true});
+}
+
+TEST_CASE("a wall with an STL file is a mesh without saying so, in metres after its scale") {
+    const auto scene = load(R"(
+[[wall]]
+name = "lid"
+stl = "tetrahedron.stl"
+scale = 0.001
+material = "glass"
+)");
+    REQUIRE_MESSAGE(scene, to_string(scene.problems()));
+    const auto& mesh = std::get<MeshShape>(scene->walls.at(0).shape);
+    CHECK(mesh.triangles.size() == 4);
+    CHECK(mesh.triangles[0][1].cwiseAbs().maxCoeff() == doctest::Approx(0.01)); // 10 mm
+}
+
+TEST_CASE("files are found from the scene's folder, wherever the program stands") {
+    const auto scene =
+        load("[body.cone]\nclump = \"../../../scenes/clumps/cone-65.csv\"\nmaterial = \"glass\"\nscale = 2\n");
+    REQUIRE_MESSAGE(scene, to_string(scene.problems()));
+    CHECK(scene->bodies.at(1).spheres.at(0).radius == 2 * 0.00155);
+}
+
+TEST_CASE("a single body needs no pair of its own material, two do") {
+    std::string alone = small;
+    alone.erase(alone.find("[pair"), alone.find("[body") - alone.find("[pair"));
+    const std::string one = "[[fill]]\nbody = \"bead\"\ncount = 1\nposition_m = [0, 0, 0]\n";
+    CHECK(load_scene_text(alone + one, "a.toml"));
+    CHECK(!load_scene_text(alone + one + one, "a.toml"));
+}
+
+TEST_CASE("all problems of a scene come at once, in the order of its lines") {
+    const auto scene = load("[[wall]]\nname = \"a\"\nshap = \"plane\"\n[observe]\nevery_s = -1\n[colour]\n");
+    const Problems problems = scene.problems();
+    std::vector<int> lines;
+    for (const Problem& problem : problems)
+        lines.push_back(problem.line);
+    CHECK(lines == std::vector<int>{17, 17, 19, 21, 22}); // no shape and no material, 'shap', every_s, [colour]
 }

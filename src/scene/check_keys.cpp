@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <map>
+#include <set>
 
 namespace tumble::scene {
 namespace {
@@ -46,6 +47,7 @@ public:
         const Table& entries = *node.as<Table>();
         const std::string kind = kind_word(entries, spec);
         const auto inside = tables_in(spec);
+        std::set<std::string> misspelt; // what unknown keys were meant to be: they are not missing as well
         for (const Entry& entry : entries.entries) {
             const std::string key_path = join(path, entry.name);
             const auto sub = std::find_if(inside.begin(), inside.end(),
@@ -55,12 +57,12 @@ public:
             else if (const Key* key = find_key(spec, entry.name))
                 known_key(entry, *key, spec, kind, path);
             else
-                unknown_key(entry, spec, kind, path);
+                misspelt.insert(unknown_key(entry, spec, kind, path));
         }
-        missing_keys(node, spec, kind, path);
+        missing_keys(node, spec, kind, path, misspelt);
         for (const KeyTable* sub : inside)
-            if (sub->required && !entries.find(last_name(*sub)))
-                report_.add({node.place.source, 0, 0}, join(path, last_name(*sub)),
+            if (sub->required && !entries.find(last_name(*sub)) && !misspelt.count(last_name(*sub)))
+                report_.add(node.place, join(path, last_name(*sub)),
                             fmt::format("{} has no {}", name_of_table(spec, path), sub->head),
                             "add one: " + sub->sentence);
     }
@@ -111,7 +113,9 @@ private:
         check_value(entry.node, key, join(path, entry.name), report_);
     }
 
-    void unknown_key(const Entry& entry, const KeyTable& spec, const std::string& kind, const std::string& path) {
+    /// The key or table that was probably meant; empty when none is near.
+    std::string unknown_key(const Entry& entry, const KeyTable& spec, const std::string& kind,
+                            const std::string& path) {
         std::vector<std::string> candidates;
         for (const Key& key : spec.keys)
             if (belongs(key, kind))
@@ -129,9 +133,11 @@ private:
             fix = fmt::format("its keys are {}", fmt::join(candidates, ", "));
         report_.add(entry.place, join(path, entry.name),
                     fmt::format("{} has no key '{}'", name_of_table(spec, path), entry.name), fix);
+        return nearest.value_or("");
     }
 
-    void missing_keys(const Node& node, const KeyTable& spec, const std::string& kind, const std::string& path) {
+    void missing_keys(const Node& node, const KeyTable& spec, const std::string& kind, const std::string& path,
+                      const std::set<std::string>& misspelt) {
         const Table& entries = *node.as<Table>();
         std::map<std::string, std::vector<const Key*>> groups;
         for (const Key& key : spec.keys) {
@@ -141,13 +147,14 @@ private:
             if (!key.one_of.empty())
                 groups[key.one_of].push_back(&key);
             const bool implied = key.name == spec.kind_key && !kind.empty();
-            if (key.required && !implied && !entries.find(key.name))
+            if (key.required && !implied && !entries.find(key.name) && !misspelt.count(key.name))
                 report_.add(node.place, join(path, key.name),
                             fmt::format("{} has no '{}'", name_of_table(spec, path), key.name),
                             fmt::format("add {}: {}", key.name, describe(key)));
         }
         for (const auto& [group, keys] : groups)
-            exactly_one(node, keys, spec, path);
+            if (std::none_of(keys.begin(), keys.end(), [&](const Key* key) { return misspelt.count(key->name); }))
+                exactly_one(node, keys, spec, path);
     }
 
     void exactly_one(const Node& node, const std::vector<const Key*>& keys, const KeyTable& spec,

@@ -26,7 +26,7 @@ public:
         case KeyType::flag:
             return is<bool>(node);
         case KeyType::integer:
-            return is<std::int64_t>(node) && in_range(node, static_cast<double>(*node.as<std::int64_t>()), key_.limits);
+            return is_whole(node) && in_range(node, static_cast<double>(*node.as<std::int64_t>()), key_.limits);
         case KeyType::number:
             return number(node, key_.limits);
         case KeyType::vector:
@@ -48,6 +48,12 @@ private:
     bool wrong_type(const Node& at) { return refuse(at, fmt::format("'{}' is {}", key_.name, kind_of(at))); }
 
     template <class T> bool is(const Node& node) { return node.as<T>() ? true : wrong_type(node); }
+
+    bool is_whole(const Node& node) {
+        if (const double* real = node.as<double>())
+            return refuse(node, fmt::format("'{}' = {} is not a whole number", key_.name, plain(*real)));
+        return is<std::int64_t>(node);
+    }
 
     bool has_text(const Node& node) {
         return !node.as<std::string>()->empty() || refuse(node, fmt::format("'{}' is empty", key_.name));

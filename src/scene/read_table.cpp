@@ -21,7 +21,7 @@ constexpr std::size_t most_problems = 20;
 constexpr double longest_time = 1e6; // s
 constexpr double farthest = 100;     // m
 constexpr const char* table_form =
-    "write the head t_s,x_m,y_m,z_m and rows of time (s, from 0, rising) and displacement";
+    "write the head t_s,x_m,y_m,z_m and rows of time (s, from 0, rising) and displacement (m)";
 constexpr const char* harmonics_form =
     "write the head axis,amplitude,period (and phase_deg) and rows such as y,0.002,0.04";
 

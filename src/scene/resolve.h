@@ -37,6 +37,9 @@ void check_pairs(const View& root, const Resolving& to);
 /// The index of the material that `view.material` names, or nothing with a problem reported.
 std::optional<int> material_of(const View& view, const Resolving& to);
 
+/// False for a domain that is missing or wrong: nothing can be held against it.
+bool has_volume(const Box& box);
+
 /// The unit vector along the typed one, which itself is kept when its length is 1 already, so that a resolved scene
 /// loads to the same bits; y, with a problem reported, when it has no length.
 Vector3d direction_of(const View& view, const std::string& key, const Resolving& to);

@@ -66,7 +66,7 @@ void check_region(const View& view, const Fill& fill, const Resolving& to) {
     }
     if (!view.given("region_lo_m") || !view.given("region_hi_m"))
         return;
-    if (!(fill.region.lo.array() < fill.region.hi.array()).all()) {
+    if (!has_volume(fill.region)) {
         to.refuse(
             view, "region_hi_m",
             fmt::format("the region from {} to {} has no volume", in_words(fill.region.lo), in_words(fill.region.hi)),
@@ -75,7 +75,7 @@ void check_region(const View& view, const Fill& fill, const Resolving& to) {
     }
     const Box& domain = to.scene.domain.box;
     for (const char* key : {"region_lo_m", "region_hi_m"})
-        if (!inside(view.vector(key), domain))
+        if (has_volume(domain) && !inside(view.vector(key), domain))
             to.refuse(view, key,
                       fmt::format("the corner {} lies outside the domain from {} to {}", in_words(view.vector(key)),
                                   in_words(domain.lo), in_words(domain.hi)),
@@ -86,7 +86,7 @@ void check_position(const View& view, const Fill& fill, const Resolving& to) {
     if (!fill.position)
         return;
     const Box& domain = to.scene.domain.box;
-    if (!inside(*fill.position, domain))
+    if (has_volume(domain) && !inside(*fill.position, domain))
         to.refuse(view, "position_m",
                   fmt::format("{} lies outside the domain from {} to {}", in_words(*fill.position), in_words(domain.lo),
                               in_words(domain.hi)),

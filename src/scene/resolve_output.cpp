@@ -12,7 +12,7 @@ void resolve_render(const View& view, const Resolving& to) {
     render.field_of_view_deg = view.number("field_of_view_deg");
     if (view.given("view_lo_m") && view.given("view_hi_m")) {
         render.view = Box{view.vector("view_lo_m"), view.vector("view_hi_m")};
-        if (!(render.view->lo.array() < render.view->hi.array()).all())
+        if (!has_volume(*render.view))
             to.refuse(view, "view_hi_m", "the view has no volume",
                       "each value of view_hi_m must be above that of view_lo_m");
     } else if (view.written("view_lo_m") != view.written("view_hi_m"))

@@ -17,7 +17,7 @@ PlaneShape plane(const View& view, const Resolving& to) {
 BoxShape box(const View& view, const Resolving& to) {
     BoxShape shape;
     shape.box = {view.vector("lo_m"), view.vector("hi_m")};
-    if (view.given("lo_m") && view.given("hi_m") && !(shape.box.lo.array() < shape.box.hi.array()).all())
+    if (view.given("lo_m") && view.given("hi_m") && !has_volume(shape.box))
         to.refuse(view, "hi_m",
                   fmt::format("the box from {} to {} has no volume", in_words(shape.box.lo), in_words(shape.box.hi)),
                   "each value of hi_m must be above that of lo_m");
@@ -159,7 +159,7 @@ void check_place(const NamedView& wall, const WallShape& shape, const Resolving&
     const Box& domain = to.scene.domain.box;
     const View& view = wall.view;
     const bool readable = !std::holds_alternative<MeshShape>(shape) || !std::get<MeshShape>(shape).triangles.empty();
-    if (!to.report.clean() || !readable)
+    if (!has_volume(domain) || !readable || !view.whole())
         return; // a wall or a domain that is already wrong is in no place
     if (!in_domain(shape, domain))
         to.report.add(view.place(), view.path(), fmt::format("wall '{}' lies outside the domain", view.text("name")),

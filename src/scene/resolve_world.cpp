@@ -11,6 +11,10 @@ std::filesystem::path Resolving::file(const std::string& name) const {
     return (path.is_absolute() ? path : folder / path).lexically_normal();
 }
 
+bool has_volume(const Box& box) {
+    return (box.lo.array() < box.hi.array()).all();
+}
+
 Vector3d direction_of(const View& view, const std::string& key, const Resolving& to) {
     const Vector3d typed = view.vector(key);
     const double length = typed.norm();
@@ -57,7 +61,7 @@ void resolve_domain(const View& view, const Resolving& to) {
     domain.box = {view.vector("lo_m"), view.vector("hi_m")};
     for (const std::string& axis : view.words("periodic"))
         domain.periodic[static_cast<std::size_t>(axis[0] - 'x')] = true;
-    if (view.given("lo_m") && view.given("hi_m") && !(domain.box.lo.array() < domain.box.hi.array()).all())
+    if (view.given("lo_m") && view.given("hi_m") && !has_volume(domain.box))
         to.refuse(
             view, "hi_m",
             fmt::format("the domain from {} to {} has no volume", in_words(domain.box.lo), in_words(domain.box.hi)),

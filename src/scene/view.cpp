@@ -63,6 +63,16 @@ bool View::written(const std::string& name) const {
     return table && table->find(name);
 }
 
+bool View::whole() const {
+    const std::string chosen = kind();
+    for (const Key& one : keys_->keys) {
+        const bool needed = one.required && belongs(one, chosen) && one.name != keys_->kind_key;
+        if ((written(one.name) && !given(one.name)) || (needed && !written(one.name)))
+            return false;
+    }
+    return keys_->kind_key.empty() || !chosen.empty();
+}
+
 Place View::place(const std::string& name) const {
     const Table* table = node_ ? node_->as<Table>() : nullptr;
     const Entry* entry = table ? table->find(name) : nullptr;

@@ -29,6 +29,8 @@ public:
     [[nodiscard]] bool given(const std::string& name) const { return value_of(name) != nullptr; }
     /// Written, right or wrong.
     [[nodiscard]] bool written(const std::string& name) const;
+    /// All required keys of its kind are there and none of the given ones was refused.
+    [[nodiscard]] bool whole() const;
     /// Of the value; of the table when the key is not written.
     [[nodiscard]] Place place(const std::string& name) const;
     [[nodiscard]] Place place() const;

@@ -184,5 +184,5 @@ TEST_CASE("all problems of a scene come at once, in the order of its lines") {
     std::vector<int> lines;
     for (const Problem& problem : problems)
         lines.push_back(problem.line);
-    CHECK(lines == std::vector<int>{17, 17, 19, 21, 22}); // no shape and no material, 'shap', every_s, [colour]
+    CHECK(lines == std::vector<int>{17, 19, 21, 22}); // no material, 'shap', every_s, [colour]
 }

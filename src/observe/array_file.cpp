@@ -1,5 +1,6 @@
 #include "observe/array_file.h"
 
+#include "base/text.h"
 #include "observe/checksum.h"
 
 #include <bit>
@@ -112,7 +113,7 @@ std::string to_bytes(const ArrayFile& content) {
 }
 
 Result<ArrayFile> from_bytes(const std::string& bytes, const std::string& kind, const std::filesystem::path& file) {
-    const auto wrong = [&](std::string what, std::string fix = "") {
+    const auto wrong = [&](std::string what, std::string fix = "give a file that tumble wrote") {
         return Problem{.file = file.string(), .what = std::move(what), .fix = std::move(fix)};
     };
     const std::string again = "remove this file, or run the scene again";
@@ -139,7 +140,7 @@ Result<ArrayFile> from_bytes(const std::string& bytes, const std::string& kind, 
     for (const nlohmann::json& json : content.head["arrays"]) {
         const std::optional<Entry> entry = entry_of(json, bytes.size() - trailer - start);
         if (!entry)
-            return wrong("describes an array that is not in it: " + json.dump());
+            return wrong("describes an array that is not in it: " + excerpt(json.dump(), 200));
         content.arrays.push_back(array_of(*entry, bytes.data() + start));
     }
     return content;

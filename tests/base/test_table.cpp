@@ -108,6 +108,9 @@ TEST_CASE("what is written reads back the same") {
     for (std::size_t i = 0; i < heads.size(); ++i)
         CHECK(table.numbers(heads[i])->at(0) == numbers[i]);
     CHECK(csv_line(numbers) == "0.1,0.3333333333333333,-0,5e-324,1e+300\n");
+    CHECK(table_of("x\n" + csv_line(std::vector<std::string>{""})).rows() == 1);
+    const std::vector<std::string> marked{"\xef\xbb\xbfx"};
+    CHECK(table_of(csv_line(marked)).heads() == marked);
     const std::vector<std::string> awkward{"", "two\nlines"};
     CHECK(csv_line(awkward) == ",\"two lines\"\n");
 }

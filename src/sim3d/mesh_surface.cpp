@@ -101,13 +101,13 @@ private:
                     hit.counts = false;
     }
 
-    /// Of two hits on one feature: the nearer, a face before an edge at the same distance, else the first.
+    /// Of two hits on one feature: the nearer; at the same distance a face before an edge before a corner, because its
+    /// foot is the more exact; else the first.
     static bool before(const Hit& a, const Hit& b) {
         if (std::abs(a.distance2 - b.distance2) > same * b.distance2)
             return a.distance2 < b.distance2;
-        if ((a.region == face) != (b.region == face))
-            return a.region == face;
-        return a.triangle < b.triangle;
+        const auto rank = [](const Hit& hit) { return hit.region == face ? 0 : hit.region < corner_a ? 1 : 2; };
+        return rank(a) != rank(b) ? rank(a) < rank(b) : a.triangle < b.triangle;
     }
 
     /// The edge or corner at which `hit` is nearest also belongs to the other's triangle.
@@ -141,11 +141,13 @@ private:
     }
 
     [[nodiscard]] WallTouch touch(const Hit& hit, double radius) const {
-        const double far = std::sqrt(hit.distance2);
-        // On a face the triangle's normal is exact however near the centre is.
+        // On a patch, edges between its triangles included, the triangle's normal is exact however near the centre is.
         const Vector3d& normal = flats_[static_cast<std::size_t>(hit.triangle)].normal;
-        if (hit.region == face || far == 0)
-            return {hit.away.dot(normal) < 0 ? Vector3d(-normal) : normal, far - radius, hit.feature.id};
+        if (hit.feature.kind == FeatureKind::patch || hit.distance2 == 0) {
+            const double height = hit.away.dot(normal);
+            return {height < 0 ? Vector3d(-normal) : normal, std::abs(height) - radius, hit.feature.id};
+        }
+        const double far = std::sqrt(hit.distance2);
         return {hit.away / far, far - radius, hit.feature.id};
     }
 

@@ -1,0 +1,128 @@
+"""Steps per second, ours and the peer's, in turn on the same core: spheres (LAMMPS), trough (LIGGGHTS)."""
+
+import json
+import tempfile
+from pathlib import Path
+from statistics import median
+
+from . import liggghts, programs
+
+
+def spread(values):
+    """[min, median, max], or nothing."""
+    return [min(values), median(values), max(values)] if values else None
+
+
+def lines_of(ran):
+    """JSON lines of a bench program: (blocks, summary)."""
+    rows = [json.loads(line) for line in ran.output.splitlines() if line.startswith("{")]
+    return [row for row in rows if "block" in row], rows[-1]
+
+
+def links(*names):
+    """A new folder with links to files of the peers' decks, laid out as there."""
+    root = Path(tempfile.mkdtemp(prefix="tumble-peer-"))
+    for name in names:
+        source = programs.peer_file(name)
+        (root / name).parent.mkdir(parents=True, exist_ok=True)
+        (root / name).symlink_to(source)
+    return root
+
+
+def attempt(problems, job, *words):
+    """What the job gives, or nothing and its problem noted once."""
+    try:
+        return job(*words)
+    except programs.Missing as problem:
+        if str(problem) not in problems:
+            problems.append(str(problem))
+        return None
+
+
+def result(case, unit, ours, peer, theirs, problems, **more):
+    """The object that compare prints; ours: list of (rate, summary), theirs: list of (rate, MB)."""
+    rates, peer_rates = [rate for rate, _ in ours], [rate for rate, _ in theirs]
+    found = {"case": case, "unit": unit, "threads": 1, "tumble": spread(rates), "peer": peer, "peer_value": spread(peer_rates),
+             "ratio": median(rates) / median(peer_rates) if rates and peer_rates else None,
+             "peak_rss_MB": max((s["peak_rss_MB"] for _, s in ours), default=None),
+             "peer_peak_rss_MB": max((mb for _, mb in theirs), default=None)}
+    if ours:
+        found["summary"] = ours[-1][1]
+    if problems:
+        found["problem"] = problems
+    return {**found, **more}
+
+
+def our_spheres(threads, pre, steps, cores):
+    ran = programs.run([programs.ours("spheres"), f"state={programs.peer_file('spheres/state.data')}", f"threads={threads}",
+                        f"pre={pre}", f"steps={steps}"], cores)
+    blocks, summary = lines_of(ran)
+    return blocks[-1]["rate"], summary
+
+
+def lammps_spheres(style, pre, steps, core):
+    """The deck takes 1000 steps first, as ours does."""
+    folder = links("spheres/state.data", "spheres/spheres_lammps.in") / "spheres"
+    ran = programs.run([programs.need("lmp"), "-in", "spheres_lammps.in", "-var", "style", style, "-var", "skin", "0.4e-3",
+                        "-var", "nrun", steps, "-log", "none"], [core], folder)
+    taken, seconds = liggghts.loops(ran.output)[-1]
+    return 32000 * taken / seconds, ran.peak_rss_MB
+
+
+def spheres(repeats=3, steps=3000, core=0, other=1):
+    """32,000 spheres in dense flow: one thread and two of ours, LAMMPS gran/hertz/history on one core."""
+    one, two, theirs, problems = [], [], [], []
+    for _ in range(repeats):
+        for keep, job, words in ((one, our_spheres, (1, 1000, steps, [core])),
+                                 (theirs, lammps_spheres, ("hertz", 1000, steps, core)),
+                                 (two, our_spheres, (2, 1000, steps, [core, other]))):
+            got = attempt(problems, job, *words)
+            if got is not None:
+                keep.append(got)
+    rates = spread([rate for rate, _ in two])
+    gain = rates[1] / median([rate for rate, _ in one]) if rates and one else None
+    return result("spheres", "body-steps/s", one, "lammps gran/hertz/history", theirs, problems,
+                  two_threads={"tumble": rates, "gain": gain})
+
+
+def our_trough(blocks, steps, vibrate_blocks, vibrate_steps, cores, threads=1):
+    """([(rate, summary) at rest], [(rate, summary) vibrating])"""
+    ran = programs.run([programs.ours("trough"), f"state={programs.peer_file('trough/settled.dump')}", f"threads={threads}",
+                        f"cone={programs.peer_file('common/cone65.txt')}", f"stl={programs.peer_file('trough/trough.stl')}",
+                        f"blocks={blocks}", f"steps={steps}", f"vibrate_blocks={vibrate_blocks}",
+                        f"vibrate_steps={vibrate_steps}"], cores)
+    rows, summary = lines_of(ran)
+    return tuple([(row["rate"], summary) for row in rows if row["block"] == name] for name in ("at rest", "vibrating"))
+
+
+def liggghts_trough(blocks, steps, vibrate_blocks, vibrate_steps, core):
+    """The peers' deck at skin 1 mm: inserts 500 cones, settles them, then the timed runs."""
+    folder = links("trough/trough_liggghts.in", "trough/trough.stl", "common/cone65.txt") / "trough"
+    words = {"N": 500, "px": 1, "pz": 1, "sskin": 1e-3, "skin": 1e-3, "nset": 8000, "gset": 40, "npre": 500, "nst": steps,
+             "nblk": blocks, "nrun": vibrate_steps, "nper": max(1, vibrate_blocks), "ybot": 0.05, "ytop": 0.6, "zi": 13}
+    command = [programs.need("liggghts"), "-in", "trough_liggghts.in", "-log", "none", "-var", "v0", "-1.0"]
+    for name, value in words.items():
+        command += ["-var", name, value]
+    ran = programs.run(command, [core], folder)
+    rates = [(500 * taken / seconds, ran.peak_rss_MB) for taken, seconds in liggghts.loops(ran.output) if taken > 1]
+    return rates[2:2 + blocks], rates[2 + blocks:]
+
+
+def trough(repeats=2, steps=1500, core=0, other=1):
+    """500 cones at rest and vibrating: ours before and after each LIGGGHTS run, which settles its cones first."""
+    rest, shaken, two, peer_rest, peer_shaken, problems = [], [], [], [], [], []
+    for k in range(repeats):
+        for kept, job, words in (((rest, shaken), our_trough, (5, steps, 1, 14000, [core])),
+                                 ((peer_rest, peer_shaken), liggghts_trough, (3, steps, 1, 14000, core)),
+                                 ((two, []), our_trough, (5, steps, 0, 0, [core, other], 2)),
+                                 ((rest, shaken), our_trough, (5, steps, 1, 14000, [core]))):
+            if job is liggghts_trough and k > 0:
+                continue
+            got = attempt(problems, job, *words)
+            for keep, values in zip(kept, got or ()):
+                keep.extend(values)
+    vibrating = result("trough, vibrating", "body-steps/s", shaken, "liggghts", peer_shaken, [])
+    rates = spread([rate for rate, _ in two])
+    gain = rates[1] / median([rate for rate, _ in rest]) if rates and rest else None
+    return result("trough", "body-steps/s", rest, "liggghts", peer_rest, problems, vibrating=vibrating,
+                  two_threads={"tumble": rates, "gain": gain})

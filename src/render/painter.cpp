@@ -225,7 +225,7 @@ void Painter::Inside::draw_spheres(std::vector<SphereMark> marks) {
     auto front = marks.begin();
     for (int round = 1; front != marks.end(); ++round) {
         const auto left = marks.end() - front;
-        const bool all = marks.size() < worth_culling || round == culling_rounds;
+        const bool all = !options.skip_hidden || marks.size() < worth_culling || round == culling_rounds;
         const auto count = all ? left : std::max<std::ptrdiff_t>(left / (round == 1 ? 12 : 4), 1);
         std::nth_element(front, front + count, marks.end(),
                          [](const SphereMark& a, const SphereMark& b) { return a.z + a.radius > b.z + b.radius; });

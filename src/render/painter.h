@@ -16,8 +16,9 @@ namespace tumble::render {
 
 /// What a caller with an own surface (a viewer, a test) may leave out of the pictures.
 struct PainterOptions {
-    bool lettering = true; // title, time, legend, scale bar, plot
-    bool lighting = true;  // false: bodies in the bare colours of the colour map
+    bool lettering = true;   // title, time, legend, scale bar, plot
+    bool lighting = true;    // false: bodies in the bare colours of the colour map
+    bool skip_hidden = true; // false: draws spheres that lie behind others too, for the same picture
 };
 
 /// Draws frames of one run. The view and, with an automatic range, the meaning of the colours stay the same from

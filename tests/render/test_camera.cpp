@@ -1,0 +1,144 @@
+#include "fixtures.h"
+#include "render/camera.h"
+
+#include <numbers>
+
+using namespace tumble;
+using namespace tumble::render;
+using Eigen::AlignedBox3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+namespace {
+
+const AlignedBox3d box{Vector3d(-1, -2, -3), Vector3d(1, 2, 3)};
+const Area area{100, 50, 700, 450};
+
+Camera camera_for(const std::string& name, const std::string& projection) {
+    scene::Render settings;
+    settings.camera = name;
+    settings.projection = projection;
+    auto camera = make_camera(settings, box, area);
+    REQUIRE(camera.ok());
+    return *camera;
+}
+
+void check_at(const Vector2d& found, double x, double y) {
+    CHECK(found.x() == doctest::Approx(x).epsilon(1e-9));
+    CHECK(found.y() == doctest::Approx(y).epsilon(1e-9));
+}
+
+} // namespace
+
+TEST_CASE("the front camera shows y upwards and z to the right, fitted into the area") {
+    const Camera camera = camera_for("front", "orthographic");
+    // 4 m of height and 6 m of width in 400 x 600 pixels less 3 % on each side: both give 94 pixels a metre.
+    CHECK(camera.scale == doctest::Approx(94));
+    check_at(camera.to_picture({0, 0, 0}), 400, 250);
+    check_at(camera.to_picture({0.7, 2, 3}), 400 + 3 * 94, 250 - 2 * 94);
+    check_at(camera.to_picture({-0.7, -2, -3}), 400 - 3 * 94, 250 + 2 * 94);
+}
+
+TEST_CASE("the side camera shows x to the right and y upwards") {
+    const Camera camera = camera_for("side", "orthographic");
+    CHECK(camera.scale == doctest::Approx(94));
+    check_at(camera.to_picture({1, 2, 3}), 400 + 94, 250 - 2 * 94);
+}
+
+TEST_CASE("the top camera shows x to the right and z downwards") {
+    const Camera camera = camera_for("top", "orthographic");
+    // 6 m of z in 400 pixels.
+    const double scale = 0.94 * 400 / 6;
+    CHECK(camera.scale == doctest::Approx(scale));
+    check_at(camera.to_picture({1, 0, 3}), 400 + scale, 250 + 3 * scale);
+}
+
+TEST_CASE("a perspective camera keeps the whole box within the margin and touches it") {
+    const Camera camera = camera_for("front", "perspective");
+    double widest = 0;
+    double highest = 0;
+    for (int i = 0; i < 8; ++i) {
+        const Vector2d p = camera.to_picture(box.corner(static_cast<AlignedBox3d::CornerType>(i)));
+        widest = std::max(widest, std::abs(p.x() - 400));
+        highest = std::max(highest, std::abs(p.y() - 250));
+    }
+    CHECK(widest <= 0.94 * 300 * (1 + 1e-9));
+    CHECK(highest <= 0.94 * 200 * (1 + 1e-9));
+    CHECK(std::max(widest / 300, highest / 200) == doctest::Approx(0.94));
+    // The field of view of 35 degrees is that of the area's height.
+    CHECK(camera.scale == doctest::Approx(200 / std::tan(17.5 * std::numbers::pi / 180)));
+}
+
+TEST_CASE("a free perspective camera divides by the distance from its eye") {
+    scene::Render settings;
+    settings.camera = "free";
+    settings.projection = "perspective";
+    settings.eye = {0, 0, 10};
+    settings.target = {0, 0, 0};
+    settings.field_of_view_deg = 90; // a tangent of 1 reaches the area's edge 200 pixels from its middle
+    const auto camera = make_camera(settings, box, area);
+    REQUIRE(camera.ok());
+    check_at(camera->to_picture({0, 0, 0}), 400, 250);
+    check_at(camera->to_picture({1, 2, 0}), 400 + 200 * 0.1, 250 - 200 * 0.2);
+    check_at(camera->to_picture({1, 2, 5}), 400 + 200 * 0.2, 250 - 200 * 0.4);
+    CHECK(camera->pixels_per_metre({0, 0, 5}) == doctest::Approx(40));
+}
+
+TEST_CASE("a free parallel camera shows at its target what a perspective one with the same opening shows there") {
+    scene::Render settings;
+    settings.camera = "free";
+    settings.eye = {3, 4, 0};
+    settings.target = {0, 0, 0};
+    settings.field_of_view_deg = 90;
+    const auto camera = make_camera(settings, box, area);
+    REQUIRE(camera.ok());
+    CHECK(camera->scale == doctest::Approx(200.0 / 5));
+    CHECK(camera->to_picture({0, 0, 1}).x() == doctest::Approx(400 - 40)); // right of -x looking is -z
+}
+
+TEST_CASE("clip space and the picture agree, and the depth range holds the box") {
+    for (const char* projection : {"orthographic", "perspective"}) {
+        const Camera camera = camera_for("free", projection);
+        const Eigen::Matrix4d clip = camera.clip_matrix(800, 500).cast<double>();
+        for (int i = 0; i < 8; ++i) {
+            const Vector3d corner = box.corner(static_cast<AlignedBox3d::CornerType>(i));
+            const Eigen::Vector4d at = clip * camera.to_view(corner).homogeneous();
+            const Vector2d expected = camera.to_picture(corner);
+            CHECK(400 + 400 * at.x() / at.w() == doctest::Approx(expected.x()).epsilon(1e-4));
+            CHECK(250 - 250 * at.y() / at.w() == doctest::Approx(expected.y()).epsilon(1e-4));
+            CHECK(std::abs(at.z() / at.w()) < 1);
+        }
+    }
+}
+
+TEST_CASE("what a camera cannot do is said with the key") {
+    const auto key_of = [](auto change) {
+        scene::Render settings;
+        change(settings);
+        const auto camera = make_camera(settings, box, area);
+        REQUIRE(!camera.ok());
+        return camera.problems().front().key;
+    };
+    CHECK(key_of([](scene::Render& s) { s.camera = "back"; }) == "render.camera");
+    CHECK(key_of([](scene::Render& s) { s.projection = "fisheye"; }) == "render.projection");
+    CHECK(key_of([](scene::Render& s) { s.field_of_view_deg = 180; }) == "render.field_of_view_deg");
+    CHECK(key_of([](scene::Render& s) {
+              s.camera = "free";
+              s.eye = s.target = {1, 1, 1};
+          }) == "render.eye");
+}
+
+TEST_CASE("the bounds of a frame hold every sphere and every moved wall, and the domain when there is nothing") {
+    auto layout = testing::spheres({0.5});
+    layout->domain_lo = {-9, -9, -9};
+    layout->domain_hi = {9, 9, 9};
+    observe::Frame frame = testing::empty_frame(layout);
+    CHECK(bounds_of(frame).max().x() == 9);
+    testing::add_body(frame, 0, {1, 2, 3});
+    CHECK((bounds_of(frame).min() - Vector3d(0.5, 1.5, 2.5)).norm() < 1e-12);
+    layout->walls.push_back(testing::pane(1, 1, 0.5));
+    frame.walls.resize(1);
+    frame.walls[0].translation = {-4, 0, 0};
+    CHECK(bounds_of(frame).min().x() == -4);
+    CHECK(bounds_of(frame).max().z() == 3.5);
+}

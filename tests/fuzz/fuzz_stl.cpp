@@ -1,24 +1,16 @@
+#include "expect.h"
 #include "scene/read_stl.h"
 
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <string_view>
-
-/// Any bytes give triangles or problems; triangles that are let through are finite and as many as the bytes can hold.
+/// Triangles that are let through are finite, and as many as the bytes can hold.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-    const auto triangles = tumble::scene::parse_stl(bytes, "fuzz.stl");
+    const auto triangles = tumble::scene::parse_stl(fuzz::text_of(data, size), "mesh.stl");
     if (!triangles) {
-        if (triangles.problems().empty())
-            std::abort();
+        fuzz::expect_helpful(triangles.problems());
         return 0;
     }
-    if (triangles->empty() || triangles->size() * 50 > size + 50)
-        std::abort();
+    fuzz::expect(!triangles->empty() && triangles->size() * 50 <= size, "no more triangles than there is room for");
     for (const auto& triangle : *triangles)
         for (const auto& corner : triangle)
-            if (!corner.allFinite())
-                std::abort();
+            fuzz::expect(corner.allFinite(), "corners are finite");
     return 0;
 }

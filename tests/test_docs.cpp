@@ -1,0 +1,188 @@
+// What README.md and docs/ say is held against the tree and the program.
+#include "base/text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <doctest/doctest.h>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+using namespace tumble;
+
+namespace {
+
+const fs::path root = TUMBLE_ROOT;
+
+std::string content_of(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    REQUIRE_MESSAGE(file.good(), path.string());
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::vector<fs::path> pages() {
+    std::vector<fs::path> found{root / "README.md"};
+    for (const auto& entry : fs::recursive_directory_iterator(root / "docs"))
+        if (entry.path().extension() == ".md")
+            found.push_back(entry.path());
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+struct Page {
+    std::vector<std::string> prose;                            // lines outside fences
+    std::vector<std::pair<std::string, std::string>> snippets; // language, text
+};
+
+Page read_page(const fs::path& path) {
+    Page page;
+    bool inside = false;
+    const std::string text = content_of(path);
+    for (const std::string_view line : split(text, '\n')) {
+        if (line.starts_with("```")) {
+            inside = !inside;
+            if (inside)
+                page.snippets.emplace_back(line.substr(3), "");
+        } else if (inside) {
+            page.snippets.back().second += std::string(line) + "\n";
+        } else {
+            page.prose.emplace_back(line);
+        }
+    }
+    return page;
+}
+
+/// As the common Markdown hosts make it from a heading.
+std::string anchor_of(std::string_view heading) {
+    std::string anchor;
+    for (const char c : trimmed(heading)) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (std::isalnum(byte) || c == '_' || c == '-' || byte >= 0x80)
+            anchor += static_cast<char>(std::tolower(byte));
+        else if (c == ' ')
+            anchor += '-';
+    }
+    return anchor;
+}
+
+std::set<std::string> anchors_of(const fs::path& path) {
+    std::set<std::string> anchors;
+    for (const std::string& line : read_page(path).prose)
+        if (const auto text = line.find_first_not_of('#'); text != 0 && text != std::string::npos && line[text] == ' ')
+            anchors.insert(anchor_of(line.substr(text)));
+    return anchors;
+}
+
+struct Link {
+    std::string file, anchor;
+};
+
+std::vector<Link> links_of(const fs::path& path) {
+    std::vector<Link> links;
+    const std::regex link(R"(\]\(([^)#\s]*)(#([^)\s]*))?\))");
+    for (const std::string& line : read_page(path).prose)
+        for (auto match = std::sregex_iterator(line.begin(), line.end(), link); match != std::sregex_iterator{};
+             ++match)
+            if (!(*match)[1].str().starts_with("http"))
+                links.push_back({(*match)[1], (*match)[3]});
+    return links;
+}
+
+/// Exit code of `build/release/tumble ...`, run as the program under test from the root, its output thrown away.
+int exit_code_of(const std::string& arguments) {
+    const std::string command =
+        fmt::format("cd '{}' && '{}' {} >/dev/null 2>&1 </dev/null", root.string(), TUMBLE_PROGRAM, arguments);
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// Lines of the README's `sh` snippets, comments taken off.
+std::vector<std::string> readme_commands() {
+    std::vector<std::string> commands;
+    for (const auto& [language, text] : read_page(root / "README.md").snippets)
+        if (language == "sh")
+            for (const std::string_view line : split(text, '\n'))
+                if (const auto command = trimmed(line.substr(0, line.find('#'))); !command.empty())
+                    commands.emplace_back(command);
+    return commands;
+}
+
+} // namespace
+
+TEST_CASE("headings become anchors as Markdown hosts make them") {
+    CHECK(anchor_of(" What LIGGGHTS computes") == "what-liggghts-computes");
+    CHECK(anchor_of(" run.json") == "runjson");
+    CHECK(anchor_of(" Time, steps & cost") == "time-steps--cost");
+}
+
+TEST_CASE("every link in README and docs leads somewhere") {
+    for (const fs::path& page : pages())
+        for (const Link& link : links_of(page)) {
+            const fs::path target = link.file.empty() ? page : page.parent_path() / link.file;
+            CHECK_MESSAGE(fs::exists(target), page.string() << " links to " << link.file);
+            if (!link.anchor.empty() && fs::exists(target))
+                CHECK_MESSAGE(anchors_of(target).contains(link.anchor),
+                              page.string() << " links to " << link.file << "#" << link.anchor);
+        }
+}
+
+TEST_CASE("docs/index.md leads to every page of docs") {
+    std::set<fs::path> linked{root / "docs" / "index.md", root / "README.md"};
+    for (const Link& link : links_of(root / "docs" / "index.md"))
+        linked.insert((root / "docs" / link.file).lexically_normal());
+    for (const fs::path& page : pages())
+        CHECK_MESSAGE(linked.contains(page), page.string());
+}
+
+TEST_CASE("README names the page that a newcomer should read, and the two commands, in its first screen") {
+    const std::string readme = content_of(root / "README.md");
+    const auto lines = split(readme, '\n');
+    std::string screen;
+    for (std::size_t i = 0; i < std::min<std::size_t>(lines.size(), 24); ++i)
+        screen += std::string(lines[i]) + "\n";
+    for (const char* name : {"./demo", "./check", "src/sim3d/step.cpp"})
+        CHECK_MESSAGE(screen.find(name) != std::string::npos, name);
+}
+
+TEST_CASE("README's commands exist, and the quick ones succeed") {
+    const std::string program = "build/release/tumble ";
+    const std::string presets = content_of(root / "CMakePresets.json");
+    int ran = 0;
+    for (const std::string& command : readme_commands()) {
+        CAPTURE(command);
+        const auto words = split_words(command);
+        if (command.starts_with("./")) {
+            CHECK((fs::status(root / std::string(words[0])).permissions() & fs::perms::owner_exec) != fs::perms::none);
+        } else if (const auto preset = command.find("--preset "); preset != std::string::npos) {
+            CHECK(presets.find(fmt::format("\"{}\"", command.substr(preset + 9))) != std::string::npos);
+        } else {
+            REQUIRE(command.starts_with(program));
+            const std::string arguments = command.substr(program.size());
+            const bool quick = words[1] == "list" || words[1] == "check";
+            CHECK(exit_code_of(quick ? arguments : fmt::format("{} --help", words[1])) == 0);
+            ++ran;
+        }
+    }
+    CHECK(ran >= 3);
+}
+
+TEST_CASE("README's scene is complete: the program takes it as it is printed") {
+    int checked = 0;
+    for (const auto& [language, text] : read_page(root / "README.md").snippets) {
+        if (language != "toml")
+            continue;
+        const fs::path file = fs::temp_directory_path() / "tumble-readme-scene.toml";
+        std::ofstream(file) << text;
+        CHECK(exit_code_of(fmt::format("check '{}'", file.string())) == 0);
+        fs::remove(file);
+        ++checked;
+    }
+    CHECK(checked == 1);
+}

@@ -16,10 +16,10 @@ struct TimeStepReport {
     double hertz = 0;        // 2.87 (m*^2 / (R* E*^2 v))^0.2 at `hertz_speed`
     std::string hertz_of;
     double hertz_speed = 0; // m/s, assumed impact speed: the fall through the scene plus wall motion
-    double body_period = 0; // 2 pi sqrt(m*/k): body's mass on the stiffest contact at the largest sane overlap
+    double body_period = 0; // 2 pi sqrt(m*/k): m* felt at the contact, rotation included; k of four at once
     std::string body_of;
     double linear_period = 0; // pi sqrt(m*/k) of the linear law, 0 when it is not used
-    double limit = 0;         // s, above this the run is refused
+    double limit = 0;         // s, above this the run is refused: body_period / pi, less for damping; docs/bodies.md
     [[nodiscard]] bool stable() const { return step <= limit; }
 };
 

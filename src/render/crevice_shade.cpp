@@ -1,6 +1,6 @@
 #include "render/crevice_shade.h"
 
-#include <algorithm>
+#include <string>
 
 namespace tumble::render {
 
@@ -12,17 +12,20 @@ void main() {
 )";
 
 // Distances are read from the depth as written by the spheres: linear for a parallel projection, else a + b / distance.
-static const char* const gather_source = R"(#version 400 core
+static const char* const with_distances = R"(#version 400 core
 uniform sampler2D depth;
 uniform bool perspective;
 uniform float nearest;
 uniform float farthest;
 uniform float radius;
-uniform float scale;
-out float sky;
 float distance_of(float d) {
     return perspective ? nearest * farthest / (farthest - d * (farthest - nearest)) : mix(nearest, farthest, d);
 }
+)";
+
+static const char* const gather_source = R"(
+uniform float scale;
+out float sky;
 void main() {
     ivec2 here = ivec2(gl_FragCoord.xy);
     float d = texelFetch(depth, here, 0).r;
@@ -51,26 +54,28 @@ void main() {
 }
 )";
 
-static const char* const blur_source = R"(#version 400 core
+static const char* const blur_source = R"(
 uniform sampler2D sky;
-uniform sampler2D depth;
 uniform float strength;
 out vec4 shade;
 void main() {
     ivec2 here = ivec2(gl_FragCoord.xy);
     ivec2 last = textureSize(sky, 0) - 1;
-    if (texelFetch(depth, here, 0).r >= 1.0) {
+    float d = texelFetch(depth, here, 0).r;
+    if (d >= 1.0) {
         shade = vec4(1.0);
         return;
     }
+    float own = distance_of(d);
     float sum = 0.0;
     float count = 0.0;
     for (int y = -2; y < 2; ++y) {
         for (int x = -2; x < 2; ++x) {
             ivec2 there = clamp(here + ivec2(x, y), ivec2(0), last);
-            float in_bulk = texelFetch(depth, there, 0).r < 1.0 ? 1.0 : 0.0;
-            sum += in_bulk * texelFetch(sky, there, 0).r;
-            count += in_bulk;
+            // Another body's shade would shine over the edge between them; a little of it keeps the edge smooth.
+            float same = abs(distance_of(texelFetch(depth, there, 0).r) - own) < 0.3 * radius ? 1.0 : 0.2;
+            sum += same * texelFetch(sky, there, 0).r;
+            count += same;
         }
     }
     float open_sky = sum / max(count, 1.0);
@@ -79,8 +84,8 @@ void main() {
 )";
 
 Result<CreviceShade> CreviceShade::open(const Canvas& canvas) {
-    auto gather = make_program(whole_picture, gather_source);
-    auto blur = make_program(whole_picture, blur_source);
+    auto gather = make_program(whole_picture, with_distances + std::string(gather_source));
+    auto blur = make_program(whole_picture, with_distances + std::string(blur_source));
     if (!gather || !blur) {
         return gather ? blur.problems() : gather.problems();
     }
@@ -107,21 +112,23 @@ void CreviceShade::draw(const Canvas& canvas, const Camera& camera, double radiu
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, canvas.depth.name());
 
+    const auto use = [&](GLuint program) {
+        glUseProgram(program);
+        number(program, "nearest", camera.nearest);
+        number(program, "farthest", camera.farthest);
+        number(program, "radius", radius);
+        glUniform1i(glGetUniformLocation(program, "perspective"), camera.perspective ? 1 : 0);
+        glUniform1i(glGetUniformLocation(program, "depth"), 0);
+    };
     const GLuint gather = gather_program_.name();
-    glUseProgram(gather);
-    number(gather, "nearest", camera.nearest);
-    number(gather, "farthest", camera.farthest);
-    number(gather, "radius", radius);
+    use(gather);
     number(gather, "scale", camera.scale);
-    glUniform1i(glGetUniformLocation(gather, "perspective"), camera.perspective ? 1 : 0);
-    glUniform1i(glGetUniformLocation(gather, "depth"), 0);
     glBindFramebuffer(GL_FRAMEBUFFER, target_.name());
     glDrawArrays(GL_TRIANGLES, 0, 3);
 
     const GLuint blur = blur_program_.name();
-    glUseProgram(blur);
+    use(blur);
     number(blur, "strength", strength);
-    glUniform1i(glGetUniformLocation(blur, "depth"), 0);
     glUniform1i(glGetUniformLocation(blur, "sky"), 1);
     glBindFramebuffer(GL_FRAMEBUFFER, canvas.samples.name());
     glEnable(GL_BLEND);

@@ -142,7 +142,10 @@ double draw_scale_bar(Pen& pen, const Area& area, double pixels_per_metre, const
         const double inside = x == left ? x : x - 2 * u;
         pen.rectangle({inside, bar.top - 4 * u, inside + 2 * u, bar.bottom + 3 * u}, theme.text, 1);
     }
-    const std::string words = fmt::format("{:.12g} {}{}", length * shown.factor, shown.unit, note);
+    // Where there is no room for the note a sign says that the length does not hold everywhere.
+    const std::string plain = fmt::format("{:.12g} {}", length * shown.factor, shown.unit);
+    const bool fits = pen.width(plain + note, Lettering::small) <= room;
+    const std::string words = note.empty() || fits ? plain + note : "\u2248 " + plain;
     pen.text(left, bar.top - 6 * u - line, pen.shortened(words, Lettering::small, room), Lettering::small, Align::left,
              theme.text);
     return length;

@@ -256,7 +256,7 @@ void Painter::Inside::write(const observe::Frame& frame, const PlotLine& plot, c
     content.plot = settings.plot && !plot.label.empty() ? &plot : nullptr;
     content.now = frame.time;
     content.pixels_per_metre = camera.pixels_per_metre(camera.target);
-    content.scale_note = camera.perspective ? " in the middle" : "";
+    content.scale_note = camera.perspective ? " at the centre" : "";
     for (int i = 0; i < 3; ++i) {
         const Vector3d axis = camera.axes.col(i);
         content.axes[static_cast<std::size_t>(i)] = {axis.x(), -axis.y()};

@@ -39,7 +39,8 @@ std::string Pen::writable(const std::string& text) const {
     if (fonts_.complete) {
         return text;
     }
-    constexpr std::array<std::pair<const char*, const char*>, 12> plain{{{"\u2212", "-"},
+    constexpr std::array<std::pair<const char*, const char*>, 13> plain{{{"\u2212", "-"},
+                                                                         {"\u2248", "~"},
                                                                          {"\u207b", "^-"},
                                                                          {"\u2070", "0"},
                                                                          {"\u00b9", "1"},

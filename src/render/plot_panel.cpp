@@ -103,7 +103,7 @@ void draw_plot(Pen& pen, const Area& area, const PlotLine& line, double now, con
     pen.text(area.left, area.top, pen.shortened(name, Lettering::small, area.width()), Lettering::small, Align::left,
              theme.text);
     Area box{area.left, area.top + 1.95 * letter, area.right - 0.6 * letter, area.bottom - 2.45 * letter};
-    const auto along = ticks_in(shown, std::max(2, static_cast<int>(box.height() / (1.4 * letter))));
+    const auto along = ticks_in(shown, std::clamp(static_cast<int>(box.height() / (1.4 * letter)), 2, 6));
     double widest = 0;
     for (const std::string& label : tick_labels(along)) {
         widest = std::max(widest, pen.width(label, Lettering::small));

@@ -16,7 +16,7 @@ Vector3d wall_color() {
     return 255 * find_theme("dark")->wall;
 }
 Vector3d dark() {
-    return 255 * find_theme("dark")->background;
+    return (255 * find_theme("dark")->background).array().round();
 }
 
 double color_distance(const Vector3d& a, const Vector3d& b) {

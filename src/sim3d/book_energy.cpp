@@ -40,6 +40,9 @@ void book_energy(World& world) {
     ledger.lost_sliding += now.lost_sliding;
     ledger.lost_history += now.lost_history;
     ledger.wall_work += now.wall_work;
+    // Bodies that were put in overlapping bring the energy of their contacts along.
+    if (world.step == 1)
+        ledger.inserted += now.stored_normal + now.stored_tangential;
 
     Books& books = world.books;
     books = {};

@@ -20,7 +20,7 @@ struct alignas(32) BodyMotion {
     double velocity[3]; // m/s
     double mass;        // kg
     double spin[3];     // rad/s, world frame
-    double spare;
+    double kick;        // share of a step's kick that is due: 1, and 1/2 in a body's first step, which starts leapfrog
 };
 
 struct alignas(32) BodyLoad {

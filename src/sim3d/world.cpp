@@ -28,14 +28,14 @@ BodyTurn turn_of(const ShapeConstants& shape, const BodyState& state) {
     return turn;
 }
 
-BodyMotion motion_of(const World& world, const ShapeConstants& shape, const BodyState& state) {
+BodyMotion motion_of(const ShapeConstants& shape, const BodyState& state) {
     BodyMotion motion{};
     Eigen::Map<Vector3d>{motion.position} = state.position;
-    // Leapfrog keeps velocities half a step behind; contacts that start deep are not foreseen.
-    Eigen::Map<Vector3d>{motion.velocity} = state.velocity - 0.5 * world.dt * world.scene.gravity;
+    Eigen::Map<Vector3d>{motion.velocity} = state.velocity;
     Eigen::Map<Vector3d>{motion.spin} = state.angular_velocity;
     motion.radius = shape.single ? shape.exposed[3] : 0;
     motion.mass = shape.mass;
+    motion.kick = 0.5;
     return motion;
 }
 
@@ -78,10 +78,9 @@ std::optional<Problem> insert(World& world, const std::vector<BodyState>& bodies
         world.slot_of.push_back(world.bodies());
         world.id.push_back(static_cast<std::int64_t>(world.id.size()));
         world.shape.push_back(state.shape);
-        world.motion.push_back(motion_of(world, shape, state));
+        world.motion.push_back(motion_of(shape, state));
         world.turn.push_back(turn);
-        const Vector3d weight = shape.mass * world.scene.gravity;
-        world.load.push_back({{weight.x(), weight.y(), weight.z(), 0}, {0, 0, 0, 0}});
+        world.load.push_back({});
         world.travel.push_back(0);
         world.ledger.inserted += energy_of(world, shape, state, turn);
     }

@@ -62,8 +62,8 @@ TUMBLE_INLINE Vec spin_of(const double* r, const double* inertia, const Vec& mom
 /// Returns the energy of rotation at the step.
 TUMBLE_INLINE double turn_sphere(BodyMotion& motion, BodyTurn& turn, const Vec& torque, double inertia, double dt) {
     const Vec kick = torque * (dt / inertia);
-    const Vec now = read(motion.spin) + kick * 0.5;
-    const Vec next = read(motion.spin) + kick;
+    const Vec next = read(motion.spin) + kick * motion.kick;
+    const Vec now = next - kick * 0.5;
     write(motion.spin, next);
     turn_by(turn.orientation, next, dt, turn.orientation);
     return 0.5 * inertia * dot(now, now);
@@ -73,8 +73,8 @@ TUMBLE_INLINE double turn_sphere(BodyMotion& motion, BodyTurn& turn, const Vec& 
 /// rule, with the spin that belongs to the momentum at the orientation of half a step later.
 TUMBLE_INLINE double turn_clump(BodyMotion& motion, BodyTurn& turn, const Vec& torque, const double* inertia,
                                 double dt) {
-    const Vec now = read(turn.momentum) + torque * (0.5 * dt);
-    const Vec next = read(turn.momentum) + torque * dt;
+    const Vec next = read(turn.momentum) + torque * (dt * motion.kick);
+    const Vec now = next - torque * (0.5 * dt);
     write(turn.momentum, next);
     const double energy = 0.5 * dot(now, spin_of(turn.rotation, inertia, now));
     double halfway[4];
@@ -101,9 +101,8 @@ IntegrateSums integrate(const IntegrateContext& context) {
 
         const Vec kick = read(load.force) * (dt / motion.mass);
         const Vec position = read(motion.position);
-        const Vec before = read(motion.velocity);
-        const Vec now = before + kick * 0.5;
-        const Vec next = before + kick;
+        const Vec next = read(motion.velocity) + kick * motion.kick;
+        const Vec now = next - kick * 0.5;
         write(motion.velocity, next);
         write(motion.position, position + next * dt);
         sums.kinetic_translation += 0.5 * motion.mass * dot(now, now);
@@ -114,6 +113,7 @@ IntegrateSums integrate(const IntegrateContext& context) {
         sums.kinetic_rotation += shape.single ? turn_sphere(motion, turn, torque, shape.inertia[0], dt)
                                               : turn_clump(motion, turn, torque, shape.inertia, dt);
 
+        motion.kick = 1;
         const Vec spin = read(motion.spin);
         const double speed_squared = dot(next, next);
         const double spin_squared = dot(spin, spin);

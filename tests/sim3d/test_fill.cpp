@@ -1,0 +1,147 @@
+#include "sim3d/sandbox.h"
+
+#include <algorithm>
+#include <string>
+
+using namespace tumble;
+using namespace tumble::sim3d;
+using namespace tumble::sim3d::testing;
+
+namespace {
+
+Sandbox jar() {
+    Sandbox box({"media", 1666, 4.6e7, 0.2887}, {0.67, 0.58}, 1e-5);
+    box.scene.domain.box = {{-0.05, -0.05, -0.05}, {0.05, 0.2, 0.05}};
+    scene::BoxShape walls;
+    walls.box = {Vector3d::Constant(-0.04), {0.04, 0.2, 0.04}};
+    box.wall(walls);
+    return box;
+}
+
+scene::Fill fill_of(int body, std::int64_t count) {
+    scene::Fill fill;
+    fill.body = body;
+    fill.count = count;
+    fill.region = {Vector3d::Constant(-0.05), Vector3d::Constant(0.05)};
+    return fill;
+}
+
+} // namespace
+
+TEST_CASE("a fill places what it is asked for, inside the walls, and nothing overlaps") {
+    Sandbox box = jar();
+    box.scene.fills = {fill_of(box.body({{{0, 0, 0}, 3e-3}, {{4e-3, 0, 0}, 2e-3}}), 150), fill_of(box.ball(3e-3), 150)};
+    auto world = build_world(box.scene, 1);
+    REQUIRE_MESSAGE(world.ok(), to_string(world.problems()));
+    CHECK(bodies_of(**world).size() == 300);
+    CHECK(unfilled(**world).empty());
+    REQUIRE(!advance(**world, 1));
+    CHECK(books_of(**world).contacts == 0);
+    CHECK(books_of(**world).overlap_max == 0);
+}
+
+TEST_CASE("random orientations are spread evenly: the mean direction of 4000 is near zero") {
+    Sandbox box = jar();
+    box.scene.walls.clear();
+    box.scene.fills = {fill_of(box.body({{{0, 0, 0}, 3e-4}, {{4e-4, 0, 0}, 2e-4}}), 4000)};
+    auto world = build_world(box.scene, 1);
+    REQUIRE_MESSAGE(world.ok(), to_string(world.problems()));
+    Vector3d mean = Vector3d::Zero();
+    for (const BodyState& body : bodies_of(**world))
+        mean += body.orientation * Vector3d::UnitX() / 4000;
+    // Each component of a random unit vector has variance 1/3: four standard errors.
+    CHECK(mean.cwiseAbs().maxCoeff() < 4 * std::sqrt(1.0 / 3 / 4000));
+}
+
+TEST_CASE("a mass is turned into the nearest number of bodies") {
+    Sandbox box = jar();
+    const int ball = box.ball(3e-3);
+    scene::Fill fill = fill_of(ball, 1);
+    fill.count.reset();
+    const double one = 4.0 / 3.0 * 3.14159265358979 * 27e-9 * 1666;
+    fill.mass = 40.4 * one;
+    box.scene.fills = {fill};
+    auto world = build_world(box.scene, 1);
+    REQUIRE(world.ok());
+    CHECK(bodies_of(**world).size() == 40);
+}
+
+TEST_CASE("a fill that cannot fit at once is a problem that counts what did not fit") {
+    Sandbox box = jar();
+    box.scene.fills = {fill_of(box.ball(10e-3), 500)};
+    const auto world = build_world(box.scene, 1);
+    REQUIRE(!world.ok());
+    const std::string text = to_string(world.problems());
+    CHECK(text.find("asked for 500 of body 'body0', placed ") != std::string::npos);
+    CHECK(text.find("did not fit") != std::string::npos);
+}
+
+TEST_CASE("a fill spread over time tries again as room falls free, and tells what it still owes") {
+    Sandbox box = jar();
+    box.scene.gravity = {0, -9.81, 0};
+    scene::Fill fill = fill_of(box.ball(5e-3), 400);
+    fill.region = {{-0.04, 0.1, -0.04}, {0.04, 0.19, 0.04}};
+    fill.until = 0.5;
+    fill.every = 0.1;
+    box.scene.fills = {fill};
+    auto world = build_world(box.scene, 1);
+    REQUIRE_MESSAGE(world.ok(), to_string(world.problems()));
+    const std::size_t first = bodies_of(**world).size();
+    CHECK(first > 50);
+    CHECK(first < 400);
+    CHECK(unfilled(**world).size() == 1);
+    auto problem = advance(**world, 25000);
+    REQUIRE_MESSAGE(!problem, (problem ? problem->what : ""));
+    CHECK(bodies_of(**world).size() == 400);
+    CHECK(unfilled(**world).empty());
+}
+
+TEST_CASE("a step above the stable limit is refused with the limit and what to do") {
+    Sandbox box = jar();
+    box.scene.allow_large_step = false;
+    box.scene.time_step = 1e-2;
+    box.scene.fills = {fill_of(box.ball(3e-3), 1)};
+    const auto world = build_world(box.scene, 1);
+    REQUIRE(!world.ok());
+    CHECK(to_string(world.problems()).find("stable limit") != std::string::npos);
+}
+
+TEST_CASE("a body pushed through the wall stops the run with its number, the time and advice") {
+    Sandbox box = jar();
+    box.scene.walls.clear();
+    box.start({placed(box.ball(3e-3), {0, 0, 0}, {0, -2, 0})});
+    const auto problem = advance(*box.world, 10000);
+    REQUIRE(problem);
+    CHECK(problem->what.find("body 0 (body0) left the domain at y = -0.05") != std::string::npos);
+    CHECK(problem->what.find("stopped at t = 0.025") != std::string::npos);
+    CHECK(!problem->fix.empty());
+}
+
+TEST_CASE("spheres that sink into each other by more than a radius stop the run") {
+    Sandbox box({"jelly", 1000, 1e4, 0.3}, {0.5, 0.5}, 1e-5);
+    const int ball = box.ball(5e-3);
+    box.start({placed(ball, {0, 0, 0}, {3, 0, 0}), placed(ball, {0.011, 0, 0}, {-3, 0, 0})});
+    const auto problem = advance(*box.world, 10000);
+    REQUIRE(problem);
+    CHECK(problem->what.find("overlap by") != std::string::npos);
+    CHECK(problem->what.find("body 0 (body0) and body 1 (body0)") != std::string::npos);
+}
+
+TEST_CASE("a body that crosses more than its radius in a step stops the run") {
+    Sandbox box({"media", 1000, 1e8, 0.3}, {0.5, 0.5}, 1e-4);
+    box.start({placed(box.ball(1e-3), {0, 0, 0}, {50, 0, 0})});
+    const auto problem = advance(*box.world, 10);
+    REQUIRE(problem);
+    CHECK(problem->what.find("body 0 (body0) moves at 50 m/s") != std::string::npos);
+}
+
+TEST_CASE("a periodic box too short for a body is refused") {
+    Sandbox box = jar();
+    box.scene.domain.box.hi.x() = -0.045;
+    box.scene.domain.periodic = {true, false, false};
+    box.scene.walls.clear();
+    (void)box.ball(3e-3);
+    const auto world = build_world(box.scene, 1);
+    REQUIRE(!world.ok());
+    CHECK(to_string(world.problems()).find("its own image") != std::string::npos);
+}

@@ -1,0 +1,171 @@
+#include "sim3d/sandbox.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+using namespace tumble;
+using namespace tumble::sim3d;
+using namespace tumble::sim3d::testing;
+
+namespace {
+
+using Triangle = std::array<Vector3d, 3>;
+
+void add_square(std::vector<Triangle>& to, const Vector3d& corner, const Vector3d& u, const Vector3d& v, int cells) {
+    for (int i = 0; i < cells; ++i)
+        for (int k = 0; k < cells; ++k) {
+            const Vector3d a = corner + u * i / cells + v * k / cells;
+            const Vector3d b = a + u / cells;
+            const Vector3d c = a + v / cells;
+            to.push_back({a, b, b + v / cells});
+            to.push_back({a, b + v / cells, c});
+        }
+}
+
+scene::MeshShape mesh_floor(double half, int cells) {
+    scene::MeshShape mesh;
+    add_square(mesh.triangles, {-half, 0, -half}, {0, 0, 2 * half}, {2 * half, 0, 0}, cells);
+    return mesh;
+}
+
+scene::MeshShape mesh_box(double half, int cells) {
+    scene::MeshShape mesh;
+    const double s = 2 * half;
+    const Vector3d lo = Vector3d::Constant(-half);
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double side : {0.0, s}) {
+            Vector3d u = Vector3d::Zero();
+            Vector3d v = Vector3d::Zero();
+            Vector3d corner = lo;
+            u[(axis + 1) % 3] = s;
+            v[(axis + 2) % 3] = s;
+            corner[axis] += side;
+            add_square(mesh.triangles, corner, u, v, cells);
+        }
+    return mesh;
+}
+
+} // namespace
+
+TEST_CASE("a ball that slides over the edges of coplanar triangles feels no jump in force") {
+    Sandbox box({"media", 1666, 4.6e7, 0.2887}, {0.5, 0.3}, 2e-6);
+    box.scene.gravity = {0, -9.81, 0};
+    box.wall(mesh_floor(0.1, 12));
+    const double r = 5e-3;
+    const double mass = 4.0 / 3.0 * std::numbers::pi * r * r * r * 1666;
+    const double E_eff = 4.6e7 / (2 * (1 - 0.2887 * 0.2887));
+    const double sink = std::pow(3 * mass * 9.81 / (4 * E_eff * std::sqrt(r)), 2.0 / 3.0);
+    const double u = 0.5;
+    box.start({placed(box.ball(r), {-0.05, r - sink, 0.0137}, {u, 0, 0.11}, {0.11 / r, 0, -u / r})});
+    double lowest = 1e9;
+    double highest = 0;
+    Vector3d before = box.body_now(0).velocity;
+    for (int step = 0; step < 60000; ++step) {
+        box.run(1);
+        const Vector3d now = box.body_now(0).velocity;
+        const double push = mass * (9.81 + (now.y() - before.y()) / 2e-6);
+        before = now;
+        lowest = std::min(lowest, push);
+        highest = std::max(highest, push);
+    }
+    CHECK(box.body_now(0).position.x() > 0);
+    CHECK(lowest > mass * 9.81 * 0.999);
+    CHECK(highest < mass * 9.81 * 1.001);
+    CHECK(before.x() == doctest::Approx(u).epsilon(1e-3));
+}
+
+TEST_CASE("a ball in a box of triangles flies as in the analytic box") {
+    const auto fly = [](const scene::WallShape& shape) {
+        Sandbox box({"media", 1666, 4.6e7, 0.2887}, {0.8, 0.4}, 2e-6);
+        box.scene.gravity = {0, -9.81, 0};
+        box.wall(shape);
+        box.start({placed(box.ball(4e-3), {0.003, 0.002, -0.004}, {1.1, 0.4, -0.7}, {3, -8, 20})});
+        box.run(100000);
+        return box.body_now(0);
+    };
+    scene::BoxShape analytic;
+    analytic.box = {Vector3d::Constant(-0.03), Vector3d::Constant(0.03)};
+    const BodyState in_box = fly(analytic);
+    for (const int cells : {1, 5}) {
+        const BodyState in_mesh = fly(mesh_box(0.03, cells));
+        CHECK((in_mesh.position - in_box.position).norm() < 1e-6);
+        CHECK((in_mesh.velocity - in_box.velocity).norm() < 1e-4);
+    }
+}
+
+TEST_CASE("a body rests in the corner of three walls with a third of nothing: each wall carries its share") {
+    Sandbox box({"media", 1666, 4.6e7, 0.2887}, {0.2, 0.0}, 5e-6);
+    box.scene.gravity = {-3, -9, -4};
+    scene::BoxShape corner;
+    corner.box = {Vector3d::Zero(), Vector3d::Constant(0.1)};
+    box.wall(corner);
+    const double r = 5e-3;
+    box.start({placed(box.ball(r), Vector3d::Constant(1.05 * r))});
+    box.run(100000);
+    const double mass = 4.0 / 3.0 * std::numbers::pi * r * r * r * 1666;
+    const double E_eff = 4.6e7 / (2 * (1 - 0.2887 * 0.2887));
+    for (int axis = 0; axis < 3; ++axis) {
+        const double weight = mass * std::abs(box.scene.gravity[axis]);
+        const double sink = std::pow(3 * weight / (4 * E_eff * std::sqrt(r)), 2.0 / 3.0);
+        CHECK(box.body_now(0).position[axis] == doctest::Approx(r - sink).epsilon(1e-9));
+    }
+    CHECK(books_of(*box.world).contacts == 3);
+}
+
+TEST_CASE("a shaking floor does the work that the ball gains, by the books") {
+    Sandbox box({"media", 1666, 4.6e7, 0.2887}, {0.7, 0.4}, 2e-6);
+    box.scene.gravity = {0, -9.81, 0};
+    scene::Wall& floor = box.wall(scene::PlaneShape{});
+    floor.motion.harmonics = {{{}, 1, 2e-3, 25, 0.7}, {{}, 0, 1e-3, 25, 2.2}};
+    box.start({placed(box.ball(5e-3), {0, 6e-3, 0})});
+    box.run(300000);
+    const Books books = books_of(*box.world);
+    CHECK(books.wall_work > 0);
+    CHECK(std::abs(books.closure) < 2e-3 * books.wall_work);
+}
+
+TEST_CASE("a rotating disc drags a ball that lies on it along by friction") {
+    Sandbox box({"media", 1666, 4.6e7, 0.2887}, {0.3, 0.8}, 5e-6);
+    box.scene.gravity = {0, -9.81, 0};
+    scene::Wall& disc = box.wall(scene::DiscShape{{0, 0, 0}, {0, 1, 0}, 0.2, 0});
+    disc.motion.rotations.push_back({{}, {0, 0, 0}, {0, 1, 0}, 3.0});
+    const double r = 5e-3;
+    box.start({placed(box.ball(r), {0.05, r, 0})});
+    box.run(2000);
+    // Friction mu g acts along the disc's velocity w x r = -z until the ball rolls.
+    const double time = time_of(*box.world);
+    CHECK(box.body_now(0).velocity.z() < 0);
+    CHECK(box.body_now(0).velocity.z() > -0.8 * 9.81 * time * 1.01);
+    CHECK(books_of(*box.world).wall_work > 0);
+}
+
+TEST_CASE("a body over the border of a periodic box touches what stands on the other side") {
+    Sandbox box({"media", 1666, 4.6e7, 0.2887}, {1.0, 0.0}, 1e-6);
+    box.scene.domain = {{{-0.02, -1, -1}, {0.02, 1, 1}}, {true, false, false}};
+    const int ball = box.ball(4e-3);
+    box.start({placed(ball, {0.0165, 0, 0}, {0.5, 0, 0}), placed(ball, {-0.0150, 0, 0}, {-0.5, 0, 0})});
+    box.run(4000);
+    // Equal masses, head on, elastic: they swap velocities.
+    CHECK(box.body_now(0).velocity.x() == doctest::Approx(-0.5).epsilon(1e-4));
+    CHECK(box.body_now(1).velocity.x() == doctest::Approx(0.5).epsilon(1e-4));
+    CHECK(books_of(*box.world).contacts == 0);
+}
+
+TEST_CASE("two spheres of a clump that straddle the border rest on a periodic mesh floor as on a plane") {
+    const auto rest = [](const scene::WallShape& shape, double x) {
+        Sandbox box({"media", 1666, 4.6e7, 0.2887}, {0.3, 0.5}, 5e-6);
+        box.scene.gravity = {0, -9.81, 0};
+        box.scene.domain = {{{-0.03, -0.1, -0.03}, {0.03, 0.1, 0.03}}, {true, false, false}};
+        const int body = box.body({{{-3e-3, 0, 0}, 3e-3}, {{3e-3, 0, 0}, 3e-3}});
+        box.wall(shape);
+        box.start({placed(body, {x, 3e-3, 0.001})});
+        box.run(60000);
+        return std::pair{box.body_now(0), books_of(*box.world).contacts};
+    };
+    const auto [on_plane, plane_contacts] = rest(scene::PlaneShape{}, 0);
+    const auto [on_mesh, mesh_contacts] = rest(mesh_floor(0.03, 3), 0.0299);
+    CHECK(plane_contacts == 2);
+    CHECK(mesh_contacts == 2);
+    CHECK(on_mesh.position.y() == doctest::Approx(on_plane.position.y()).epsilon(1e-9));
+}

@@ -96,7 +96,7 @@ private:
     }
 
     void wrong_form(const Node& node, const KeyTable& spec, const std::string& path) {
-        report_.add(node.place, path, fmt::format("'{}' is {}", path, kind_of(node)),
+        report_.add(node.place, path, fmt::format("'{}' is {}", excerpt(path), kind_of(node)),
                     "write it as a table " + spec.head);
         report_.distrust(node);
     }
@@ -132,7 +132,7 @@ private:
         else
             fix = fmt::format("its keys are {}", fmt::join(candidates, ", "));
         report_.add(entry.place, join(path, entry.name),
-                    fmt::format("{} has no key '{}'", name_of_table(spec, path), entry.name), fix);
+                    fmt::format("{} has no key '{}'", name_of_table(spec, path), excerpt(entry.name)), fix);
         return nearest.value_or("");
     }
 
@@ -214,10 +214,10 @@ std::string name_of_table(const KeyTable& table, const std::string& path) {
     if (table.path.empty())
         return "the scene";
     if (table.repeat != Repeat::many)
-        return "[" + path + "]";
+        return "[" + excerpt(path) + "]";
     const std::string last = path.substr(path.rfind('.') + 1);
     const bool numbered = last.find_first_not_of("0123456789") == std::string::npos;
-    return numbered ? table.head : fmt::format("{} '{}'", table.head, last);
+    return numbered ? table.head : fmt::format("{} '{}'", table.head, excerpt(last));
 }
 
 void check_keys(const Node& root, Report& report) {

@@ -65,7 +65,7 @@ private:
             return true;
         std::string fix = did_you_mean(word, key_.words);
         fix += fix.empty() ? "" : "  ";
-        report_.add(node.place, path_, fmt::format("'{}' cannot be \"{}\"", key_.name, word),
+        report_.add(node.place, path_, fmt::format("'{}' cannot be \"{}\"", key_.name, excerpt(word)),
                     fix + "write " + describe(key_));
         return false;
     }

@@ -34,7 +34,8 @@ Result<Node> parse_value(const std::string& value, const Place& place) {
     const bool looks_like_toml =
         first != std::string::npos && std::string_view("[{\"'").find(value[first]) != std::string::npos;
     if (!single && looks_like_toml)
-        return problem_at(place, "", fmt::format("'{}' is not a TOML value", value), "check its brackets and quotes");
+        return problem_at(place, "", fmt::format("'{}' is not a TOML value", excerpt(value)),
+                          "check its brackets and quotes");
     Node node = single ? root->entries[0].node : Node{place, value};
     relocate(node, place);
     return node;

@@ -108,7 +108,7 @@ void resolve_bodies(const View& root, const Resolving& to) {
         BodyTemplate body;
         body.name = named.name;
         if (named.name.empty() || named.name.find('.') != std::string::npos)
-            to.report.add(named.place, view.path(), fmt::format("a body cannot be called '{}'", named.name),
+            to.report.add(named.place, view.path(), fmt::format("a body cannot be called '{}'", excerpt(named.name)),
                           "use a name without dots");
         body.material = material_of(view, to).value_or(0);
         body.spheres = resolve_spheres(view, to);
@@ -133,7 +133,7 @@ void resolve_fills(const View& root, const Resolving& to) {
         if (view.given("body")) {
             const auto body = body_named(to.scene, view.text("body"));
             if (!body)
-                to.refuse(view, "body", fmt::format("there is no body '{}'", view.text("body")),
+                to.refuse(view, "body", fmt::format("there is no body '{}'", excerpt(view.text("body"))),
                           suggest_body(view.text("body"), to.scene));
             fill.body = body.value_or(0);
         }

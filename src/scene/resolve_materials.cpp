@@ -45,7 +45,8 @@ void resolve_pair(const NamedView& named, const Resolving& to, std::map<std::pai
     const View& view = named.view;
     const auto dash = named.name.find('-');
     if (dash == std::string::npos) {
-        to.report.add(named.place, view.path(), fmt::format("'{}' names one material, a pair needs two", named.name),
+        to.report.add(named.place, view.path(),
+                      fmt::format("'{}' names one material, a pair needs two", excerpt(named.name)),
                       fmt::format("write [pair.{0}-{0}], or another second name", named.name));
         return;
     }
@@ -121,7 +122,8 @@ std::optional<int> material_of(const View& view, const Resolving& to) {
     const std::string name = view.text("material");
     const auto index = index_of(to.scene, name);
     if (!index)
-        to.refuse(view, "material", fmt::format("there is no material '{}'", name), suggest_material(name, to.scene));
+        to.refuse(view, "material", fmt::format("there is no material '{}'", excerpt(name)),
+                  suggest_material(name, to.scene));
     return index;
 }
 
@@ -130,7 +132,8 @@ void resolve_materials(const View& root, const Resolving& to) {
     for (const NamedView& named : root.children("material")) {
         const View& view = named.view;
         if (!is_plain_name(named.name))
-            to.report.add(named.place, view.path(), fmt::format("a material cannot be called '{}'", named.name),
+            to.report.add(named.place, view.path(),
+                          fmt::format("a material cannot be called '{}'", excerpt(named.name)),
                           "use letters, digits and _ only; '-' stands between the two names of a pair");
         contact::Material material;
         material.name = named.name;

@@ -1,3 +1,4 @@
+#include "base/text.h"
 #include "scene/keys.h"
 #include "scene/read_stl.h"
 #include "scene/resolve.h"
@@ -180,9 +181,11 @@ void resolve_walls(const View& root, const Resolving& to) {
         Wall wall;
         wall.name = view.text("name");
         if (view.given("name") && (wall.name.empty() || wall.name.find('.') != std::string::npos))
-            to.refuse(view, "name", fmt::format("a wall cannot be called '{}'", wall.name), "use a name without dots");
+            to.refuse(view, "name", fmt::format("a wall cannot be called '{}'", excerpt(wall.name)),
+                      "use a name without dots");
         else if (view.given("name") && !names.insert(wall.name).second)
-            to.refuse(view, "name", fmt::format("there are two walls '{}'", wall.name), "give each its own name");
+            to.refuse(view, "name", fmt::format("there are two walls '{}'", excerpt(wall.name)),
+                      "give each its own name");
         wall.material = material_of(view, to).value_or(0);
         wall.opacity = view.number("opacity");
         wall.shape = resolve_shape(view, to);

@@ -12,6 +12,7 @@ from . import liggghts, programs
 from .replay import cone, oblique, turn, two_spheres
 
 ANGLES = (5, 10, 15, 20, 25, 30, 35, 40, 45, 50, 60, 70, 80)
+FINE_POINTS = 10**8  # of a clump's mass in LIGGGHTS, for figures that are kept
 MATTER = ("density", "E", "nu", "Ew", "nuw", "e", "mu", "g", "dt", "nstep", "every")
 
 
@@ -128,12 +129,13 @@ def scales(P, found):
 
 
 def apart(ours, theirs):
-    """Largest difference of position, velocity and spin at any step, each over its largest change (LIGGGHTS)."""
+    """Largest difference of displacement, velocity and spin at any step, each over its largest change (LIGGGHTS)."""
     steps = min(len(ours), len(theirs))
+    ours, theirs = (np.concatenate([m[:steps, :, :3] - m[:1, :, :3], m[:steps, :, 3:]], axis=2) for m in (ours, theirs))
     out = {}
-    for name, part in (("position", np.s_[:, :, :3]), ("velocity", np.s_[:, :, 3:6]), ("spin", np.s_[:, :, 6:9])):
-        change = np.abs(theirs[:steps][part] - theirs[:1][part]).max()
-        difference = np.abs(ours[:steps][part] - theirs[:steps][part]).max()
+    for name, part in (("displacement", np.s_[:, :, :3]), ("velocity", np.s_[:, :, 3:6]), ("spin", np.s_[:, :, 6:9])):
+        change = np.abs(theirs[part] - theirs[:1][part]).max()
+        difference = np.abs(ours[part] - theirs[part]).max()
         out[name] = difference / change if change > 1e-9 else difference
     return out
 
@@ -147,7 +149,7 @@ def save_reference(case, rows):
     columns = list(dict.fromkeys(k for row in rows for k in row["peer"]))
     with open(reference_file(case), "w", newline="") as out:
         out.write(f"# {liggghts.version()}, bench/decks/{rows[0]['deck']}, {date.today()}; inputs: runs(\"{case}\") in "
-                  "bench/sidebyside/singles.py\n")
+                  f"bench/sidebyside/singles.py{', ntry 1e8' if case == 'clump' else ''}\n")
         writer = csv.writer(out)
         writer.writerow(["run", *columns])
         for row in rows:
@@ -163,11 +165,12 @@ def saved_reference(case):
         return {row.pop("run"): {k: float(v) for k, v in row.items() if v} for row in rows}
 
 
-def compare(case, peer_only=False):
-    """One row per run: figures of both, their differences, and how far the motions are apart at any step. A program
+def compare(case, peer_only=False, fine=False):
+    """One row per run (fine: LIGGGHTS weighs its clumps with 1e8 points, minutes each): figures of both, their differences, and how far the motions are apart at any step. A program
     that is missing leaves its part out and is named in "problem"; the saved figures then stand for LIGGGHTS."""
     rows, saved = [], saved_reference(case)
     for name, deck, P in runs(case):
+        P = {**P, "ntry": FINE_POINTS} if fine and deck == "clump.in" else P
         row = {"run": name, "deck": deck, "problem": []}
         theirs = start = None
         try:

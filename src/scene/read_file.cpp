@@ -22,7 +22,7 @@ Result<std::string> read_file(const std::filesystem::path& path, std::size_t cap
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
     if (!std::filesystem::exists(status))
-        return refused("there is no such file", "check the name; relative names start at the scene file's folder");
+        return refused("there is no such file", "check the name; this is where it was looked for");
     if (std::filesystem::is_directory(status))
         return refused("this is a folder, not a file", "name a file inside it");
     if (std::filesystem::is_regular_file(status)) {

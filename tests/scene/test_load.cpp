@@ -186,3 +186,18 @@ TEST_CASE("all problems of a scene come at once, in the order of its lines") {
         lines.push_back(problem.line);
     CHECK(lines == std::vector<int>{17, 19, 21, 22}); // no material, 'shap', every_s, [colour]
 }
+
+TEST_CASE("a scene that is not there, is a folder or never ends is refused with its name") {
+    const auto refusal = [](const char* file) { return to_string(load_scene(file).problems()); };
+    CHECK(refusal("no/such.toml") == "no/such.toml: there is no such file\n"
+                                     "    check the name; this is where it was looked for\n");
+    CHECK(refusal("/") == "/: this is a folder, not a file\n    name a file inside it\n");
+    CHECK(refusal("/dev/zero") == "/dev/zero: the file has more than the 16 MiB that are read\n"
+                                  "    split it or leave out what is not needed\n");
+}
+
+TEST_CASE("bytes that are no text are refused by line, not by a crash") {
+    const auto scene = load_scene_text(std::string("title = \"\xff\xfe\"\n\0\1", 14), "odd.toml");
+    REQUIRE(!scene);
+    CHECK(scene.problems()[0].line == 1);
+}

@@ -112,7 +112,7 @@ int ChildProcess::wait(std::chrono::milliseconds limit) {
 }
 
 std::string ChildProcess::printed() const {
-    constexpr off_t most = 4096;
+    constexpr off_t most = 256 * 1024;
     const off_t size = output_ >= 0 ? ::lseek(output_, 0, SEEK_END) : 0;
     if (size <= 0) {
         return {};

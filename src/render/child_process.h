@@ -30,7 +30,7 @@ public:
     /// Ends its input and waits. Its exit status; -1 when it was killed by a signal or did not end in time.
     int wait(std::chrono::milliseconds limit);
 
-    /// The last part (4 KiB) of what it printed to either stream so far.
+    /// What it printed to either stream so far; of very much the last 256 KiB.
     [[nodiscard]] std::string printed() const;
 
 private:

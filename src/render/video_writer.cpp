@@ -112,8 +112,10 @@ VideoWriter::~VideoWriter() = default;
 
 Result<Done> VideoWriter::Inside::encoder_stopped() {
     encoder->wait(5s);
-    const std::string words = excerpt(trimmed(encoder->printed()), 300);
-    const bool full = words.find("No space left") != std::string::npos;
+    const std::string printed = encoder->printed();
+    // The first line names the cause, the others what came of it.
+    const std::string words = excerpt(split(trimmed(printed), '\n').front(), 300);
+    const bool full = printed.find("No space left") != std::string::npos;
     return fail({.file = file.string(),
                  .what = "ffmpeg stopped writing the video" + (words.empty() ? "" : ": " + words),
                  .fix = full ? "free some space, or write to another disk; PNG frames are not touched by this"

@@ -77,6 +77,10 @@ TEST_CASE("a video has all its frames, even sides and square 4:2:0 pixels") {
     CHECK(folder.files() == 1);
     CHECK(probed(file, "width,height,pix_fmt,nb_read_frames") == "160,90,yuv420p,30");
     CHECK(probed(file, "r_frame_rate") == "25/1");
+    ChildProcess asked({"ffmpeg", "-hide_banner", "-encoders"});
+    CHECK(asked.wait(20s) == 0);
+    const bool h264 = asked.printed().find(" libx264 ") != std::string::npos;
+    CHECK(probed(file, "codec_name") == (h264 ? "h264" : "mpeg4"));
 }
 
 TEST_CASE("a missing ffmpeg is reported with how to install it and that PNG frames stay") {

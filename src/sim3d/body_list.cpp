@@ -79,16 +79,27 @@ void clear(Chunk& chunk) {
     chunk.sphere_primitives.clear();
 }
 
+// What touched a step ago has moved by no more than the fastest bodies since; looking up the rest would take long.
+bool may_remember(const World& world, int a, int b, int image) {
+    const BodyMotion& body_a = world.motion[static_cast<std::size_t>(a)];
+    const BodyMotion& body_b = world.motion[static_cast<std::size_t>(b)];
+    const Vector3d d = Vector3d(body_a.position) - Vector3d(body_b.position) -
+                       Vector3d(world.images[static_cast<std::size_t>(image)].data());
+    const double reach = body_a.radius + body_b.radius + 2.001 * world.books.speed_max * world.dt;
+    return d.squaredNorm() < reach * reach;
+}
+
 void add_sphere_pair(const World& world, Chunk& chunk, const KeptMemory& kept, int a, int b, int image) {
     const auto id_a = world.id[static_cast<std::size_t>(a)];
     const auto id_b = world.id[static_cast<std::size_t>(b)];
     MemoryLanes memory{};
     bool touching = false;
-    for (const KeptPair& old : kept.of_pair(std::min(id_a, id_b)))
-        if (old.second == std::max(id_a, id_b)) {
-            memory = id_a < id_b ? old.memory : mirrored(old.memory);
-            touching = true;
-        }
+    if (may_remember(world, a, b, image))
+        for (const KeptPair& old : kept.of_pair(std::min(id_a, id_b)))
+            if (old.second == std::max(id_a, id_b)) {
+                memory = id_a < id_b ? old.memory : mirrored(old.memory);
+                touching = true;
+            }
     chunk.sphere_pairs.push_back({a, b, static_cast<std::int16_t>(image),
                                   static_cast<std::int16_t>(world.kind_of(a, world.shape_at(b).material))});
     chunk.sphere_memory.push_back(memory);

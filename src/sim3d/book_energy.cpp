@@ -33,6 +33,7 @@ double closure_of(const Books& b) {
 } // namespace
 
 void book_energy(World& world) {
+    ++world.step;
     const ContactSums now = add(world);
     Ledger& ledger = world.ledger;
     ledger.lost_normal_damping += now.lost_normal_damping;

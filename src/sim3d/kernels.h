@@ -28,11 +28,10 @@ struct alignas(32) BodyLoad {
     double torque[4]; // N m about the centre of mass
 };
 
-struct alignas(32) BodyTurn {
+struct alignas(64) BodyTurn {
     double orientation[4]; // w x y z, principal frame to world
-    double momentum[4];    // kg m2/s, angular, world frame; only clumps
+    double momentum[3];    // kg m2/s, angular, world frame; only clumps
     double rotation[9];    // row-major matrix of orientation; only clumps
-    double spare[3];
 };
 
 struct ShapeConstants {

@@ -6,17 +6,27 @@
 
 namespace tumble::sim3d {
 
-/// Runs one verb of the step and adds its wall time to the world's account of that name.
-inline void timed(World& world, const char* name, void (*verb)(World&)) {
-    const auto start = std::chrono::steady_clock::now();
+/// Adds the wall time from its making to its end to one phase of an account.
+class Stopwatch {
+public:
+    Stopwatch(PhaseSeconds& seconds, Phase phase) : seconds_(seconds[static_cast<std::size_t>(phase)]) {}
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+    ~Stopwatch() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+private:
+    double& seconds_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Runs one verb of the step on the whole world, or on one chunk, and accounts for its time.
+inline void timed(Phase phase, void (*verb)(World&), World& world) {
+    const Stopwatch watch(world.seconds, phase);
     verb(world);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    for (PhaseTime& phase : world.phases)
-        if (phase.name == name) {
-            phase.seconds += seconds;
-            return;
-        }
-    world.phases.push_back({name, seconds});
+}
+inline void timed(Phase phase, void (*verb)(World&, Chunk&), World& world, Chunk& chunk) {
+    const Stopwatch watch(chunk.seconds, phase);
+    verb(world, chunk);
 }
 
 /// Calls task(chunk) for every chunk, on all threads.

@@ -1,4 +1,3 @@
-#include "sim3d/phase.h"
 #include "sim3d/step.h"
 
 namespace tumble::sim3d {
@@ -35,7 +34,9 @@ void post(const World& world, Chunk& chunk, const PushContext& context) {
     }
 }
 
-void push_chunk(World& world, Chunk& chunk) {
+} // namespace
+
+void push_contacts(World& world, Chunk& chunk) {
     chunk.sums.contacts = {};
     chunk.sums.contacts.lost_history = chunk.dropped_history;
     for (auto& letters : chunk.outbox)
@@ -63,23 +64,16 @@ void push_chunk(World& world, Chunk& chunk) {
     }
 }
 
-void collect(World& world, std::size_t receiver) {
+void collect_pushes(World& world, Chunk& chunk) {
+    const auto own = static_cast<std::size_t>(&chunk - world.chunks.data());
     for (const Chunk& sender : world.chunks)
-        for (const ForeignPush& push : sender.outbox[receiver]) {
+        for (const ForeignPush& push : sender.outbox[own]) {
             BodyLoad& load = world.load[static_cast<std::size_t>(push.body)];
             for (int axis = 0; axis < 3; ++axis) {
                 load.force[axis] += push.force[axis];
                 load.torque[axis] += push.torque[axis];
             }
         }
-}
-
-} // namespace
-
-void push_contacts(World& world) {
-    for_chunks(world, [&](Chunk& chunk) { push_chunk(world, chunk); });
-    world.crew.share(static_cast<int>(world.chunks.size()),
-                     [&](int receiver) { collect(world, static_cast<std::size_t>(receiver)); });
 }
 
 } // namespace tumble::sim3d

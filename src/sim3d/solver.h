@@ -69,7 +69,7 @@ std::vector<scene::WallPose> walls_of(const World& world);
 /// What a fill still owes after its last attempt: "asked for 300 cones, placed 212; ...". Empty when all is in.
 std::vector<std::string> unfilled(const World& world);
 
-/// Seconds of wall time spent per phase since the world was built, in the order of the step's verbs.
+/// Seconds spent per phase since the world was built, summed over threads, in the order of the step's verbs.
 struct PhaseTime {
     std::string name;
     double seconds = 0;

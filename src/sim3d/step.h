@@ -8,17 +8,23 @@ namespace tumble::sim3d {
 /// t + dt/2 and positions to t + dt.
 void step(World& world);
 
-/// Keeps the lists of what may soon touch: bodies near bodies and walls, then spheres near spheres.
-void find_candidates(World& world);
-/// Starts every body's load: its weight, no torque.
-void push_gravity(World& world);
+/// Walls to their poses at t.
+void move_walls(World& world);
+/// Keeps the lists of bodies near bodies and of bodies near walls; makes them anew when they are worn.
+void list_neighbours(World& world);
+/// Keeps the lists of spheres that may soon touch, for pairs that have travelled too far since they were looked at.
+void find_candidates(World& world, Chunk& chunk);
+/// Starts the load of each of the chunk's bodies: its weight, no torque.
+void push_gravity(World& world, Chunk& chunk);
 /// Which candidates overlap now, and where.
-void touch_candidates(World& world);
-/// The law's force on every touching pair, handed to both bodies.
-void push_contacts(World& world);
+void touch_candidates(World& world, Chunk& chunk);
+/// The law's force on every touching pair, to the chunk's own bodies at once, to others' by letter.
+void push_contacts(World& world, Chunk& chunk);
+/// Opens the letters from other chunks, in their order.
+void collect_pushes(World& world, Chunk& chunk);
 /// Velocities, then positions; orientation likewise.
-void integrate(World& world);
-/// Adds up every chunk's account of the step.
+void integrate(World& world, Chunk& chunk);
+/// Adds up every chunk's account of the step and lets time pass.
 void book_energy(World& world);
 
 } // namespace tumble::sim3d

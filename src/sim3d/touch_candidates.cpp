@@ -1,4 +1,3 @@
-#include "sim3d/phase.h"
 #include "sim3d/refresh.h"
 #include "sim3d/step.h"
 
@@ -182,13 +181,11 @@ void touch_walls(const World& world, Chunk& chunk) {
 
 } // namespace
 
-void touch_candidates(World& world) {
-    for_chunks(world, [&](Chunk& chunk) {
-        chunk.dropped_history = 0;
-        touch_spheres(world, chunk);
-        touch_bodies(world, chunk);
-        touch_walls(world, chunk);
-    });
+void touch_candidates(World& world, Chunk& chunk) {
+    chunk.dropped_history = 0;
+    touch_spheres(world, chunk);
+    touch_bodies(world, chunk);
+    touch_walls(world, chunk);
 }
 
 } // namespace tumble::sim3d

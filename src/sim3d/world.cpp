@@ -141,7 +141,14 @@ std::vector<scene::WallPose> walls_of(const World& world) {
 }
 
 std::vector<PhaseTime> phase_times(const World& world) {
-    return world.phases;
+    std::vector<PhaseTime> phases;
+    for (std::size_t k = 0; k < phase_names.size(); ++k) {
+        double seconds = world.seconds[k];
+        for (const Chunk& chunk : world.chunks)
+            seconds += chunk.seconds[k];
+        phases.push_back({phase_names[k], seconds});
+    }
+    return phases;
 }
 
 } // namespace tumble::sim3d

@@ -76,6 +76,23 @@ struct Sums {
     IntegrateSums motion{0, 0, 0, 0, 0, 0, true};
 };
 
+/// The step's verbs, for the account of where the time goes.
+enum class Phase {
+    move_walls,
+    list_neighbours,
+    find_candidates,
+    push_gravity,
+    touch_candidates,
+    push_contacts,
+    collect_pushes,
+    integrate,
+    book_energy
+};
+constexpr std::array<const char*, 9> phase_names{"move_walls",       "list_neighbours", "find_candidates",
+                                                 "push_gravity",     "touch_candidates", "push_contacts",
+                                                 "collect_pushes",   "integrate",        "book_energy"};
+using PhaseSeconds = std::array<double, phase_names.size()>;
+
 /// A contiguous range of slots and everything that its bodies own.
 struct Chunk {
     int begin = 0;
@@ -103,6 +120,7 @@ struct Chunk {
     std::vector<int> found;                       // room for the kernels
     double dropped_history = 0;                   // J forgotten by contacts that ended in this step
     Sums sums;
+    PhaseSeconds seconds{};
 };
 
 struct WallState {
@@ -172,7 +190,7 @@ struct World {
     Books books;
     const Kernels* kernels = nullptr;
     Crew crew;
-    std::vector<PhaseTime> phases;
+    PhaseSeconds seconds{};
 
     explicit World(int threads) : crew(threads) {}
     [[nodiscard]] int bodies() const { return static_cast<int>(id.size()); }

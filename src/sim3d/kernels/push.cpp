@@ -47,6 +47,19 @@ TUMBLE_INLINE void put3(double (*rows)[group], int lane, const double* from) {
     rows[2][lane] = from[2];
 }
 
+// Which body comes next is known long before it is needed, but not to the processor.
+constexpr int ahead = 24;
+
+TUMBLE_INLINE void fetch(const void* line) {
+    __builtin_prefetch(line, 1);
+}
+
+TUMBLE_INLINE void fetch_body(const PushContext& context, int body) {
+    fetch(&context.motion[body]);
+    fetch(context.motion[body].spin);
+    fetch(&context.load[body]);
+}
+
 enum class Kind { spheres, bodies, walls };
 
 struct PackSums {
@@ -190,6 +203,11 @@ template <class ThisLaw> struct Pusher {
             const int n = count - first < group ? count - first : group;
             for (int lane = 0; lane < n; ++lane) {
                 const int p = which[first + lane];
+                if (first + lane + ahead < count) {
+                    const int next = which[first + lane + ahead];
+                    fetch_body(context, pairs[next].b);
+                    fetch(&memory[next]);
+                }
                 const BodyMotion& a = context.motion[pairs[p].a];
                 const BodyMotion& b = context.motion[pairs[p].b];
                 const double* image = context.images[pairs[p].image];

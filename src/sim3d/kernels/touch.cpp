@@ -4,9 +4,11 @@ namespace tumble::sim3d::TUMBLE_ISA {
 
 int touch_spheres(const BodyMotion* motion, const SpherePair* pairs, int count, const double (*images)[3],
                   const std::uint8_t* was, int* found) {
+    constexpr int ahead = 24; // which body comes next is known long before the processor could guess it
     int n = 0;
     for (int p = 0; p < count; ++p) {
         const SpherePair pair = pairs[p];
+        __builtin_prefetch(&motion[pairs[p + ahead < count ? p + ahead : p].b]);
         const BodyMotion& a = motion[pair.a];
         const BodyMotion& b = motion[pair.b];
         const double* image = images[pair.image];

@@ -104,6 +104,7 @@ std::string describe(const KeyDefault& standard) {
         std::string operator()(const std::string& text) const { return '"' + text + '"'; }
         std::string operator()(const std::vector<double>& numbers) const {
             std::vector<std::string> parts;
+            parts.reserve(numbers.size());
             for (const double number : numbers)
                 parts.push_back(shortest(number));
             return fmt::format("[{}]", fmt::join(parts, ", "));

@@ -1,0 +1,74 @@
+#include "cli/command.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/progress_line.h"
+#include "cli/stop_flag.h"
+#include "cli/time_range.h"
+#include "run/redraw.h"
+
+#include <fmt/format.h>
+#include <memory>
+
+namespace tumble::cli {
+
+namespace {
+
+struct ExportArguments {
+    std::filesystem::path run;
+    run::ExportOptions options;
+    std::string time;
+    bool quiet = false;
+    bool json = false;
+};
+
+int export_it(ExportArguments& arguments) {
+    run::ExportOptions& options = arguments.options;
+    if (options.paraview.empty() && options.text_dump.empty())
+        return refuse({{.what = "nothing to export to", .fix = "give --vtk DIR, --dump FILE or both"}}, arguments.json,
+                      wrong);
+    if (const auto problem = read_time_range(arguments.time, options.when.from, options.when.to))
+        return refuse({*problem}, arguments.json, wrong);
+    options.when.stop = &watch_for_stop();
+    ProgressLine line(arguments.quiet);
+    const auto done =
+        run::export_run(arguments.run, options, [&](std::int64_t n, std::int64_t all) { line.frames(n, all); });
+    line.end();
+    if (!done)
+        return refuse(done.problems(), arguments.json, wrong);
+    for (const std::string& warning : done->warnings)
+        if (!arguments.quiet)
+            note("warning: " + warning);
+    if (arguments.json)
+        say_json(nlohmann::ordered_json{{"frames", done->frames},
+                                        {"first_s", done->first},
+                                        {"last_s", done->last},
+                                        {"stopped", done->stopped},
+                                        {"vtk", options.paraview.string()},
+                                        {"dump", options.text_dump.string()},
+                                        {"warnings", done->warnings}});
+    else if (!arguments.quiet)
+        say(fmt::format("{} from t = {:.4g} to {:.4g} s", counted(done->frames, "frame", "frames"), done->first,
+                        done->last));
+    return done->stopped ? stop_code() : static_cast<int>(fine);
+}
+
+} // namespace
+
+void add_export_command(CLI::App& program, Action& action) {
+    CLI::App* command = program.add_subcommand("export", "  tumble export out/drop --vtk drop-paraview\n\n"
+                                                         "Writes the frames of a run for other tools.");
+    const auto arguments = std::make_shared<ExportArguments>();
+    command->add_option("RUN", arguments->run, "Folder of a run")->required();
+    command->add_option("--vtk", arguments->options.paraview, "Folder for ParaView's VTP and PVD files")
+        ->type_name("DIR");
+    command->add_option("--dump", arguments->options.text_dump, "LIGGGHTS-style text file of all spheres")
+        ->type_name("FILE");
+    command->add_option("--time", arguments->time, "Only frames from A to B, s; either may be missing")
+        ->type_name("A:B");
+    command->add_flag("--force", arguments->options.overwrite, "Replace what is there");
+    command->add_flag("--quiet", arguments->quiet, "No progress, no warnings on stderr");
+    command->add_flag("--json", arguments->json, "Print the result as JSON");
+    command->callback([arguments, &action] { action = [arguments] { return export_it(*arguments); }; });
+}
+
+} // namespace tumble::cli

@@ -1,0 +1,132 @@
+#include "cli/command.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "observe/measures.h"
+#include "scene/keys.h"
+#include "scene/load.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <memory>
+
+namespace tumble::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct ListArguments {
+    std::string what;
+    fs::path folder = "scenes";
+    bool json = false;
+};
+
+/// Rows of objects: as JSON, or the named members as columns.
+int show(const Json& items, const std::vector<std::string>& members, bool json) {
+    if (json) {
+        say_json(items);
+        return fine;
+    }
+    std::vector<std::vector<std::string>> rows;
+    for (const Json& item : items) {
+        std::vector<std::string> row;
+        for (const std::string& member : members)
+            row.push_back(item[member].get<std::string>());
+        rows.push_back(std::move(row));
+    }
+    say(table(rows));
+    return fine;
+}
+
+int list_scenes(const ListArguments& arguments) {
+    std::error_code error;
+    std::vector<fs::path> files;
+    for (fs::directory_iterator entry(arguments.folder, error), end; !error && entry != end; entry.increment(error))
+        if (entry->path().extension() == ".toml")
+            files.push_back(entry->path());
+    if (error)
+        return refuse({{.file = arguments.folder.string(),
+                        .what = "cannot be read: " + error.message(),
+                        .fix = "give the folder with scene files: tumble list scenes DIR"}},
+                      arguments.json, wrong);
+    std::sort(files.begin(), files.end());
+    Json items = Json::array();
+    for (const fs::path& file : files) {
+        const Result<scene::Scene> scene = scene::load_scene(file);
+        items.push_back({{"file", file.string()},
+                         {"title", scene ? scene->title : "(cannot be read; tumble check says why)"},
+                         {"claim", scene ? scene->claim : ""}});
+    }
+    return show(items, {"file", "title"}, arguments.json);
+}
+
+/// What a pair of words in [contact] selects; the words themselves come from the key list.
+std::string law_sentence(const std::string& key, const std::string& word) {
+    if (word == "hertz")
+        return "Hertz contact with damping by restitution (Tsuji et al. 1992)";
+    if (word == "mindlin")
+        return "Mindlin spring with history, capped by Coulomb friction";
+    if (word == "linear")
+        return key == "normal" ? "spring and dashpot of constant stiffness"
+                               : "spring of constant stiffness with history";
+    return word == "none" ? "no tangential force" : "";
+}
+
+int list_laws(const ListArguments& arguments) {
+    Json items = Json::array();
+    if (const scene::KeyTable* contact = scene::find_table("contact"))
+        for (const scene::Key& key : contact->keys)
+            for (const std::string& word : key.words)
+                items.push_back(
+                    {{"key", "contact." + key.name}, {"law", word}, {"sentence", law_sentence(key.name, word)}});
+    return show(items, {"key", "law", "sentence"}, arguments.json);
+}
+
+int list_measures(const ListArguments& arguments) {
+    Json items = Json::array();
+    for (const observe::Measure& measure : observe::all_measures())
+        items.push_back({{"name", measure.name},
+                         {"group", measure.group},
+                         {"unit", measure.unit},
+                         {"column", measure.column()},
+                         {"sentence", measure.sentence}});
+    return show(items, {"column", "group", "sentence"}, arguments.json);
+}
+
+int list_keys(const ListArguments& arguments) {
+    Json items = Json::array();
+    for (const scene::KeyTable& keys : scene::scene_keys())
+        for (const scene::Key& key : keys.keys)
+            items.push_back({{"table", keys.head},
+                             {"key", key.name},
+                             {"type", scene::describe(key)},
+                             {"unit", key.unit},
+                             {"default", key.required ? "required" : scene::describe(key.standard)},
+                             {"sentence", key.sentence}});
+    return show(items, {"table", "key", "default", "sentence"}, arguments.json);
+}
+
+} // namespace
+
+void add_list_command(CLI::App& program, Action& action) {
+    CLI::App* command = program.add_subcommand("list", "  tumble list measures\n\n"
+                                                       "Lists what can be named: scenes, laws, measures, keys.");
+    const auto arguments = std::make_shared<ListArguments>();
+    command->add_option("WHAT", arguments->what, "scenes, laws, measures or keys")
+        ->required()
+        ->check(CLI::IsMember({"scenes", "laws", "measures", "keys"}));
+    command->add_option("DIR", arguments->folder, "Folder with scenes; scenes/ without it");
+    command->add_flag("--json", arguments->json, "Print the list as JSON");
+    command->callback([arguments, &action] {
+        action = [arguments] {
+            const std::string& what = arguments->what;
+            return what == "scenes"     ? list_scenes(*arguments)
+                   : what == "laws"     ? list_laws(*arguments)
+                   : what == "measures" ? list_measures(*arguments)
+                                        : list_keys(*arguments);
+        };
+    });
+}
+
+} // namespace tumble::cli

@@ -1,0 +1,95 @@
+#include "cli/progress_line.h"
+
+#include "base/text.h"
+#include "cli/console.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace tumble::cli {
+
+namespace {
+
+constexpr double redraw_every = 0.1;     // s, on a terminal
+constexpr double first_line_after = 5;   // s, elsewhere
+constexpr double lines_stretch_by = 1.3; // each line comes when so many times the time of the last one has passed
+
+std::size_t terminal_width() {
+    winsize size{};
+    return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 20 ? size.ws_col : 80;
+}
+
+std::string bar(double share) {
+    constexpr int width = 20;
+    const int full = static_cast<int>(share * width);
+    const bool color = stderr_takes_color();
+    return fmt::format("{}{}{}{}{}", color ? "\033[36m" : "", std::string(static_cast<std::size_t>(full), '#'),
+                       color ? "\033[90m" : "", std::string(static_cast<std::size_t>(width - full), '-'),
+                       color ? "\033[0m" : "");
+}
+
+std::string in_words(const run::Progress& now) {
+    const double kinetic = now.books.kinetic_translation + now.books.kinetic_rotation;
+    return fmt::format("t = {:.4g} of {:.4g} s, {} bodies, {:.3g} steps/s, {} left, kinetic energy {}", now.time,
+                       now.duration, now.books.bodies, now.steps_per_s, duration(now.left_s),
+                       format_si(kinetic, "J", 3));
+}
+
+} // namespace
+
+ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(stderr_is_terminal()) {
+    next_ = terminal_ ? 0 : first_line_after;
+}
+
+void ProgressLine::started(const std::filesystem::path& folder, const run::Progress& now) {
+    if (!quiet_)
+        note(fmt::format("running {:.4g} s in {} steps into {}", now.duration, now.steps, folder.string()));
+}
+
+void ProgressLine::progressed(const run::Progress& now) {
+    const double share = now.steps > 0 ? static_cast<double>(now.step) / static_cast<double>(now.steps) : 1.0;
+    if (!quiet_)
+        show(share, in_words(now), now.step >= now.steps);
+}
+
+void ProgressLine::frames(std::int64_t done, std::int64_t all) {
+    if (!quiet_)
+        show(static_cast<double>(done) / static_cast<double>(std::max<std::int64_t>(all, 1)),
+             fmt::format("frame {} of {}", done, all), done >= all);
+}
+
+void ProgressLine::show(double share, const std::string& text, bool last) {
+    const double now = std::chrono::duration<double>(Clock::now() - begun_).count();
+    if (now < next_ && !(last && line_open_))
+        return;
+    if (!terminal_) {
+        note(fmt::format("{:3.0f} %  {}", 100 * share, text));
+        next_ = std::max(now + first_line_after, now * lines_stretch_by);
+        return;
+    }
+    const std::size_t room = terminal_width() - 1;
+    const std::string head = fmt::format("{:3.0f} % ", 100 * share);
+    constexpr std::size_t bar_width = 21;
+    const std::size_t left = room > head.size() + bar_width ? room - head.size() - bar_width : 0;
+    std::fputs(("\r\033[K" + head + bar(share) + " " + text.substr(0, left)).c_str(), stderr);
+    std::fflush(stderr);
+    line_open_ = true;
+    next_ = now + redraw_every;
+}
+
+void ProgressLine::end() {
+    if (line_open_)
+        std::fputc('\n', stderr);
+    line_open_ = false;
+}
+
+void ProgressLine::warned(const std::string& sentence) {
+    end();
+    if (!quiet_)
+        note((stderr_takes_color() ? "\033[33mwarning:\033[0m " : "warning: ") + sentence);
+}
+
+} // namespace tumble::cli

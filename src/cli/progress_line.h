@@ -1,0 +1,37 @@
+#pragma once
+
+#include "run/run_scene.h"
+
+#include <chrono>
+#include <string>
+
+namespace tumble::cli {
+
+/// Tells on stderr how a run goes: a line that is drawn over on a terminal, else a line now and then (rarer as a run
+/// gets longer), nothing when quiet.
+class ProgressLine : public run::RunListener {
+public:
+    explicit ProgressLine(bool quiet);
+
+    void started(const std::filesystem::path& folder, const run::Progress& now) override;
+    void progressed(const run::Progress& now) override;
+    void warned(const std::string& sentence) override;
+
+    /// The same for work counted in frames.
+    void frames(std::int64_t done, std::int64_t all);
+    /// Leaves the terminal on a fresh line.
+    void end();
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    void show(double share, const std::string& text, bool last);
+
+    bool quiet_;
+    bool terminal_;
+    bool line_open_ = false;
+    Clock::time_point begun_ = Clock::now();
+    double next_ = 0; // s after begun_
+};
+
+} // namespace tumble::cli

@@ -1,0 +1,137 @@
+#include "base/text.h"
+#include "cli/command.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/progress_line.h"
+#include "cli/render_settings.h"
+#include "cli/run_outcome.h"
+#include "cli/scene_arguments.h"
+#include "cli/stop_flag.h"
+#include "cli/time_range.h"
+#include "run/redraw.h"
+#include "run/run_scene.h"
+
+#include <fmt/format.h>
+#include <memory>
+#include <thread>
+
+namespace tumble::cli {
+
+namespace {
+
+struct RenderArguments {
+    std::filesystem::path what; // a run's folder or a scene file
+    SceneArguments scene;
+    std::filesystem::path out;
+    std::filesystem::path video;
+    std::string time;
+    bool frames = false;
+    bool force = false;
+    bool quiet = false;
+    bool json = false;
+};
+
+int tell_replayed(const run::Replayed& done, const run::RedrawOptions& options, const RenderArguments& arguments) {
+    for (const std::string& warning : done.warnings)
+        if (!arguments.quiet)
+            note("warning: " + warning);
+    if (arguments.json)
+        say_json(nlohmann::ordered_json{{"frames", done.frames},
+                                        {"first_s", done.first},
+                                        {"last_s", done.last},
+                                        {"stopped", done.stopped},
+                                        {"pictures", options.pictures.string()},
+                                        {"video", options.video.string()},
+                                        {"warnings", done.warnings}});
+    else if (!arguments.quiet)
+        say(fmt::format("{}: {} from t = {:.4g} to {:.4g} s",
+                        options.pictures.empty() ? options.video.string() : options.pictures.string(),
+                        counted(done.frames, "picture", "pictures"), done.first, done.last));
+    return done.stopped ? stop_code() : static_cast<int>(fine);
+}
+
+int redraw_run(RenderArguments& arguments) {
+    arguments.scene.file = arguments.what / "scene.toml";
+    if (const auto found = run::find_run(arguments.what); !found)
+        return refuse(found.problems(), arguments.json, wrong);
+    const Result<scene::Scene> scene = arguments.scene.load();
+    if (!scene)
+        return refuse(scene.problems(), arguments.json, wrong);
+    run::RedrawOptions options;
+    options.settings = scene->render;
+    options.video = arguments.video;
+    options.overwrite = arguments.force;
+    options.when.stop = &watch_for_stop();
+    const auto problem = read_time_range(arguments.time, options.when.from, options.when.to);
+    if (problem)
+        return refuse({*problem}, arguments.json, wrong);
+    if (arguments.frames || arguments.video.empty() || !arguments.out.empty())
+        options.pictures =
+            !arguments.out.empty()
+                ? arguments.out
+                : arguments.what / "redrawn" / fmt::format("{}_{}", options.settings.camera, options.settings.color);
+    ProgressLine line(arguments.quiet);
+    const auto done =
+        run::redraw(arguments.what, options, [&](std::int64_t n, std::int64_t all) { line.frames(n, all); });
+    line.end();
+    if (!done)
+        return refuse(done.problems(), arguments.json, wrong);
+    return tell_replayed(*done, options, arguments);
+}
+
+int draw_scene(RenderArguments& arguments) {
+    arguments.scene.file = arguments.what;
+    const Result<scene::Scene> scene = arguments.scene.load();
+    if (!scene)
+        return refuse(scene.problems(), arguments.json, wrong);
+    if (!arguments.time.empty())
+        return refuse({{.what = "--time chooses among the frames of a run, and this is a scene",
+                        .fix = "run it first, then give the run's folder; or use --set duration_s=..."}},
+                      arguments.json, wrong);
+    run::RunOptions options;
+    options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    options.folder = arguments.out;
+    options.overwrite = arguments.force;
+    options.pictures = arguments.frames || arguments.video.empty();
+    options.video = !arguments.video.empty();
+    options.video_file = arguments.video;
+    options.stop = &watch_for_stop();
+    ProgressLine line(arguments.quiet);
+    const Result<run::RunSummary> summary = run::run_scene(*scene, options, line);
+    line.end();
+    if (!summary)
+        return refuse(summary.problems(), arguments.json, wrong);
+    return tell_outcome(*summary, arguments.json, arguments.quiet);
+}
+
+} // namespace
+
+void add_render_command(CLI::App& program, Action& action) {
+    CLI::App* command = program.add_subcommand(
+        "render", "  tumble render out/drop --camera side --color vy --video drop.mp4\n\n"
+                  "Draws the frames of a run again, with other colours and cameras, without simulating. Given a scene\n"
+                  "instead of a run's folder it runs the scene first.");
+    const auto arguments = std::make_shared<RenderArguments>();
+    command->add_option("RUN|SCENE", arguments->what, "Folder of a run, or a scene file")->required();
+    add_render_settings(*command, arguments->scene.sets);
+    command->add_option("--video", arguments->video, "Make an MP4 (needs ffmpeg)")->type_name("F.mp4");
+    command->add_flag("--frames", arguments->frames, "PNG files; the default without --video");
+    command->add_option("--out", arguments->out, "Folder for the PNG files, or for the run of a scene")
+        ->type_name("DIR");
+    command->add_option("--time", arguments->time, "Only frames from A to B, s; either may be missing")
+        ->type_name("A:B");
+    arguments->scene.add_sets_to(*command);
+    command->add_flag("--force", arguments->force, "Replace what is there");
+    command->add_flag("--quiet", arguments->quiet, "No progress, no warnings on stderr");
+    command->add_flag("--json", arguments->json, "Print the result as JSON");
+    command->callback([arguments, &action] {
+        action = [arguments] {
+            std::error_code ignored;
+            const bool scene =
+                arguments->what.extension() == ".toml" && !std::filesystem::is_directory(arguments->what, ignored);
+            return scene ? draw_scene(*arguments) : redraw_run(*arguments);
+        };
+    });
+}
+
+} // namespace tumble::cli

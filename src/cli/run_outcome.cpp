@@ -1,0 +1,47 @@
+#include "cli/run_outcome.h"
+
+#include "base/text.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/stop_flag.h"
+#include "run/run_report.h"
+
+#include <fmt/format.h>
+
+namespace tumble::cli {
+
+namespace {
+
+std::string sentences(const run::RunSummary& summary) {
+    std::string text =
+        fmt::format("{}: {} at t = {:.6g} s after {}, {}\n", summary.folder.string(), summary.state, summary.time,
+                    counted(summary.steps, "step", "steps"), counted(summary.bodies, "body", "bodies"));
+    text += fmt::format("  {}, {}", counted(summary.rows, "row in series.csv", "rows in series.csv"),
+                        counted(summary.frames, "frame", "frames"));
+    if (summary.pictures > 0)
+        text += ", " + counted(summary.pictures, "picture in pictures/", "pictures in pictures/");
+    if (summary.video && summary.frames > 0)
+        text += ", video.mp4";
+    text += "\n";
+    if (summary.stepping_s > 0)
+        text += fmt::format("  took {}: {:.3g} steps/s, {:.3g} body-steps/s on {}\n", duration(summary.wall_s),
+                            static_cast<double>(summary.steps) / summary.stepping_s,
+                            summary.body_steps / summary.stepping_s, counted(summary.threads, "thread", "threads"));
+    text += fmt::format("  the energy balance misses {} of {}", format_si(summary.books.closure, "J", 3),
+                        format_si(summary.energy_turnover, "J", 3));
+    return text;
+}
+
+} // namespace
+
+int tell_outcome(const run::RunSummary& summary, bool json, bool quiet) {
+    if (json)
+        say_json(run::to_json(summary));
+    else if (!quiet)
+        say(sentences(summary));
+    if (summary.state == "failed")
+        return refuse(summary.reason, false, failed);
+    return summary.state == "stopped" ? stop_code() : static_cast<int>(fine);
+}
+
+} // namespace tumble::cli

@@ -1,0 +1,45 @@
+#include "cli/scene_arguments.h"
+
+#include "scene/load.h"
+
+namespace tumble::cli {
+
+void SceneArguments::add_to(CLI::App& command) {
+    command.add_option("SCENE", file, "Scene file (TOML)")->required();
+    command
+        .add_option_function<std::string>(
+            "--duration", [this](const std::string& text) { sets.push_back("duration_s=" + text); },
+            "Simulated time, s; the same as --set duration_s=S")
+        ->type_name("S");
+    add_sets_to(command);
+}
+
+void SceneArguments::add_sets_to(CLI::App& command) {
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--set",
+            [this](const std::vector<std::string>& texts) { sets.insert(sets.end(), texts.begin(), texts.end()); },
+            "Any key of the scene, with the checks it has in the file; may be repeated")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->take_all();
+}
+
+Result<scene::Scene> SceneArguments::load() const {
+    std::vector<scene::Override> overrides;
+    for (const std::string& text : sets)
+        overrides.push_back({text});
+    return scene::load_scene(file, overrides);
+}
+
+std::string quoted(const std::string& word) {
+    std::string text = "\"";
+    for (const char c : word) {
+        if (c == '"' || c == '\\')
+            text += '\\';
+        text += c;
+    }
+    return text + "\"";
+}
+
+} // namespace tumble::cli

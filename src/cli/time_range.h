@@ -1,0 +1,13 @@
+#pragma once
+
+#include "base/problem.h"
+
+#include <optional>
+#include <string>
+
+namespace tumble::cli {
+
+/// "0.5:1.5", ":1.5", "0.5:" or nothing, in s; what is missing stays as it is. Problem: anything else.
+std::optional<Problem> read_time_range(const std::string& text, double& from, double& to);
+
+} // namespace tumble::cli

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "run/frame_sink.h"
+
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
+
+namespace tumble::run {
+
+/// Hands frames to sinks on a thread of its own, so that drawing overlaps with stepping. At most two frames wait;
+/// `push` then waits too. Every sink sees every frame, in order, so what is kept does not depend on how fast it goes.
+class FrameQueue {
+public:
+    explicit FrameQueue(FrameSinks sinks);
+    ~FrameQueue();
+    FrameQueue(const FrameQueue&) = delete;
+    FrameQueue& operator=(const FrameQueue&) = delete;
+
+    /// After a problem in a sink further frames are dropped.
+    void push(Shot shot);
+
+    /// What went wrong so far; empty while all is well.
+    [[nodiscard]] Problems problems();
+
+    /// Works off what waits, finishes the sinks, ends the thread. Problems: all there were.
+    Problems close();
+
+    /// Frames that every sink took.
+    [[nodiscard]] std::int64_t taken();
+
+private:
+    void serve();
+    void hand_on(const Shot& shot);
+    void remember(const Problems& more);
+
+    FrameSinks sinks_; // touched by the thread only
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::deque<Shot> waiting_;
+    Problems problems_;
+    std::int64_t taken_ = 0;
+    bool closing_ = false;
+    std::jthread thread_;
+};
+
+} // namespace tumble::run

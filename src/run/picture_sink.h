@@ -1,0 +1,26 @@
+#pragma once
+
+#include "run/frame_sink.h"
+#include "scene/scene.h"
+
+#include <filesystem>
+
+namespace tumble::run {
+
+/// Where pictures go; an empty path: nowhere.
+struct PictureTargets {
+    std::filesystem::path folder; // PNG files frame_000000.png and so on
+    std::filesystem::path video;  // MP4
+};
+
+/// What can be said about pictures before there is anything to draw: a plot of an unknown measure.
+Problems check_pictures(const scene::Render& settings);
+
+/// Draws every frame and hands it to PNG files, a video or both. Problems: those of the painter (unknown names, no
+/// OpenGL), a folder or video that cannot be made. What is in `fit` will be in the picture; without, the first frame.
+Result<std::unique_ptr<FrameSink>> keep_pictures(const scene::Render& settings,
+                                                 std::shared_ptr<const observe::FrameLayout> layout,
+                                                 const PictureTargets& targets,
+                                                 const std::vector<observe::Frame>& fit = {});
+
+} // namespace tumble::run

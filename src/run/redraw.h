@@ -1,0 +1,30 @@
+#pragma once
+
+#include "run/replay.h"
+#include "scene/scene.h"
+
+namespace tumble::run {
+
+struct RedrawOptions {
+    scene::Render settings;
+    std::filesystem::path pictures; // folder for PNG files; empty: none
+    std::filesystem::path video;    // MP4; empty: none
+    bool overwrite = false;
+    ReplayOptions when;
+};
+
+/// Draws the frames of a run again, without simulating. Problems: no run, nothing drawable, targets that exist already
+/// or cannot be written; a target that was begun in vain is removed.
+Result<Replayed> redraw(const std::filesystem::path& run, const RedrawOptions& options, const TellFrames& tell);
+
+struct ExportOptions {
+    std::filesystem::path paraview;  // folder; empty: none
+    std::filesystem::path text_dump; // file; empty: none
+    bool overwrite = false;
+    ReplayOptions when;
+};
+
+/// Writes the frames of a run in forms that other tools read. Problems as for redraw.
+Result<Replayed> export_run(const std::filesystem::path& run, const ExportOptions& options, const TellFrames& tell);
+
+} // namespace tumble::run

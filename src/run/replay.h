@@ -1,0 +1,52 @@
+#pragma once
+
+#include "base/problem.h"
+#include "run/frame_sink.h"
+#include "run/run_folder.h"
+
+#include <atomic>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+/// Frames of a run that is over (finished, stopped, failed or killed), handed on once more.
+namespace tumble::run {
+
+struct ReplayOptions {
+    double from = -std::numeric_limits<double>::infinity(); // s
+    double to = std::numeric_limits<double>::infinity();    // s
+    std::string plot_measure;                               // of series.csv, for the small plot; may be missing there
+    const std::atomic<bool>* stop = nullptr;
+};
+
+struct Replayed {
+    std::int64_t frames = 0;
+    double first = 0; // s
+    double last = 0;  // s
+    bool stopped = false;
+    std::vector<std::string> warnings; // frames that could not be read and were left out
+};
+
+/// Done and all, in frames.
+using TellFrames = std::function<void(std::int64_t done, std::int64_t all)>;
+
+/// An opened run: its layout and the frames in the wanted stretch of time.
+struct Recording {
+    RunFolder folder;
+    std::shared_ptr<const observe::FrameLayout> layout;
+    std::vector<std::filesystem::path> frames;
+    std::vector<std::string> warnings;
+
+    /// The first and the last frame, for fitting a view.
+    [[nodiscard]] std::vector<observe::Frame> ends() const;
+};
+
+/// Problems: no run's folder, a broken layout, no readable frame in the stretch of time.
+Result<Recording> open_recording(const std::filesystem::path& root, const ReplayOptions& options);
+
+/// Hands every frame to every sink in order and finishes them. Problems: those of the sinks.
+Result<Replayed> replay(const Recording& recording, const ReplayOptions& options, const FrameSinks& sinks,
+                        const TellFrames& tell);
+
+} // namespace tumble::run

@@ -1,0 +1,178 @@
+#include "run/run_folder.h"
+
+#include "base/text.h"
+#include "observe/frame_file.h"
+#include "scene/read_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
+
+namespace tumble::run {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t reserved_bytes = 64 * 1024;
+
+fs::path reserve_of(const fs::path& root) {
+    return root / ".reserve";
+}
+
+Problem wrong(const fs::path& place, std::string what, std::string fix) {
+    return {.file = place.string(), .what = std::move(what), .fix = std::move(fix)};
+}
+
+const std::string elsewhere = "choose another folder with --out DIR";
+
+/// Everything that a run writes, and nothing else.
+void remove_run(const RunFolder& run) {
+    std::error_code ignored;
+    for (const fs::path& file :
+         {run.scene(), run.summary(), run.series(), run.video(), run.text_dump(), reserve_of(run.root)}) {
+        fs::remove(file, ignored);
+        fs::remove(file.string() + ".part", ignored);
+    }
+    for (const fs::path& folder : {run.frames(), run.pictures(), run.paraview()})
+        fs::remove_all(folder, ignored);
+}
+
+/// The topmost folder of `root` that does not exist yet.
+fs::path first_missing(const fs::path& root) {
+    fs::path missing;
+    std::error_code ignored;
+    for (fs::path at = fs::absolute(root).lexically_normal(); !at.empty() && !fs::exists(at, ignored);
+         at = at.parent_path())
+        missing = at;
+    return missing;
+}
+
+std::optional<Problem> check_place(const fs::path& root, bool overwrite) {
+    std::error_code error;
+    const fs::file_status status = fs::status(root, error);
+    if (!fs::exists(status))
+        return std::nullopt;
+    if (!fs::is_directory(status))
+        return wrong(root, "is a file, not a folder", elsewhere);
+    const bool empty = fs::is_empty(root, error);
+    if (error)
+        return wrong(root, "cannot be read: " + error.message(), elsewhere);
+    if (!empty && !overwrite)
+        return wrong(root, "already holds something, and nothing is overwritten",
+                     "--force replaces an earlier run there, --out DIR writes elsewhere");
+    return std::nullopt;
+}
+
+std::uintmax_t bytes_in(const fs::path& place) {
+    std::error_code error;
+    if (!fs::is_directory(place, error)) {
+        const std::uintmax_t size = fs::file_size(place, error);
+        return error ? 0 : size;
+    }
+    std::uintmax_t sum = 0;
+    for (fs::recursive_directory_iterator entry(place, error), end; !error && entry != end; entry.increment(error))
+        if (std::error_code ignored; entry->is_regular_file(ignored))
+            sum += entry->file_size(ignored);
+    return sum;
+}
+
+/// Space that becomes free when an earlier run is replaced counts as free.
+std::optional<Problem> check_space(const fs::path& root, std::uintmax_t bytes) {
+    fs::path place = fs::absolute(root).lexically_normal();
+    std::error_code ignored;
+    while (!fs::exists(place, ignored) && place != place.parent_path())
+        place = place.parent_path();
+    struct statvfs disk {};
+    if (statvfs(place.c_str(), &disk) != 0)
+        return std::nullopt;
+    std::uintmax_t available = std::uintmax_t{disk.f_bavail} * disk.f_frsize;
+    const RunFolder run{root};
+    for (const fs::path& old : {run.frames(), run.pictures(), run.paraview(), run.series(), run.video()})
+        available += bytes_in(old);
+    if (available >= bytes)
+        return std::nullopt;
+    return wrong(root,
+                 fmt::format("the run will write at least {}, but only {} are free there",
+                             scene::in_words(static_cast<std::size_t>(bytes)),
+                             scene::in_words(static_cast<std::size_t>(available))),
+                 "free some space, " + elsewhere + ", or write fewer frames (--set render.every_s=...)");
+}
+
+std::optional<Problem> reserve_space(const fs::path& root) {
+    const int file = ::open(reserve_of(root).c_str(), O_CREAT | O_WRONLY | O_TRUNC | O_CLOEXEC, 0644);
+    if (file < 0)
+        return wrong(root, fmt::format("cannot be written: {}", std::strerror(errno)), elsewhere);
+    const int error = posix_fallocate(file, 0, reserved_bytes);
+    ::close(file);
+    if (error == ENOSPC || error == EDQUOT)
+        return wrong(root, fmt::format("cannot be written: {}", std::strerror(error)),
+                     "free some space or " + elsewhere);
+    return std::nullopt;
+}
+
+} // namespace
+
+FolderInWork::FolderInWork(FolderInWork&& other) noexcept
+    : paths_(std::move(other.paths_)), made_from_(std::move(other.made_from_)), kept_(other.kept_),
+      alive_(std::exchange(other.alive_, false)) {}
+
+FolderInWork::~FolderInWork() {
+    if (!alive_)
+        return;
+    release_reserve();
+    if (kept_)
+        return;
+    remove_run(paths_);
+    std::error_code ignored;
+    if (!made_from_.empty())
+        for (fs::path at = fs::absolute(paths_.root).lexically_normal(); fs::remove(at, ignored) && at != made_from_;)
+            at = at.parent_path();
+}
+
+void FolderInWork::release_reserve() {
+    std::error_code ignored;
+    fs::remove(reserve_of(paths_.root), ignored);
+}
+
+Result<FolderInWork> FolderInWork::open(const fs::path& root, bool overwrite, std::uintmax_t bytes) {
+    if (const auto problem = check_place(root, overwrite))
+        return *problem;
+    if (const auto problem = check_space(root, bytes + reserved_bytes))
+        return *problem;
+    FolderInWork folder(RunFolder{root});
+    folder.made_from_ = first_missing(root);
+    std::error_code error;
+    fs::create_directories(root, error);
+    if (error)
+        return wrong(root, "cannot be made: " + error.message(), elsewhere);
+    if (::access(root.c_str(), W_OK) != 0) {
+        folder.alive_ = !folder.made_from_.empty();
+        return wrong(root, fmt::format("cannot be written: {}", std::strerror(errno)), elsewhere);
+    }
+    if (overwrite)
+        remove_run(folder.paths_);
+    if (const auto problem = reserve_space(root))
+        return *problem;
+    fs::create_directory(folder.paths_.frames(), error);
+    if (error)
+        return wrong(folder.paths_.frames(), "cannot be made: " + error.message(), elsewhere);
+    return folder;
+}
+
+Result<RunFolder> find_run(const fs::path& root) {
+    const RunFolder run{root};
+    std::error_code error;
+    if (!fs::is_directory(root, error))
+        return wrong(root, "there is no such folder", "give the folder that `tumble run` made, such as out/drop");
+    for (const fs::path& needed : {run.scene(), observe::layout_path(run.frames())})
+        if (!fs::exists(needed, error))
+            return wrong(root, fmt::format("is not the folder of a run: {} is missing", needed.filename().string()),
+                         "give the folder that `tumble run` made, such as out/drop");
+    return run;
+}
+
+} // namespace tumble::run

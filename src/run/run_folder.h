@@ -1,0 +1,56 @@
+#pragma once
+
+#include "base/problem.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace tumble::run {
+
+/// Names inside a run's folder.
+struct RunFolder {
+    std::filesystem::path root;
+
+    [[nodiscard]] std::filesystem::path scene() const { return root / "scene.toml"; }
+    [[nodiscard]] std::filesystem::path summary() const { return root / "run.json"; }
+    [[nodiscard]] std::filesystem::path series() const { return root / "series.csv"; }
+    [[nodiscard]] std::filesystem::path frames() const { return root / "frames"; }
+    [[nodiscard]] std::filesystem::path pictures() const { return root / "pictures"; }
+    [[nodiscard]] std::filesystem::path video() const { return root / "video.mp4"; }
+    [[nodiscard]] std::filesystem::path paraview() const { return root / "paraview"; }
+    [[nodiscard]] std::filesystem::path text_dump() const { return root / "spheres.dump"; }
+};
+
+/// A folder being filled. Keeps a little space in reserve so that run.json can be written on a disk that ran full;
+/// unless `keep` is called everything that it made is removed again.
+class FolderInWork {
+public:
+    /// Makes the folder, or takes an empty one; with `overwrite` removes what an earlier run left there, and only that.
+    /// `bytes` is what the run will write at least. Problems: it holds something, cannot be made or written, too little
+    /// space.
+    static Result<FolderInWork> open(const std::filesystem::path& root, bool overwrite, std::uintmax_t bytes);
+
+    FolderInWork(FolderInWork&& other) noexcept;
+    FolderInWork& operator=(FolderInWork&&) = delete;
+    ~FolderInWork();
+
+    [[nodiscard]] const RunFolder& paths() const { return paths_; }
+    /// From now on the folder is worth keeping, whatever happens.
+    void keep() { kept_ = true; }
+    /// Gives the reserved space free, for the last things to be written.
+    void release_reserve();
+
+private:
+    explicit FolderInWork(RunFolder paths) : paths_(std::move(paths)) {}
+
+    RunFolder paths_;
+    std::filesystem::path made_from_; // topmost folder that was not there before, or empty
+    bool kept_ = false;
+    bool alive_ = true;
+};
+
+/// Whether the folder holds what a run leaves (scene and frames). Problems name what is missing.
+Result<RunFolder> find_run(const std::filesystem::path& root);
+
+} // namespace tumble::run

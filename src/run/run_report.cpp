@@ -1,0 +1,86 @@
+#include "run/run_report.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+#include <string>
+#include <sys/utsname.h>
+#include <thread>
+
+namespace tumble::run {
+
+namespace {
+
+std::string processor() {
+    std::ifstream info("/proc/cpuinfo");
+    for (std::string line; std::getline(info, line);)
+        if (line.starts_with("model name")) {
+            const std::size_t colon = line.find(": ");
+            return colon == std::string::npos ? "" : line.substr(colon + 2);
+        }
+    return "unknown processor";
+}
+
+nlohmann::ordered_json number(double value) {
+    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+std::string in_one_line(const Problems& problems) {
+    std::string text;
+    for (const Problem& problem : problems)
+        text += (text.empty() ? "" : "; ") + problem.what + (problem.fix.empty() ? "" : " (" + problem.fix + ")");
+    return text;
+}
+
+} // namespace
+
+std::string version() {
+    return TUMBLE_VERSION;
+}
+
+std::string host() {
+    utsname system{};
+    uname(&system);
+    return fmt::format("{}, {} cores, {} {}", processor(), std::thread::hardware_concurrency(), system.sysname,
+                       system.release);
+}
+
+nlohmann::ordered_json to_json(const RunSummary& summary) {
+    nlohmann::ordered_json json;
+    json["state"] = summary.state;
+    json["reason"] = in_one_line(summary.reason);
+    json["version"] = version();
+    json["host"] = host();
+    json["threads"] = summary.threads;
+    json["seed"] = summary.seed;
+    json["scene"] = summary.scene.string();
+    json["title"] = summary.title;
+    json["folder"] = summary.folder.string();
+    json["duration_s"] = summary.duration;
+    json["time_step_s"] = summary.time_step;
+    json["time_s"] = summary.time;
+    json["steps"] = summary.steps;
+    json["bodies"] = summary.bodies;
+    json["rows"] = summary.rows;
+    json["frames"] = summary.frames;
+    json["pictures"] = summary.pictures;
+    json["video"] = summary.video;
+    json["wall_s"] = number(summary.wall_s);
+    const double stepping = summary.stepping_s;
+    json["steps_per_s"] = number(stepping > 0 ? static_cast<double>(summary.steps) / stepping : 0);
+    json["body_steps_per_s"] = number(stepping > 0 ? summary.body_steps / stepping : 0);
+    nlohmann::ordered_json phases = nlohmann::ordered_json::object();
+    for (const sim3d::PhaseTime& phase : summary.phases)
+        phases[phase.name] = number(phase.seconds);
+    phases["around the steps"] = number(summary.wall_s - stepping);
+    json["phases_s"] = phases;
+    json["energy_closure_J"] = number(summary.books.closure);
+    json["energy_turnover_J"] = number(summary.energy_turnover);
+    json["kinetic_energy_J"] = number(summary.books.kinetic_translation + summary.books.kinetic_rotation);
+    json["overlap_ratio_max"] = number(summary.overlap_ratio_max);
+    json["unfilled"] = summary.unfilled;
+    json["warnings"] = summary.warnings;
+    return json;
+}
+
+} // namespace tumble::run

@@ -1,0 +1,19 @@
+#include "run/run_scene.h"
+
+#include "observe/frame_file.h"
+#include "observe/whole_file.h"
+#include "run/run_in_work.h"
+#include "run/run_report.h"
+#include "scene/to_toml.h"
+
+namespace tumble::run {
+
+Result<RunSummary> run_scene(const scene::Scene& scene, const RunOptions& options, RunListener& listener) {
+    Result<std::unique_ptr<RunInWork>> run = RunInWork::prepare(scene, options, listener);
+    if (!run)
+        return run.problems();
+    (*run)->step_to_the_end();
+    return (*run)->finish();
+}
+
+} // namespace tumble::run

@@ -1,0 +1,152 @@
+#include "run/scene_check.h"
+
+#include "observe/frame_file.h"
+#include "observe/measures.h"
+#include "run/fill_plan.h"
+#include "run/schedule.h"
+#include "sim3d/solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace tumble::run {
+
+namespace {
+
+// Rates of one core of the machine this was written on, for bodies of many spheres in dense flow and for single
+// spheres: a guess at the cost, right within a factor of a few on others. Memory per body: state, candidate lists and
+// contacts of a dense bed.
+constexpr double clump_rate = 1.0e6;
+constexpr double sphere_rate = 3.0e6;
+constexpr double bytes_per_body = 2500;
+constexpr double bytes_per_sphere = 60;
+constexpr double bytes_of_program = 2e7;
+
+void check_bodies(const scene::Scene& scene, const std::vector<sim3d::BodyShape>& shapes, SceneCheck& check) {
+    const std::vector<std::int64_t> wanted = bodies_wanted(scene, shapes);
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        const auto material = static_cast<std::size_t>(scene.bodies[i].material);
+        BodyCheck body{shapes[i].name,
+                       scene.materials[material].name,
+                       shapes[i].spheres.size(),
+                       shapes[i].volume,
+                       shapes[i].mass,
+                       shapes[i].inertia,
+                       shapes[i].bounding_radius,
+                       0};
+        for (std::size_t f = 0; f < scene.fills.size(); ++f)
+            if (static_cast<std::size_t>(scene.fills[f].body) == i)
+                body.wanted += wanted[f];
+        check.wanted += body.wanted;
+        check.mass += body.mass * static_cast<double>(body.wanted);
+        check.spheres += body.spheres * static_cast<std::size_t>(body.wanted);
+        check.bodies.push_back(std::move(body));
+    }
+}
+
+void check_cost(const scene::Scene& scene, std::size_t columns, SceneCheck& check) {
+    check.steps = std::llround(scene.duration / scene.time_step);
+    check.rows = Schedule(scene.observe.every, scene.time_step).count(check.steps);
+    check.frames = Schedule(scene.render.every, scene.time_step).count(check.steps);
+    const auto bodies = static_cast<double>(check.wanted);
+    check.memory_bytes =
+        bytes_of_program + bodies * bytes_per_body + static_cast<double>(check.spheres) * bytes_per_sphere;
+    constexpr double bytes_per_cell = 20;
+    check.disk_bytes =
+        static_cast<double>(check.frames) *
+            static_cast<double>(observe::frame_bytes(static_cast<std::size_t>(check.wanted), scene.walls.size())) +
+        static_cast<double>(check.rows) * bytes_per_cell * static_cast<double>(columns + 1);
+    check.body_steps = bodies * static_cast<double>(check.steps);
+    const bool clumps = check.spheres > static_cast<std::size_t>(check.wanted);
+    check.assumed_rate = clumps ? clump_rate : sphere_rate;
+    check.hours = check.body_steps / check.assumed_rate / 3600;
+}
+
+void look_for_oddities(const scene::Scene& scene, SceneCheck& check) {
+    const auto say = [&](std::string sentence) { check.warnings.push_back(std::move(sentence)); };
+    if (check.time_step.limit > 0 && check.time_step.step > 0.5 * check.time_step.limit)
+        say(fmt::format("the time step is {:.0f} % of the stable limit; below 50 % energy is kept better",
+                        100 * check.time_step.step / check.time_step.limit));
+    if (check.wanted == 0)
+        say("no fill asks for bodies: nothing will move");
+    if (scene.walls.empty())
+        say("there is no wall: bodies fall out of the domain unless it is periodic");
+    if (scene.observe.every < scene.time_step)
+        say("observe.every_s is shorter than a step: every step gets one row");
+    if (scene.render.every < scene.time_step)
+        say("render.every_s is shorter than a step: every step gets one frame");
+    if (scene.observe.every > scene.duration)
+        say("observe.every_s is longer than the run: only its first instant gets a row");
+    if (check.placed < check.wanted)
+        say(fmt::format("{} of {} bodies stand at the start; the others come later", check.placed, check.wanted));
+}
+
+nlohmann::ordered_json to_json(const sim3d::TimeStepReport& report) {
+    return {{"step_s", report.step},
+            {"limit_s", report.limit},
+            {"stable", report.stable()},
+            {"rayleigh_s", report.rayleigh},
+            {"rayleigh_of", report.rayleigh_of},
+            {"hertz_s", report.hertz},
+            {"hertz_of", report.hertz_of},
+            {"hertz_speed_m_s", report.hertz_speed},
+            {"body_period_s", report.body_period},
+            {"body_of", report.body_of},
+            {"linear_period_s", report.linear_period}};
+}
+
+} // namespace
+
+Result<SceneCheck> check_scene(const scene::Scene& scene, int threads) {
+    const auto measures = observe::choose_measures(scene.observe.measures);
+    Problems problems = measures.problems();
+    for (Problem& problem : problems)
+        problem.file = scene.file.string();
+    const Result<sim3d::WorldPtr> world = sim3d::build_world(scene, threads);
+    const Problems more = world.problems();
+    problems.insert(problems.end(), more.begin(), more.end());
+    if (!problems.empty())
+        return problems;
+    const std::vector<sim3d::BodyShape>& shapes = sim3d::shapes_of(**world);
+    SceneCheck check;
+    check_bodies(scene, shapes, check);
+    check.placed = static_cast<std::int64_t>(sim3d::bodies_of(**world).size());
+    for (const scene::Wall& wall : scene.walls)
+        check.walls.push_back(wall.name);
+    check.time_step = sim3d::time_step_report(scene, shapes);
+    check_cost(scene, measures->size(), check);
+    look_for_oddities(scene, check);
+    return check;
+}
+
+nlohmann::ordered_json to_json(const SceneCheck& check) {
+    nlohmann::ordered_json bodies = nlohmann::ordered_json::array();
+    for (const BodyCheck& body : check.bodies)
+        bodies.push_back({{"name", body.name},
+                          {"material", body.material},
+                          {"spheres", body.spheres},
+                          {"volume_m3", body.volume},
+                          {"mass_kg", body.mass},
+                          {"inertia_kg_m2", {body.inertia.x(), body.inertia.y(), body.inertia.z()}},
+                          {"bounding_radius_m", body.bounding_radius},
+                          {"wanted", body.wanted}});
+    return {{"bodies", bodies},
+            {"wanted", check.wanted},
+            {"placed", check.placed},
+            {"mass_kg", check.mass},
+            {"spheres", check.spheres},
+            {"walls", check.walls},
+            {"time_step", to_json(check.time_step)},
+            {"steps", check.steps},
+            {"rows", check.rows},
+            {"frames", check.frames},
+            {"memory_bytes", check.memory_bytes},
+            {"disk_bytes", check.disk_bytes},
+            {"body_steps", check.body_steps},
+            {"assumed_body_steps_per_s", check.assumed_rate},
+            {"hours_on_one_core", check.hours},
+            {"warnings", check.warnings}};
+}
+
+} // namespace tumble::run

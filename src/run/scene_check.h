@@ -1,0 +1,53 @@
+#pragma once
+
+#include "base/problem.h"
+#include "scene/scene.h"
+#include "sim3d/time_step.h"
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace tumble::run {
+
+/// One body template and how many of it a scene asks for.
+struct BodyCheck {
+    std::string name;
+    std::string material;
+    std::size_t spheres = 0;
+    double volume = 0;          // m3, of the union
+    double mass = 0;            // kg
+    Eigen::Vector3d inertia;    // kg m2, principal
+    double bounding_radius = 0; // m
+    std::int64_t wanted = 0;
+};
+
+/// What a scene means before anything runs.
+struct SceneCheck {
+    std::vector<BodyCheck> bodies;
+    std::int64_t wanted = 0; // bodies in all
+    std::int64_t placed = 0; // of them at the start
+    double mass = 0;         // kg, of all wanted
+    std::size_t spheres = 0; // of all wanted
+    std::vector<std::string> walls;
+    sim3d::TimeStepReport time_step;
+    std::int64_t steps = 0;
+    std::int64_t rows = 0;
+    std::int64_t frames = 0;
+    double memory_bytes = 0; // estimate
+    double disk_bytes = 0;   // states and series; pictures come on top
+    double body_steps = 0;   // bodies times steps, all bodies from the start
+    double hours = 0;        // on one core at `assumed_rate`
+    double assumed_rate = 0; // body-steps per s
+    std::vector<std::string> warnings;
+};
+
+/// Builds everything as a run would, takes no step, writes nothing. Problems: all that would keep the scene from
+/// running, an unstable time step among them.
+Result<SceneCheck> check_scene(const scene::Scene& scene, int threads);
+
+/// Stable keys, units in the names.
+nlohmann::ordered_json to_json(const SceneCheck& check);
+
+} // namespace tumble::run

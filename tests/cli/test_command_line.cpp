@@ -1,0 +1,117 @@
+#include "process.h"
+
+#include <nlohmann/json.hpp>
+
+using namespace tumble::test;
+
+TEST_CASE("a mistyped command, flag or file gets the nearest right word and exit code 2") {
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(0.01));
+    const Outcome command = tumble_in(folder, {"rnu", "ball.toml"});
+    CHECK(command.code == 2);
+    CHECK(contains(command.err, "there is no command 'rnu'"));
+    CHECK(contains(command.err, "did you mean 'run'?"));
+    const Outcome flag = tumble_in(folder, {"run", "ball.toml", "--vidoe"});
+    CHECK(flag.code == 2);
+    CHECK(contains(flag.err, "has no flag '--vidoe'"));
+    CHECK(contains(flag.err, "did you mean '--video'?"));
+    const Outcome own = tumble_in(folder, {"--verson"});
+    CHECK(own.code == 2);
+    CHECK(contains(own.err, "did you mean '--version'?"));
+    const Outcome file = tumble_in(folder, {"run", "bal.toml"});
+    CHECK(file.code == 2);
+    CHECK(contains(file.err, "bal.toml"));
+    const Outcome list = tumble_in(folder, {"list", "measure"});
+    CHECK(list.code == 2);
+    const Outcome word = tumble_in(folder, {"check", "ball.toml", "twice.toml"});
+    CHECK(word.code == 2);
+    CHECK(contains(word.err, "'twice.toml' is one word too many"));
+    for (const Outcome& outcome : {command, flag, own, file, list, word})
+        CHECK(outcome.out.empty());
+}
+
+TEST_CASE("nothing at all shows the help on stderr and is wrong") {
+    const Folder folder;
+    const Outcome outcome = tumble_in(folder, {});
+    CHECK(outcome.code == 2);
+    CHECK(contains(outcome.err, "tumble run scenes/drop.toml"));
+}
+
+TEST_CASE("every help opens with an example and goes to stdout") {
+    const Folder folder;
+    for (const std::string command : {"run", "render", "check", "list", "export"}) {
+        const Outcome outcome = tumble_in(folder, {command, "--help"});
+        CHECK(outcome.code == 0);
+        CHECK_MESSAGE(outcome.out.starts_with("  tumble " + command + " "), outcome.out.substr(0, 80));
+        CHECK(outcome.err.empty());
+    }
+    CHECK(tumble_in(folder, {"--help"}).out.starts_with("  tumble "));
+    CHECK(tumble_in(folder, {"--version"}).out.starts_with("tumble "));
+}
+
+TEST_CASE("a mistake in a scene is told with file, line and column, on stderr and as JSON") {
+    const Folder folder;
+    std::string text = bouncing_ball(0.01);
+    text.replace(text.find("restitution"), 11, "restitutoin");
+    put(folder.path / "ball.toml", text);
+    const Outcome outcome = tumble_in(folder, {"check", "ball.toml", "--json"});
+    CHECK(outcome.code == 2);
+    CHECK(contains(outcome.err, "ball.toml:12:1:"));
+    CHECK(contains(outcome.err, "did you mean 'restitution'?"));
+    const auto json = nlohmann::json::parse(outcome.out);
+    CHECK(json["problems"][0]["line"] == 12);
+    CHECK(json["problems"][0]["column"] == 1);
+}
+
+TEST_CASE("--set goes through the checks of the file") {
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(0.01));
+    const Outcome wrong = tumble_in(folder, {"run", "ball.toml", "--set", "pair.glass-glass.restitution=1.5"});
+    CHECK(wrong.code == 2);
+    CHECK(contains(wrong.err, "--set pair.glass-glass.restitution"));
+    CHECK_FALSE(std::filesystem::exists(folder.path / "out"));
+    const Outcome right =
+        tumble_in(folder, {"run", "ball.toml", "--set", "duration_s=0.002", "--set", "seed=9", "--quiet", "--json"});
+    CHECK(right.code == 0);
+    CHECK(right.err.empty());
+    const auto json = nlohmann::json::parse(right.out);
+    CHECK(json["steps"] == 200);
+    CHECK(json["seed"] == 9);
+}
+
+TEST_CASE("the lists name what scenes may say") {
+    const Folder folder;
+    const auto measures = nlohmann::json::parse(tumble_in(folder, {"list", "measures", "--json"}).out);
+    bool found = false;
+    for (const auto& measure : measures)
+        found = found || measure["column"] == "circulation_rad_s";
+    CHECK(found);
+    CHECK(contains(tumble_in(folder, {"list", "laws"}).out, "hertz"));
+    CHECK(contains(tumble_in(folder, {"list", "keys"}).out, "duration_s"));
+    std::filesystem::create_directory(folder.path / "scenes");
+    put(folder.path / "scenes" / "ball.toml", bouncing_ball(1));
+    CHECK(contains(tumble_in(folder, {"list", "scenes"}).out, "A ball that bounces"));
+    CHECK(tumble_in(folder, {"list", "scenes", "nowhere"}).code == 2);
+}
+
+TEST_CASE("check says masses, steps and margins as theory has them, and refuses an unstable step") {
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(0.5));
+    const Outcome outcome = tumble_in(folder, {"check", "ball.toml", "--json"});
+    CHECK(outcome.code == 0);
+    const auto json = nlohmann::json::parse(outcome.out);
+    const double mass = 4.0 / 3.0 * M_PI * 1e-6 * 2500;
+    CHECK(json["bodies"][0]["mass_kg"].get<double>() == doctest::Approx(mass));
+    CHECK(json["bodies"][0]["inertia_kg_m2"][0].get<double>() == doctest::Approx(0.4 * mass * 1e-4));
+    CHECK(json["steps"] == 50000);
+    CHECK(json["rows"] == 501);
+    CHECK(json["frames"] == 51);
+    // pi R sqrt(rho/G) / (0.1631 nu + 0.8766) with G = E / (2 (1 + nu)) = 4e7 Pa
+    const double rayleigh = M_PI * 0.01 * std::sqrt(2500 / 4e7) / (0.1631 * 0.25 + 0.8766);
+    CHECK(json["time_step"]["rayleigh_s"].get<double>() == doctest::Approx(rayleigh));
+    CHECK_FALSE(std::filesystem::exists(folder.path / "out"));
+    CHECK(contains(tumble_in(folder, {"check", "ball.toml"}).out, "Rayleigh time"));
+    const Outcome unstable = tumble_in(folder, {"check", "ball.toml", "--set", "time_step_s=1e-3"});
+    CHECK(unstable.code == 2);
+    CHECK(contains(unstable.err, "stable limit"));
+}

@@ -1,0 +1,67 @@
+#include "process.h"
+
+#include <nlohmann/json.hpp>
+#include <sys/mount.h>
+
+using namespace tumble::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A disk of a given size; false where mounting is not allowed.
+class SmallDisk {
+public:
+    SmallDisk(const fs::path& place, const std::string& size) : place_(place) {
+        fs::create_directory(place);
+        mounted_ = mount("tmpfs", place.c_str(), "tmpfs", 0, ("size=" + size).c_str()) == 0;
+    }
+    SmallDisk(const SmallDisk&) = delete;
+    SmallDisk& operator=(const SmallDisk&) = delete;
+    ~SmallDisk() {
+        if (mounted_)
+            umount(place_.c_str());
+    }
+    explicit operator bool() const {
+        if (!mounted_)
+            MESSAGE("skipped: mounting a small disk needs root");
+        return mounted_;
+    }
+
+private:
+    fs::path place_;
+    bool mounted_ = false;
+};
+
+} // namespace
+
+TEST_CASE("a disk that is too small for the frames is refused before the first step") {
+    const Folder folder;
+    const SmallDisk disk(folder.path / "disk", "100k");
+    if (!disk)
+        return;
+    put(folder.path / "ball.toml", bouncing_ball(10)); // 1001 frames of more than 200 bytes
+    const Outcome outcome = tumble_in(folder, {"run", "ball.toml", "--out", "disk/run"});
+    CHECK(outcome.code == 2);
+    CHECK(contains(outcome.err, "the run will write at least"));
+    CHECK(fs::is_empty(folder.path / "disk"));
+}
+
+TEST_CASE("a disk that runs full ends the run with code 1, whole files and the reason in run.json") {
+    const Folder folder;
+    const SmallDisk disk(folder.path / "disk", "400k");
+    if (!disk)
+        return;
+    put(folder.path / "ball.toml", bouncing_ball(1)); // 101 pictures of some 10 kB
+    const Outcome outcome = tumble_in(folder, {"run", "ball.toml", "--out", "disk/run", "--frames"});
+    CHECK(outcome.code == 1);
+    CHECK(contains(outcome.err, "No space left on device"));
+    const auto summary = nlohmann::json::parse(content_of(folder.path / "disk/run/run.json"));
+    CHECK(summary["state"] == "failed");
+    CHECK(contains(summary["reason"], "No space left on device"));
+    const std::string series = content_of(folder.path / "disk/run/series.csv");
+    CHECK(series.ends_with("\n"));
+    for (const auto& entry : fs::recursive_directory_iterator(folder.path / "disk"))
+        CHECK(entry.path().extension() != ".part");
+    const Outcome drawn = tumble_in(folder, {"render", "disk/run", "--out", "drawn", "--time", "0:0.01", "--quiet"});
+    CHECK_MESSAGE(drawn.code == 0, drawn.err);
+}

@@ -1,0 +1,174 @@
+#include "process.h"
+
+#include <nlohmann/json.hpp>
+
+using namespace tumble::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+nlohmann::json summary_in(const fs::path& run) {
+    return nlohmann::json::parse(content_of(run / "run.json"));
+}
+
+std::size_t lines_of(const fs::path& file) {
+    const std::string text = content_of(file);
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+bool any_part(const fs::path& folder) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.path().extension() == ".part" || entry.path().filename() == ".reserve")
+            return true;
+    return false;
+}
+
+/// A run that would take hours, started and seen to be under way.
+Process long_run(const Folder& folder) {
+    put(folder.path / "ball.toml", bouncing_ball(1e5));
+    Process process(folder.path, {"run", "ball.toml"});
+    REQUIRE(eventually([&] { return fs::exists(folder.path / "out/ball/frames/frame_000003.tumble"); }));
+    return process;
+}
+
+} // namespace
+
+TEST_CASE("a run prints its result to stdout, its progress to stderr, and nothing when quiet") {
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(0.02));
+    const Outcome loud = tumble_in(folder, {"run", "ball.toml"});
+    CHECK(loud.code == 0);
+    CHECK(contains(loud.out, "out/ball: finished at t = 0.02 s after 2000 steps, 1 body"));
+    CHECK(contains(loud.err, "2000 steps into out/ball"));
+    CHECK_FALSE(any_part(folder.path / "out"));
+    CHECK(lines_of(folder.path / "out/ball/series.csv") == 22);
+    const Outcome quiet = tumble_in(folder, {"run", "ball.toml", "--quiet", "--out", "other"});
+    CHECK(quiet.code == 0);
+    CHECK(quiet.out.empty());
+    CHECK(quiet.err.empty());
+    const Outcome twice = tumble_in(folder, {"run", "ball.toml"});
+    CHECK(twice.code == 2);
+    CHECK(contains(twice.err, "nothing is overwritten"));
+    CHECK(contains(twice.err, "--force"));
+    CHECK(tumble_in(folder, {"run", "ball.toml", "--force"}).code == 0);
+}
+
+TEST_CASE("Ctrl-C ends a run with code 130 and leaves a usable folder") {
+    const Folder folder;
+    Process process = long_run(folder);
+    process.send(SIGINT);
+    const Outcome outcome = process.wait();
+    CHECK(outcome.code == 130);
+    CHECK(contains(outcome.out, "stopped"));
+    const auto summary = summary_in(folder.path / "out/ball");
+    CHECK(summary["state"] == "stopped");
+    CHECK(lines_of(folder.path / "out/ball/series.csv") == summary["rows"].get<std::size_t>() + 1);
+    CHECK_FALSE(any_part(folder.path / "out"));
+    const Outcome drawn = tumble_in(folder, {"render", "out/ball", "--time", "0:0.02", "--json", "--quiet"});
+    CHECK_MESSAGE(drawn.code == 0, drawn.err);
+    CHECK(nlohmann::json::parse(drawn.out)["frames"] == 3);
+    CHECK(fs::exists(folder.path / "out/ball/redrawn/front_speed/frame_000002.png"));
+}
+
+TEST_CASE("a termination signal does the same with code 143") {
+    const Folder folder;
+    Process process = long_run(folder);
+    process.send(SIGTERM);
+    CHECK(process.wait().code == 143);
+    CHECK(summary_in(folder.path / "out/ball")["state"] == "stopped");
+}
+
+TEST_CASE("a killed run is redrawn and exported from what it left") {
+    const Folder folder;
+    Process process = long_run(folder);
+    process.send(SIGKILL);
+    CHECK(process.wait().code == 137);
+    CHECK(summary_in(folder.path / "out/ball")["state"] == "running");
+    const Outcome drawn = tumble_in(folder, {"render", "out/ball", "--camera", "side", "--color", "vy", "--time",
+                                             ":0.01", "--out", "drawn", "--quiet"});
+    CHECK_MESSAGE(drawn.code == 0, drawn.err);
+    CHECK(fs::exists(folder.path / "drawn/frame_000001.png"));
+    const Outcome exported = tumble_in(folder, {"export", "out/ball", "--vtk", "vtk", "--time", "0:0.02"});
+    CHECK_MESSAGE(exported.code == 0, exported.err);
+    CHECK(fs::exists(folder.path / "vtk/walls_000002.vtp"));
+}
+
+TEST_CASE("a run that breaks down has code 1 and says why") {
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(0.05));
+    const Outcome outcome = tumble_in(folder, {"run", "ball.toml", "--set", "fill.0.velocity_m_s=[40, 0, 0]"});
+    CHECK(outcome.code == 1);
+    CHECK(contains(outcome.out, "failed"));
+    CHECK(contains(outcome.err, "error: "));
+    CHECK(summary_in(folder.path / "out/ball")["state"] == "failed");
+}
+
+TEST_CASE("a missing ffmpeg is said before the first step, and nothing is left behind") {
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(0.02));
+    const Outcome outcome = tumble_in(folder, {"run", "ball.toml", "--video"}, {"PATH=/nowhere"});
+    CHECK(outcome.code == 2);
+    CHECK(contains(outcome.err, "ffmpeg"));
+    CHECK_FALSE(fs::exists(folder.path / "out"));
+    REQUIRE(tumble_in(folder, {"run", "ball.toml", "--quiet"}).code == 0);
+    const Outcome redrawn = tumble_in(folder, {"render", "out/ball", "--video", "b.mp4"}, {"PATH=/nowhere"});
+    CHECK(redrawn.code == 2);
+    CHECK(contains(redrawn.err, "ffmpeg"));
+    CHECK_FALSE(fs::exists(folder.path / "b.mp4"));
+}
+
+TEST_CASE("a folder that cannot be made is said with its name") {
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(0.02));
+    put(folder.path / "file", "x");
+    const Outcome below_file = tumble_in(folder, {"run", "ball.toml", "--out", "file/run"});
+    CHECK(below_file.code == 2);
+    CHECK(contains(below_file.err, "file/run: cannot be made"));
+    CHECK(contains(below_file.err, "--out"));
+    const Outcome no_place = tumble_in(folder, {"run", "ball.toml", "--out", "/proc/tumble"});
+    CHECK(no_place.code == 2);
+    CHECK(contains(no_place.err, "/proc/tumble"));
+}
+
+TEST_CASE("wrong times and sizes of a drawing are said") {
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(0.02));
+    REQUIRE(tumble_in(folder, {"run", "ball.toml", "--quiet"}).code == 0);
+    for (const std::string time : {"1", "a:b", "2:1", "1:2:3"}) {
+        const Outcome outcome = tumble_in(folder, {"render", "out/ball", "--time", time});
+        CHECK(outcome.code == 2);
+        CHECK(contains(outcome.err, "is no stretch of time"));
+    }
+    const Outcome late = tumble_in(folder, {"render", "out/ball", "--time", "5:"});
+    CHECK(late.code == 2);
+    CHECK(contains(late.err, "its last readable frame is at 0.02 s"));
+    CHECK(tumble_in(folder, {"render", "out/ball", "--size", "wide"}).code == 2);
+    const Outcome camera = tumble_in(folder, {"render", "out/ball", "--camera", "fornt"});
+    CHECK(camera.code == 2);
+    CHECK(contains(camera.err, "front"));
+    CHECK(tumble_in(folder, {"render", "out/none"}).code == 2);
+    CHECK_FALSE(fs::exists(folder.path / "out/ball/redrawn"));
+}
+
+TEST_CASE("a scene is rendered by running it") {
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(0.02));
+    const Outcome outcome = tumble_in(folder, {"render", "ball.toml", "--camera", "top", "--quiet"});
+    CHECK_MESSAGE(outcome.code == 0, outcome.err);
+    CHECK(fs::exists(folder.path / "out/ball/pictures/frame_000002.png"));
+}
+
+TEST_CASE("a video comes out of run and of render where ffmpeg is installed") {
+    if (std::system("ffmpeg -version > /dev/null 2>&1") != 0) {
+        MESSAGE("skipped: ffmpeg is not installed");
+        return;
+    }
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(0.05));
+    REQUIRE(tumble_in(folder, {"run", "ball.toml", "--video", "--quiet"}).code == 0);
+    CHECK(fs::file_size(folder.path / "out/ball/video.mp4") > 1000);
+    CHECK_FALSE(fs::exists(folder.path / "out/ball/pictures"));
+    REQUIRE(tumble_in(folder, {"render", "out/ball", "--video", "side.mp4", "--camera", "side", "--quiet"}).code == 0);
+    CHECK(fs::file_size(folder.path / "side.mp4") > 1000);
+    CHECK_FALSE(any_part(folder.path));
+}

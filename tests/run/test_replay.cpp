@@ -1,0 +1,100 @@
+#include "../observe/frames.h"
+#include "observe/frame_file.h"
+#include "run/redraw.h"
+#include "run/run_scene.h"
+#include "scenes.h"
+
+#include <doctest/doctest.h>
+
+using namespace tumble;
+using namespace tumble::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A folder with a finished run of five frames.
+fs::path finished_run(const Folder& folder) {
+    run::RunOptions options;
+    options.folder = folder.path / "ball";
+    run::RunListener silent;
+    const auto summary = run::run_scene(loaded(falling_ball), options, silent);
+    REQUIRE_MESSAGE(summary.ok(), to_string(summary.problems()));
+    return options.folder;
+}
+
+void silent(std::int64_t, std::int64_t) {}
+
+std::size_t count_files(const fs::path& folder, const std::string& extension) {
+    std::size_t count = 0;
+    for (const auto& entry : fs::directory_iterator(folder))
+        count += entry.path().extension() == extension ? 1 : 0;
+    return count;
+}
+
+} // namespace
+
+TEST_CASE("a run is redrawn with other settings, in whole or in part, without simulating") {
+    const Folder folder;
+    const fs::path run = finished_run(folder);
+    const std::string series = content_of(run / "series.csv");
+    run::RedrawOptions options;
+    options.settings = loaded(falling_ball).render;
+    options.settings.camera = "top";
+    options.settings.color = "vy";
+    options.pictures = folder.path / "drawn";
+    options.when.from = 0.004;
+    options.when.to = 0.016;
+    const auto done = run::redraw(run, options, silent);
+    REQUIRE_MESSAGE(done.ok(), to_string(done.problems()));
+    CHECK(done->frames == 3); // 0.005, 0.010, 0.015
+    CHECK(done->first == doctest::Approx(0.005));
+    CHECK(done->last == doctest::Approx(0.015));
+    CHECK(count_files(options.pictures, ".png") == 3);
+    CHECK(content_of(run / "series.csv") == series);
+
+    const Problems again = run::redraw(run, options, silent).problems();
+    REQUIRE(again.size() == 1);
+    CHECK(again[0].what == "is there already, and nothing is overwritten");
+    options.overwrite = true;
+    options.when.from = 0.012;
+    REQUIRE(run::redraw(run, options, silent).ok());
+    CHECK(count_files(options.pictures, ".png") == 1); // older pictures do not stay among the new ones
+}
+
+TEST_CASE("frames of a killed run that cannot be read are left out with a warning") {
+    const Folder folder;
+    const fs::path run = finished_run(folder);
+    const auto files = observe::list_frames(run / "frames");
+    put(files[2], content_of(files[2]).substr(0, 100));
+    put(run / "frames" / "frame_000005.tumble.part", "begun");
+    run::ExportOptions options;
+    options.paraview = folder.path / "vtk";
+    options.text_dump = folder.path / "all.dump";
+    const auto done = run::export_run(run, options, silent);
+    REQUIRE_MESSAGE(done.ok(), to_string(done.problems()));
+    CHECK(done->frames == 4);
+    REQUIRE(done->warnings.size() == 1);
+    CHECK(done->warnings[0].find("frame_000002.tumble") != std::string::npos);
+    CHECK(count_files(options.paraview, ".vtp") == 12);
+    CHECK(count_files(options.paraview, ".pvd") == 3);
+    CHECK_FALSE(content_of(options.text_dump).empty());
+}
+
+TEST_CASE("what is no run, or has no frame in the time asked for, is refused and leaves nothing") {
+    const Folder folder;
+    run::RedrawOptions options;
+    options.settings = loaded(falling_ball).render;
+    options.pictures = folder.path / "drawn";
+    CHECK(run::redraw(folder.path / "none", options, silent).problems()[0].what == "there is no such folder");
+    CHECK(run::redraw(folder.path, options, silent).problems()[0].what.find("not the folder of a run") !=
+          std::string::npos);
+    const fs::path run = finished_run(folder);
+    options.when.from = 9;
+    const Problems problems = run::redraw(run, options, silent).problems();
+    REQUIRE(problems.size() == 1);
+    CHECK(problems[0].what == "there is no readable frame in the time asked for");
+    options.when.from = 0;
+    options.settings.color = "colour of money";
+    CHECK_FALSE(run::redraw(run, options, silent).ok());
+    CHECK_FALSE(fs::exists(folder.path / "drawn"));
+}

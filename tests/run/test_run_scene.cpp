@@ -1,0 +1,208 @@
+#include "../observe/frames.h"
+#include "observe/frame_file.h"
+#include "observe/series.h"
+#include "run/run_folder.h"
+#include "run/run_scene.h"
+#include "scenes.h"
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+using namespace tumble;
+using namespace tumble::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+run::RunSummary ran(const scene::Scene& scene, const run::RunOptions& options) {
+    run::RunListener silent;
+    const auto summary = run::run_scene(scene, options, silent);
+    REQUIRE_MESSAGE(summary.ok(), to_string(summary.problems()));
+    return *summary;
+}
+
+Problems refused(const scene::Scene& scene, const run::RunOptions& options) {
+    run::RunListener silent;
+    return run::run_scene(scene, options, silent).problems();
+}
+
+std::vector<std::string> entries(const fs::path& folder) {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder))
+        names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+} // namespace
+
+TEST_CASE("a run leaves its folder: scene, summary, series at exact times, frames") {
+    const Folder folder;
+    const scene::Scene scene = loaded(falling_ball);
+    run::RunOptions options;
+    options.folder = folder.path / "out" / "ball";
+    const run::RunSummary summary = ran(scene, options);
+    CHECK(summary.state == "finished");
+    CHECK(summary.steps == 2000);
+    CHECK(summary.rows == 21);
+    CHECK(summary.frames == 5);
+    CHECK(entries(options.folder) == std::vector<std::string>{"frames", "run.json", "scene.toml", "series.csv"});
+
+    const auto series = observe::read_series(options.folder / "series.csv");
+    REQUIRE(series.ok());
+    REQUIRE(series->rows() == 21);
+    for (std::size_t i = 0; i < 21; ++i) {
+        const double t = series->values[0][i];
+        CHECK(t == doctest::Approx(0.001 * static_cast<double>(i)).epsilon(1e-12));
+        CHECK((*series->find("centre_of_mass_y"))[i] == doctest::Approx(0.5 - 0.5 * 9.81 * t * t).epsilon(1e-6));
+    }
+    const auto layout = observe::read_layout(observe::layout_path(options.folder / "frames"));
+    REQUIRE(layout.ok());
+    CHECK((*layout)->walls.at(0).name == "floor");
+    const auto files = observe::list_frames(options.folder / "frames");
+    REQUIRE(files.size() == 5);
+    const auto frame = observe::read_frame(files[4], *layout);
+    REQUIRE(frame.ok());
+    CHECK(frame->time == doctest::Approx(0.02));
+    CHECK(frame->velocity.at(0).y() == doctest::Approx(-9.81 * 0.02).epsilon(1e-3));
+
+    const auto json = nlohmann::json::parse(content_of(options.folder / "run.json"));
+    CHECK(json["state"] == "finished");
+    CHECK(json["steps"] == 2000);
+    CHECK(json["seed"] == scene.seed);
+    CHECK(json["bodies"] == 1);
+    CHECK(json["phases_s"].size() > 1);
+    CHECK(std::abs(json["energy_closure_J"].get<double>()) < 1e-3 * json["energy_turnover_J"].get<double>());
+}
+
+TEST_CASE("the scene in the folder runs again to the same bits, on any number of threads") {
+    const Folder folder;
+    run::RunOptions options;
+    options.folder = folder.path / "a";
+    options.threads = 1;
+    ran(loaded(falling_ball, {"duration_s=0.005"}), options);
+    const auto again = scene::load_scene(options.folder / "scene.toml");
+    REQUIRE_MESSAGE(again.ok(), to_string(again.problems()));
+    run::RunOptions other;
+    other.folder = folder.path / "b";
+    other.threads = 2;
+    ran(*again, other);
+    for (const char* name : {"series.csv", "frames/layout.tumble", "frames/frame_000001.tumble"})
+        CHECK_MESSAGE(content_of(options.folder / name) == content_of(other.folder / name), name);
+}
+
+TEST_CASE("nothing is overwritten, and force replaces only what a run wrote") {
+    const Folder folder;
+    const scene::Scene scene = loaded(falling_ball, {"duration_s=0.002"});
+    run::RunOptions options;
+    options.folder = folder.path;
+    put(folder.path / "notes.txt", "mine");
+    put(folder.path / "series.csv", "old");
+    const Problems problems = refused(scene, options);
+    REQUIRE(problems.size() == 1);
+    CHECK(problems[0].file == folder.path.string());
+    CHECK(problems[0].what == "already holds something, and nothing is overwritten");
+    CHECK(problems[0].fix.find("--force") != std::string::npos);
+    CHECK(entries(folder.path) == std::vector<std::string>{"notes.txt", "series.csv"});
+    CHECK(content_of(folder.path / "series.csv") == "old");
+
+    options.overwrite = true;
+    CHECK(ran(scene, options).state == "finished");
+    CHECK(content_of(folder.path / "notes.txt") == "mine");
+    CHECK(content_of(folder.path / "series.csv").starts_with("time_s,"));
+}
+
+TEST_CASE("a stop between two steps leaves a usable folder that says so") {
+    const Folder folder;
+    std::atomic<bool> stop{false};
+    struct Stopper : run::RunListener {
+        std::atomic<bool>& stop;
+        explicit Stopper(std::atomic<bool>& flag) : stop(flag) {}
+        void progressed(const run::Progress& now) override {
+            if (now.step >= 700)
+                stop = true;
+        }
+    } listener(stop);
+    run::RunOptions options;
+    options.folder = folder.path / "ball";
+    options.stop = &stop;
+    const auto summary = run::run_scene(loaded(falling_ball), options, listener);
+    REQUIRE(summary.ok());
+    CHECK(summary->state == "stopped");
+    CHECK(summary->steps >= 700);
+    CHECK(summary->steps < 2000);
+    const auto series = observe::read_series(options.folder / "series.csv");
+    REQUIRE(series.ok());
+    CHECK(static_cast<std::int64_t>(series->rows()) == summary->rows);
+    CHECK(nlohmann::json::parse(content_of(options.folder / "run.json"))["state"] == "stopped");
+    CHECK(static_cast<std::int64_t>(observe::list_frames(options.folder / "frames").size()) == summary->frames);
+}
+
+TEST_CASE("what cannot start leaves nothing behind") {
+    const Folder folder;
+    run::RunOptions options;
+    options.folder = folder.path / "deep" / "er" / "ball";
+    SUBCASE("an unknown measure") {
+        const Problems problems = refused(loaded(falling_ball, {"observe.measures=[\"circulaton\"]"}), options);
+        REQUIRE(problems.size() == 1);
+        CHECK(problems[0].what == "there is no measure 'circulaton'");
+        CHECK(problems[0].file == "ball.toml");
+    }
+    SUBCASE("an unknown colour of the pictures") {
+        options.pictures = true;
+        const Problems problems = refused(loaded(falling_ball, {"render.color=\"sped\""}), options);
+        REQUIRE_FALSE(problems.empty());
+        CHECK(problems[0].file == "ball.toml");
+    }
+    SUBCASE("a time step above the stable limit") {
+        CHECK_FALSE(refused(loaded(falling_ball, {"time_step_s=1e-3"}), options).empty());
+    }
+    SUBCASE("a folder below a file") {
+        put(folder.path / "deep", "a file");
+        CHECK_FALSE(refused(loaded(falling_ball), options).empty());
+        fs::remove(folder.path / "deep");
+    }
+    SUBCASE("a disk that is too small for the frames") {
+        // A frame of one body takes more than 100 bytes; 1e12 frames fit on no disk of this world.
+        const Problems problems =
+            refused(loaded(falling_ball, {"duration_s=1e6", "render.every_s=1e-6", "time_step_s=1e-6"}), options);
+        REQUIRE(problems.size() == 1);
+        CHECK(problems[0].what.find("are free there") != std::string::npos);
+    }
+    CHECK(fs::is_empty(folder.path));
+}
+
+TEST_CASE("a state that stops being sane ends the run as failed, with its reason in run.json") {
+    const Folder folder;
+    run::RunOptions options;
+    options.folder = folder.path / "ball";
+    // Starts below the floor of the domain's only wall-less side: it leaves the domain.
+    const scene::Scene scene = loaded(falling_ball, {"fill.0.velocity_m_s=[40, 0, 0]"});
+    const run::RunSummary summary = ran(scene, options);
+    CHECK(summary.state == "failed");
+    REQUIRE_FALSE(summary.reason.empty());
+    const auto json = nlohmann::json::parse(content_of(options.folder / "run.json"));
+    CHECK(json["state"] == "failed");
+    CHECK_FALSE(json["reason"].get<std::string>().empty());
+    CHECK(summary.time < 0.02);
+    CHECK(observe::read_series(options.folder / "series.csv").ok());
+}
+
+TEST_CASE("pictures are the same bytes however fast they are drawn, one per frame") {
+    const Folder folder;
+    const scene::Scene scene = loaded(falling_ball, {"duration_s=0.01"});
+    for (const char* name : {"a", "b"}) {
+        run::RunOptions options;
+        options.folder = folder.path / name;
+        options.pictures = true;
+        options.paraview = true;
+        options.text_dump = true;
+        const run::RunSummary summary = ran(scene, options);
+        CHECK(summary.pictures == 3);
+    }
+    for (const char* name : {"pictures/frame_000000.png", "pictures/frame_000002.png", "paraview/bodies.pvd",
+                             "paraview/walls_000002.vtp", "spheres.dump"}) {
+        CHECK_MESSAGE(!content_of(folder.path / "a" / name).empty(), name);
+        CHECK_MESSAGE(content_of(folder.path / "a" / name) == content_of(folder.path / "b" / name), name);
+    }
+}

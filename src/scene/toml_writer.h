@@ -16,15 +16,15 @@ public:
     void table(std::string_view path, const std::string& head);
 
     /// Values in SI, as the scene holds them.
-    void number(const std::string& key, double si);
-    void vector(const std::string& key, const Eigen::Vector3d& value);
-    void span(const std::string& key, double lo, double hi);
-    void integer(const std::string& key, long long value);
-    void flag(const std::string& key, bool value);
-    void text(const std::string& key, std::string_view value);
-    void words(const std::string& key, const std::vector<std::string>& value);
+    void number(const std::string& name, double si);
+    void vector(const std::string& name, const Eigen::Vector3d& value);
+    void span(const std::string& name, double lo, double hi);
+    void integer(const std::string& name, long long value);
+    void flag(const std::string& name, bool value);
+    void text(const std::string& name, std::string_view value);
+    void words(const std::string& name, const std::vector<std::string>& value);
     /// Rows of four, one a line.
-    void rows(const std::string& key, const std::vector<std::array<double, 4>>& value);
+    void rows(const std::string& name, const std::vector<std::array<double, 4>>& value);
 
     [[nodiscard]] const std::string& result() const { return toml_; }
 
@@ -34,7 +34,7 @@ public:
     static std::string name(std::string_view text);
 
 private:
-    void line(const std::string& key, const std::string& value);
+    void line(const std::string& name, const std::string& value);
     [[nodiscard]] const struct Key& key(const std::string& name) const;
 
     const struct KeyTable* table_ = nullptr;

@@ -67,8 +67,9 @@ int check_it(const CheckArguments& arguments) {
         return fine;
     }
     say(scene->title + "\n");
-    say(bodies_text(*check) + fmt::format("\nall: {} of {:.4g} kg, {} walls\n",
-                                          counted(check->wanted, "body", "bodies"), check->mass, check->walls.size()));
+    say(bodies_text(*check) + fmt::format("\nall: {} of {:.4g} kg, {}\n", counted(check->wanted, "body", "bodies"),
+                                          check->mass,
+                                          counted(static_cast<long long>(check->walls.size()), "wall", "walls")));
     say(step_text(check->time_step) + "\n");
     say(cost_text(*check));
     for (const std::string& warning : check->warnings)

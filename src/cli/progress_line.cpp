@@ -33,8 +33,8 @@ std::string bar(double share) {
 
 std::string in_words(const run::Progress& now) {
     const double kinetic = now.books.kinetic_translation + now.books.kinetic_rotation;
-    return fmt::format("t = {:.4g} of {:.4g} s, {} bodies, {:.3g} steps/s, {} left, kinetic energy {}", now.time,
-                       now.duration, now.books.bodies, now.steps_per_s, duration(now.left_s),
+    return fmt::format("t = {:.4g} of {:.4g} s, {}, {:.3g} steps/s, {} left, kinetic energy {}", now.time, now.duration,
+                       counted(now.books.bodies, "body", "bodies"), now.steps_per_s, duration(now.left_s),
                        format_si(kinetic, "J", 3));
 }
 

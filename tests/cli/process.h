@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../observe/frames.h"
+#include "../folder.h"
 
 #include <chrono>
 #include <csignal>

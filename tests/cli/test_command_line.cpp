@@ -56,10 +56,10 @@ TEST_CASE("a mistake in a scene is told with file, line and column, on stderr an
     put(folder.path / "ball.toml", text);
     const Outcome outcome = tumble_in(folder, {"check", "ball.toml", "--json"});
     CHECK(outcome.code == 2);
-    CHECK(contains(outcome.err, "ball.toml:12:1:"));
+    CHECK(contains(outcome.err, "ball.toml:13:1:"));
     CHECK(contains(outcome.err, "did you mean 'restitution'?"));
     const auto json = nlohmann::json::parse(outcome.out);
-    CHECK(json["problems"][0]["line"] == 12);
+    CHECK(json["problems"][0]["line"] == 13);
     CHECK(json["problems"][0]["column"] == 1);
 }
 

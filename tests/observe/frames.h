@@ -1,15 +1,12 @@
 #pragma once
 
+#include "../folder.h"
 #include "observe/frame.h"
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
-#include <unistd.h>
 
-/// Frames built by hand, and a folder that goes away with its test.
+/// Frames built by hand.
 namespace tumble::test {
 
 using Eigen::Vector3d;
@@ -42,31 +39,6 @@ inline void add_body(observe::Frame& frame, const Vector3d& position, const Vect
     frame.orientation.push_back(Eigen::Quaterniond::Identity());
     frame.velocity.push_back(velocity);
     frame.angular_velocity.push_back(spin);
-}
-
-struct Folder {
-    Folder() {
-        std::string name = (std::filesystem::temp_directory_path() / "tumble_test_XXXXXX").string();
-        path = mkdtemp(name.data());
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    ~Folder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path, ignored);
-    }
-    std::filesystem::path path;
-};
-
-inline std::string content_of(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::stringstream text;
-    text << stream.rdbuf();
-    return text.str();
-}
-
-inline void put(const std::filesystem::path& file, const std::string& content) {
-    std::ofstream(file, std::ios::binary) << content;
 }
 
 } // namespace tumble::test

@@ -1,4 +1,4 @@
-#include "../observe/frames.h"
+#include "../folder.h"
 #include "observe/frame_file.h"
 #include "run/redraw.h"
 #include "run/run_scene.h"

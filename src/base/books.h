@@ -10,23 +10,23 @@ struct Books {
     double time = 0; // s
     std::int64_t step = 0;
     std::int64_t bodies = 0;
-    std::int64_t contacts = 0;      // touching sphere pairs, walls included
+    std::int64_t contacts = 0; // touching sphere pairs, walls included
     double kinetic_translation = 0;
     double kinetic_rotation = 0;
-    double gravity = 0;             // potential, relative to the origin
+    double gravity = 0; // potential, relative to the origin
     double stored_normal = 0;
     double stored_tangential = 0;
     double lost_normal_damping = 0;
     double lost_tangential_damping = 0;
     double lost_sliding = 0;
-    double lost_history = 0;        // spring energy that the law drops when it projects, restiffens or forgets a history
-    double wall_work = 0;           // done by walls on bodies
-    double inserted = 0;            // energy that came with inserted bodies
-    double closure = 0;             // left side minus right side
-    double overlap_max = 0;         // m, the deepest contact now
-    double overlap_ratio_max = 0;   // -, deepest now, over the smaller radius
-    double speed_max = 0;           // m/s
-    double angular_speed_max = 0;   // rad/s
+    double lost_history = 0;      // spring energy that the law drops when it projects, restiffens or forgets a history
+    double wall_work = 0;         // done by walls on bodies
+    double inserted = 0;          // energy that came with inserted bodies
+    double closure = 0;           // left side minus right side
+    double overlap_max = 0;       // m, the deepest contact now
+    double overlap_ratio_max = 0; // -, deepest now, over the smaller radius
+    double speed_max = 0;         // m/s
+    double angular_speed_max = 0; // rad/s
 };
 
 } // namespace tumble

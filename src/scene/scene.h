@@ -34,7 +34,7 @@ struct Domain {
 struct ContactLaws {
     NormalLaw normal = NormalLaw::hertz;
     TangentialLaw tangential = TangentialLaw::mindlin;
-    bool limit_force = false;              // true: the normal force never pulls at the end of a rebound
+    bool limit_force = false;               // true: the normal force never pulls at the end of a rebound
     bool share_among_body_contacts = false; // true: n contacts of one body pair act together as one (docs/bodies.md)
 };
 
@@ -47,25 +47,25 @@ struct Sphere {
 struct BodyTemplate {
     std::string name;
     std::vector<Sphere> spheres;
-    int material = 0;                         // index into Scene::materials
-    std::optional<double> mass;               // kg, given instead of density * volume
+    int material = 0;                          // index into Scene::materials
+    std::optional<double> mass;                // kg, given instead of density * volume
     std::optional<Vector3d> principal_inertia; // kg m2, about the principal axes, given instead of the union's
 };
 
 enum class Orientation { random, as_written };
 
 struct Fill {
-    int body = 0;                             // index into Scene::bodies
-    std::optional<std::int64_t> count;        // exactly one of count and mass
-    std::optional<double> mass;               // kg
-    Box region;                               // bodies lie wholly inside
+    int body = 0;                      // index into Scene::bodies
+    std::optional<std::int64_t> count; // exactly one of count and mass
+    std::optional<double> mass;        // kg
+    Box region;                        // bodies lie wholly inside
     Orientation orientation = Orientation::random;
     Vector3d velocity = Vector3d::Zero();         // m/s
     Vector3d angular_velocity = Vector3d::Zero(); // rad/s
-    double start = 0;                         // s
-    double until = 0;                         // s; start == until: all at once; later: tries again every `every`
-    double every = 0.02;                      // s
-    std::optional<Vector3d> position;         // one body's centre placed exactly (count = 1, no search)
+    double start = 0;                             // s
+    double until = 0;                             // s; start == until: all at once; later: tries again every `every`
+    double every = 0.02;                          // s
+    std::optional<Vector3d> position;             // one body's centre placed exactly (count = 1, no search)
 };
 
 struct PlaneShape {
@@ -129,16 +129,16 @@ struct Render {
     Vector3d eye = Vector3d::Zero();    // m, free camera
     Vector3d target = Vector3d::Zero(); // m, free camera
     double field_of_view_deg = 35;
-    std::optional<Box> view;            // m, what must be in the picture; default: walls and bodies
+    std::optional<Box> view; // m, what must be in the picture; default: walls and bodies
     std::string color = "speed";
     std::optional<std::array<double, 2>> range; // in the quantity's SI unit
-    std::string colormap = "auto"; // coolwarm for quantities with a sign, viridis for others
-    std::string background = "dark";    // dark or white
+    std::string colormap = "auto";              // coolwarm for quantities with a sign, viridis for others
+    std::string background = "dark";            // dark or white
     int width = 1280;
     int height = 720;
-    double every = 0.04;                // s between frames
-    double frames_per_second = 25;      // of the video
-    bool plot = true;                   // small live plot over the picture
+    double every = 0.04;           // s between frames
+    double frames_per_second = 25; // of the video
+    bool plot = true;              // small live plot over the picture
     std::string plot_measure = "kinetic_energy";
 };
 

@@ -124,6 +124,11 @@ std::string Measure::column() const {
     return unit.empty() ? name : name + "_" + unit;
 }
 
+std::string written_unit(std::string unit) {
+    std::replace(unit.begin(), unit.end(), '_', '/');
+    return unit;
+}
+
 const std::vector<Measure>& all_measures() {
     static const std::vector<Measure> all = collect();
     return all;

@@ -33,6 +33,9 @@ struct Measure {
     [[nodiscard]] std::string column() const;
 };
 
+/// A unit as people write it: "rad/s" for the column head's "rad_s".
+std::string written_unit(std::string unit);
+
 /// Every measure there is, in the order of `tumble list measures`.
 const std::vector<Measure>& all_measures();
 

@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "observe/frame_file.h"
+#include "observe/measures.h"
 #include "observe/series.h"
 
 #include <fmt/format.h>
@@ -23,7 +24,7 @@ render::PlotLine plot_line(const RunFolder& folder, const std::string& measure) 
     line.label = measure;
     for (std::size_t i = 0; i < series->columns.size(); ++i)
         if (&series->values[i] == values && series->columns[i].size() > measure.size())
-            line.unit = series->columns[i].substr(measure.size() + 1);
+            line.unit = observe::written_unit(series->columns[i].substr(measure.size() + 1));
     line.times = *times;
     line.values = *values;
     return line;

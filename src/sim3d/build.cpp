@@ -86,8 +86,11 @@ Problems make_walls(World& world) {
     for (const scene::Wall& wall : world.scene.walls) {
         const auto surface = WallSurface::make(wall.shape, domain);
         if (!surface) {
-            const Problems more = surface.problems();
-            problems.insert(problems.end(), more.begin(), more.end());
+            for (Problem problem : surface.problems()) {
+                problem.file = problem.file.empty() ? world.scene.file.string() : problem.file;
+                problem.what = fmt::format("wall '{}': {}", wall.name, problem.what);
+                problems.push_back(std::move(problem));
+            }
             continue;
         }
         WallState state{wall, *surface, scene::pose_at(wall.motion, 0), {}, 0};

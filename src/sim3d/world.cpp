@@ -116,6 +116,21 @@ const std::vector<BodyShape>& shapes_of(const World& world) {
     return world.plain_shapes;
 }
 
+namespace {
+
+// Leapfrog's spins are half a step behind; the last known torque brings them up to date.
+Vector3d spin_at_step(const World& world, std::size_t slot) {
+    const BodyTurn& turn = world.turn[slot];
+    const Vector3d inertia(world.shape_at(static_cast<int>(slot)).inertia);
+    const Vector3d kick = 0.5 * world.dt * Vector3d(world.load[slot].torque);
+    if (world.shape_at(static_cast<int>(slot)).single)
+        return Vector3d(world.motion[slot].spin) + kick / inertia[0];
+    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> rotation(turn.rotation);
+    return rotation * (rotation.transpose() * (Vector3d(turn.momentum) + kick)).cwiseQuotient(inertia);
+}
+
+} // namespace
+
 std::vector<BodyState> bodies_of(const World& world) {
     std::vector<BodyState> bodies(world.id.size());
     for (std::size_t slot = 0; slot < world.id.size(); ++slot) {
@@ -128,7 +143,7 @@ std::vector<BodyState> bodies_of(const World& world) {
         state.position = Vector3d(motion.position);
         state.orientation = {turn.orientation[0], turn.orientation[1], turn.orientation[2], turn.orientation[3]};
         state.velocity = Vector3d(motion.velocity) + 0.5 * world.dt / motion.mass * Vector3d(load.force);
-        state.angular_velocity = Vector3d(motion.spin);
+        state.angular_velocity = spin_at_step(world, slot);
     }
     return bodies;
 }

@@ -88,9 +88,9 @@ enum class Phase {
     integrate,
     book_energy
 };
-constexpr std::array<const char*, 9> phase_names{"move_walls",       "list_neighbours", "find_candidates",
-                                                 "push_gravity",     "touch_candidates", "push_contacts",
-                                                 "collect_pushes",   "integrate",        "book_energy"};
+constexpr std::array<const char*, 9> phase_names{"move_walls",     "list_neighbours",  "find_candidates",
+                                                 "push_gravity",   "touch_candidates", "push_contacts",
+                                                 "collect_pushes", "integrate",        "book_energy"};
 using PhaseSeconds = std::array<double, phase_names.size()>;
 
 /// A contiguous range of slots and everything that its bodies own.

@@ -88,3 +88,9 @@ TEST_CASE("every unknown measure is reported, with the nearest that exists") {
     CHECK(problems[0].fix == "did you mean 'circulation'? `tumble list measures` names all of them");
     CHECK(problems[1].fix == "`tumble list measures` names all of them");
 }
+
+TEST_CASE("units are written with a stroke where column heads cannot have one") {
+    CHECK(observe::written_unit("rad_s") == "rad/s");
+    CHECK(observe::written_unit("J") == "J");
+    CHECK(observe::written_unit("").empty());
+}

@@ -129,6 +129,15 @@ std::string written_unit(std::string unit) {
     return unit;
 }
 
+std::string spelled_name(std::string name) {
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+}
+
+std::string spelled_unit(const std::string& unit) {
+    return unit.ends_with("_s") ? unit.substr(0, unit.size() - 2) + "/s" : unit;
+}
+
 const std::vector<Measure>& all_measures() {
     static const std::vector<Measure> all = collect();
     return all;

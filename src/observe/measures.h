@@ -36,6 +36,11 @@ struct Measure {
 /// A unit as people write it: "rad/s" for the column head's "rad_s".
 std::string written_unit(std::string unit);
 
+/// "kinetic energy" for "kinetic_energy": names as people read them.
+std::string spelled_name(std::string name);
+/// "rad/s" for "rad_s", "m/s" for "m_s"; other units as they are.
+std::string spelled_unit(const std::string& unit);
+
 /// Every measure there is, in the order of `tumble list measures`.
 const std::vector<Measure>& all_measures();
 

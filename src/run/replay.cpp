@@ -1,6 +1,5 @@
 #include "run/replay.h"
 
-#include "base/text.h"
 #include "observe/frame_file.h"
 #include "observe/measures.h"
 #include "observe/series.h"
@@ -17,14 +16,13 @@ render::PlotLine plot_line(const RunFolder& folder, const std::string& measure) 
     const Result<observe::Series> series = observe::read_series(folder.series());
     if (measure.empty() || !series || series->rows() == 0)
         return line;
+    const auto known = observe::choose_measures({measure});
     const std::vector<double>* times = series->find("time_s");
-    const std::vector<double>* values = series->find(measure);
+    const std::vector<double>* values = known && known->size() == 1 ? series->find(known->front().column()) : nullptr;
     if (!times || !values)
         return line;
-    line.label = measure;
-    for (std::size_t i = 0; i < series->columns.size(); ++i)
-        if (&series->values[i] == values && series->columns[i].size() > measure.size())
-            line.unit = observe::written_unit(series->columns[i].substr(measure.size() + 1));
+    line.label = observe::spelled_name(measure);
+    line.unit = observe::spelled_unit(known->front().unit);
     line.times = *times;
     line.values = *values;
     return line;

@@ -96,7 +96,7 @@ Result<Done> RunInWork::choose_what_to_see() {
     const auto plotted = observe::choose_measures({scene_.render.plot_measure});
     if (plotted && plotted->size() == 1) {
         plotted_ = plotted->front();
-        plot_.label = plotted_->name;
+        plot_.label = observe::spelled_name(plotted_->name);
         plot_.unit = observe::written_unit(plotted_->unit);
     }
     return Done{};

@@ -32,12 +32,14 @@ public:
         std::vector<std::string> all{TUMBLE_PROGRAM};
         all.insert(all.end(), words.begin(), words.end());
         pid_ = fork();
-        if (pid_ == 0)
+        if (pid_ == 0 && setpgid(0, 0) == 0) // a group of its own, as a shell gives every job
             become(folder, all, environment);
         REQUIRE(pid_ > 0);
     }
 
     void send(int signal) const { kill(pid_, signal); }
+    /// As Ctrl-C does: also to whatever the program has started.
+    void send_to_all(int signal) const { kill(-pid_, signal); }
 
     Outcome wait() {
         int status = 0;

@@ -24,9 +24,11 @@ bool any_part(const fs::path& folder) {
 }
 
 /// A run that would take hours, started and seen to be under way.
-Process long_run(const Folder& folder) {
+Process long_run(const Folder& folder, const std::vector<std::string>& flags = {}) {
     put(folder.path / "ball.toml", bouncing_ball(1e5));
-    Process process(folder.path, {"run", "ball.toml"});
+    std::vector<std::string> words{"run", "ball.toml"};
+    words.insert(words.end(), flags.begin(), flags.end());
+    Process process(folder.path, words);
     REQUIRE(eventually([&] { return fs::exists(folder.path / "out/ball/frames/frame_000003.tumble"); }));
     return process;
 }
@@ -76,6 +78,21 @@ TEST_CASE("a termination signal does the same with code 143") {
     process.send(SIGTERM);
     CHECK(process.wait().code == 143);
     CHECK(summary_in(folder.path / "out/ball")["state"] == "stopped");
+}
+
+TEST_CASE("Ctrl-C reaches ffmpeg too, and the video is whole all the same") {
+    if (std::system("ffmpeg -version > /dev/null 2>&1") != 0) {
+        MESSAGE("skipped: ffmpeg is not installed");
+        return;
+    }
+    const Folder folder;
+    Process process = long_run(folder, {"--video", "--set", "render.every_s=1"});
+    process.send_to_all(SIGINT);
+    const Outcome outcome = process.wait();
+    CHECK_MESSAGE(outcome.code == 130, outcome.err);
+    CHECK(summary_in(folder.path / "out/ball")["state"] == "stopped");
+    CHECK(fs::file_size(folder.path / "out/ball/video.mp4") > 1000);
+    CHECK_FALSE(any_part(folder.path / "out"));
 }
 
 TEST_CASE("a killed run is redrawn and exported from what it left") {

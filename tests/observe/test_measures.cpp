@@ -94,3 +94,20 @@ TEST_CASE("units are written with a stroke where column heads cannot have one") 
     CHECK(observe::written_unit("J") == "J");
     CHECK(observe::written_unit("").empty());
 }
+
+TEST_CASE("names and units are spelled for people") {
+    CHECK(observe::spelled_name("kinetic_energy") == "kinetic energy");
+    CHECK(observe::spelled_unit("rad_s") == "rad/s");
+    CHECK(observe::spelled_unit("m_s") == "m/s");
+    CHECK(observe::spelled_unit("deg") == "deg");
+    CHECK(observe::spelled_unit("").empty());
+}
+
+TEST_CASE("docs/measures.md defines every measure and names its group") {
+    const std::string page = content_of(std::filesystem::path(TUMBLE_ROOT) / "docs" / "measures.md");
+    for (const observe::Measure& measure : observe::all_measures()) {
+        CHECK_MESSAGE(page.find("`" + measure.name + "`") != std::string::npos, measure.name);
+        if (!measure.group.empty())
+            CHECK_MESSAGE(page.find("`" + measure.group + "`") != std::string::npos, measure.group);
+    }
+}

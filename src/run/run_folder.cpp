@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
+#include <utility>
+#include <vector>
 
 namespace tumble::run {
 
@@ -29,16 +31,42 @@ Problem wrong(const fs::path& place, std::string what, std::string fix) {
 
 const std::string elsewhere = "choose another folder with --out DIR";
 
+fs::path set_aside_in(const fs::path& root) {
+    return root / ".replaced";
+}
+
 /// Everything that a run writes, and nothing else.
+std::vector<fs::path> parts_of(const RunFolder& run) {
+    return {run.scene(),     run.summary(), run.series(),   run.video(),
+            run.text_dump(), run.frames(),  run.pictures(), run.paraview()};
+}
+
 void remove_run(const RunFolder& run) {
     std::error_code ignored;
-    for (const fs::path& file :
-         {run.scene(), run.summary(), run.series(), run.video(), run.text_dump(), reserve_of(run.root)}) {
-        fs::remove(file, ignored);
-        fs::remove(file.string() + ".part", ignored);
+    for (const fs::path& part : parts_of(run)) {
+        fs::remove_all(part, ignored);
+        fs::remove(part.string() + ".part", ignored);
     }
-    for (const fs::path& folder : {run.frames(), run.pictures(), run.paraview()})
-        fs::remove_all(folder, ignored);
+}
+
+/// An earlier run is only renamed until the new one has begun, so that a refusal costs nothing.
+std::error_code set_aside(const RunFolder& run) {
+    std::error_code error;
+    const fs::path aside = set_aside_in(run.root);
+    fs::remove_all(aside, error);
+    fs::create_directory(aside, error);
+    for (const fs::path& part : parts_of(run))
+        if (std::error_code ignored; !error && fs::exists(part, ignored))
+            fs::rename(part, aside / part.filename(), error);
+    return error;
+}
+
+void put_back(const RunFolder& run) {
+    std::error_code ignored;
+    for (const fs::path& part : parts_of(run))
+        if (const fs::path old = set_aside_in(run.root) / part.filename(); fs::exists(old, ignored))
+            fs::rename(old, part, ignored);
+    fs::remove(set_aside_in(run.root), ignored);
 }
 
 /// The topmost folder of `root` that does not exist yet.
@@ -127,10 +155,17 @@ FolderInWork::~FolderInWork() {
     if (kept_)
         return;
     remove_run(paths_);
+    put_back(paths_);
     std::error_code ignored;
     if (!made_from_.empty())
         for (fs::path at = fs::absolute(paths_.root).lexically_normal(); fs::remove(at, ignored) && at != made_from_;)
             at = at.parent_path();
+}
+
+void FolderInWork::keep() {
+    kept_ = true;
+    std::error_code ignored;
+    fs::remove_all(set_aside_in(paths_.root), ignored);
 }
 
 void FolderInWork::release_reserve() {
@@ -154,7 +189,12 @@ Result<FolderInWork> FolderInWork::open(const fs::path& root, bool overwrite, st
         return wrong(root, fmt::format("cannot be written: {}", std::strerror(errno)), elsewhere);
     }
     if (overwrite)
-        remove_run(folder.paths_);
+        error = set_aside(folder.paths_);
+    if (error) {
+        put_back(folder.paths_);
+        folder.alive_ = false;
+        return wrong(root, "cannot be written: " + error.message(), elsewhere);
+    }
     if (const auto problem = reserve_space(root))
         return *problem;
     fs::create_directory(folder.paths_.frames(), error);

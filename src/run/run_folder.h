@@ -26,9 +26,9 @@ struct RunFolder {
 /// unless `keep` is called everything that it made is removed again.
 class FolderInWork {
 public:
-    /// Makes the folder, or takes an empty one; with `overwrite` removes what an earlier run left there, and only that.
-    /// `bytes` is what the run will write at least. Problems: it holds something, cannot be made or written, too little
-    /// space.
+    /// Makes the folder, or takes an empty one; with `overwrite` keep() will remove what an earlier run left there, and
+    /// only that. `bytes` is what the run will write at least. Problems: it holds something, cannot be made or written,
+    /// too little space.
     static Result<FolderInWork> open(const std::filesystem::path& root, bool overwrite, std::uintmax_t bytes);
 
     FolderInWork(FolderInWork&& other) noexcept;
@@ -37,7 +37,7 @@ public:
 
     [[nodiscard]] const RunFolder& paths() const { return paths_; }
     /// From now on the folder is worth keeping, whatever happens.
-    void keep() { kept_ = true; }
+    void keep();
     /// Gives the reserved space free, for the last things to be written.
     void release_reserve();
 

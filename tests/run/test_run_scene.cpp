@@ -112,6 +112,22 @@ TEST_CASE("nothing is overwritten, and force replaces only what a run wrote") {
     CHECK(content_of(folder.path / "series.csv").starts_with("time_s,"));
 }
 
+TEST_CASE("a run that cannot start costs the one that it was to replace nothing") {
+    const Folder folder;
+    run::RunOptions options;
+    options.folder = folder.path / "ball";
+    ran(loaded(falling_ball, {"duration_s=0.002"}), options);
+    const std::string series = content_of(options.folder / "series.csv");
+    const std::string summary = content_of(options.folder / "run.json");
+    options.overwrite = true;
+    options.pictures = true;
+    CHECK_FALSE(refused(loaded(falling_ball, {"render.color=\"sped\""}), options).empty());
+    CHECK(entries(options.folder) == std::vector<std::string>{"frames", "run.json", "scene.toml", "series.csv"});
+    CHECK(content_of(options.folder / "series.csv") == series);
+    CHECK(content_of(options.folder / "run.json") == summary);
+    CHECK(observe::list_frames(options.folder / "frames").size() == 1);
+}
+
 TEST_CASE("a stop between two steps leaves a usable folder that says so") {
     const Folder folder;
     std::atomic<bool> stop{false};

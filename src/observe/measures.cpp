@@ -124,11 +124,6 @@ std::string Measure::column() const {
     return unit.empty() ? name : name + "_" + unit;
 }
 
-std::string written_unit(std::string unit) {
-    std::replace(unit.begin(), unit.end(), '_', '/');
-    return unit;
-}
-
 std::string spelled_name(std::string name) {
     std::replace(name.begin(), name.end(), '_', ' ');
     return name;

@@ -33,9 +33,6 @@ struct Measure {
     [[nodiscard]] std::string column() const;
 };
 
-/// A unit as people write it: "rad/s" for the column head's "rad_s".
-std::string written_unit(std::string unit);
-
 /// "kinetic energy" for "kinetic_energy": names as people read them.
 std::string spelled_name(std::string name);
 /// "rad/s" for "rad_s", "m/s" for "m_s"; other units as they are.

@@ -97,7 +97,7 @@ Result<Done> RunInWork::choose_what_to_see() {
     if (plotted && plotted->size() == 1) {
         plotted_ = plotted->front();
         plot_.label = observe::spelled_name(plotted_->name);
-        plot_.unit = observe::written_unit(plotted_->unit);
+        plot_.unit = observe::spelled_unit(plotted_->unit);
     }
     return Done{};
 }

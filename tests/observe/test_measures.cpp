@@ -89,12 +89,6 @@ TEST_CASE("every unknown measure is reported, with the nearest that exists") {
     CHECK(problems[1].fix == "`tumble list measures` names all of them");
 }
 
-TEST_CASE("units are written with a stroke where column heads cannot have one") {
-    CHECK(observe::written_unit("rad_s") == "rad/s");
-    CHECK(observe::written_unit("J") == "J");
-    CHECK(observe::written_unit("").empty());
-}
-
 TEST_CASE("names and units are spelled for people") {
     CHECK(observe::spelled_name("kinetic_energy") == "kinetic energy");
     CHECK(observe::spelled_unit("rad_s") == "rad/s");

@@ -17,9 +17,13 @@ namespace {
 
 std::string joined(const std::vector<std::string>& words) {
     std::string line;
-    for (const std::string& word : words)
-        line += (line.empty() ? "" : ",") + word;
-    return line + "\n";
+    for (const std::string& word : words) {
+        if (!line.empty())
+            line += ',';
+        line += word;
+    }
+    line += '\n';
+    return line;
 }
 
 Problem cannot_write(const std::filesystem::path& file, int error) {

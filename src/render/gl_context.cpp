@@ -11,6 +11,12 @@ extern "C" const char* __lsan_default_suppressions() {
     return "leak:libOSMesa";
 }
 #endif
+#ifdef __SANITIZE_THREAD__
+// The threads of its rasteriser were compiled without the race checker, which cannot see how they wait for each other.
+extern "C" const char* __tsan_default_suppressions() {
+    return "race:libOSMesa";
+}
+#endif
 
 namespace tumble::render {
 

@@ -10,6 +10,7 @@
 // share inline must therefore be inlined for certain (else the linker could keep one set's copy for all) or carry the
 // set in its type's name, as Pack does.
 #define TUMBLE_INLINE [[gnu::always_inline]] inline
+#define TUMBLE_INLINE_LAMBDA __attribute__((always_inline))
 #ifndef TUMBLE_ISA
 #define TUMBLE_ISA isa_baseline
 #endif
@@ -79,6 +80,69 @@ TUMBLE_INLINE Pack root(Pack x) {
     return r;
 #endif
 }
+/// Four packs that stand for eight rows of four doubles: column k holds the k-th double of every row.
+struct Columns {
+    Pack x, y, z, w;
+};
+
+/// Columns of eight rows of four doubles; row(k) points to one, 32-byte aligned, for k = 0 .. 7.
+template <class RowOf> TUMBLE_INLINE Columns gather(RowOf&& row) {
+    using Quad = double __attribute__((vector_size(32)));
+    const auto quad = [&](int k) TUMBLE_INLINE_LAMBDA { return *reinterpret_cast<const Quad*>(row(k)); };
+    // Rows k and k + 4 share a register; then 4 x 4 blocks are turned in both halves at once.
+    const auto both = [&](int k) TUMBLE_INLINE_LAMBDA {
+        return __builtin_shufflevector(quad(k), quad(k + 4), 0, 1, 2, 3, 4, 5, 6, 7);
+    };
+    const auto r0 = both(0), r1 = both(1), r2 = both(2), r3 = both(3);
+    const auto even01 = __builtin_shufflevector(r0, r1, 0, 8, 2, 10, 4, 12, 6, 14);
+    const auto odd01 = __builtin_shufflevector(r0, r1, 1, 9, 3, 11, 5, 13, 7, 15);
+    const auto even23 = __builtin_shufflevector(r2, r3, 0, 8, 2, 10, 4, 12, 6, 14);
+    const auto odd23 = __builtin_shufflevector(r2, r3, 1, 9, 3, 11, 5, 13, 7, 15);
+    return {Pack(static_cast<Pack::Lanes>(__builtin_shufflevector(even01, even23, 0, 1, 8, 9, 4, 5, 12, 13))),
+            Pack(static_cast<Pack::Lanes>(__builtin_shufflevector(odd01, odd23, 0, 1, 8, 9, 4, 5, 12, 13))),
+            Pack(static_cast<Pack::Lanes>(__builtin_shufflevector(even01, even23, 2, 3, 10, 11, 6, 7, 14, 15))),
+            Pack(static_cast<Pack::Lanes>(__builtin_shufflevector(odd01, odd23, 2, 3, 10, 11, 6, 7, 14, 15)))};
+}
+
+/// Eight rows of four doubles: gather() undone.
+struct alignas(64) RowBlock {
+    double quad[Pack::lanes][4];
+
+    TUMBLE_INLINE explicit RowBlock(const Columns& c) {
+        const auto even01 = __builtin_shufflevector(c.x.v, c.y.v, 0, 8, 2, 10, 4, 12, 6, 14);
+        const auto odd01 = __builtin_shufflevector(c.x.v, c.y.v, 1, 9, 3, 11, 5, 13, 7, 15);
+        const auto even23 = __builtin_shufflevector(c.z.v, c.w.v, 0, 8, 2, 10, 4, 12, 6, 14);
+        const auto odd23 = __builtin_shufflevector(c.z.v, c.w.v, 1, 9, 3, 11, 5, 13, 7, 15);
+        const auto put = [&](int pair, auto rows) TUMBLE_INLINE_LAMBDA {
+            *reinterpret_cast<Pack::Lanes*>(quad[pair]) = static_cast<Pack::Lanes>(rows);
+        };
+        const auto r04 = __builtin_shufflevector(even01, even23, 0, 1, 8, 9, 4, 5, 12, 13);
+        const auto r15 = __builtin_shufflevector(odd01, odd23, 0, 1, 8, 9, 4, 5, 12, 13);
+        const auto r26 = __builtin_shufflevector(even01, even23, 2, 3, 10, 11, 6, 7, 14, 15);
+        const auto r37 = __builtin_shufflevector(odd01, odd23, 2, 3, 10, 11, 6, 7, 14, 15);
+        put(0, __builtin_shufflevector(r04, r15, 0, 1, 2, 3, 8, 9, 10, 11));
+        put(2, __builtin_shufflevector(r26, r37, 0, 1, 2, 3, 8, 9, 10, 11));
+        put(4, __builtin_shufflevector(r04, r15, 4, 5, 6, 7, 12, 13, 14, 15));
+        put(6, __builtin_shufflevector(r26, r37, 4, 5, 6, 7, 12, 13, 14, 15));
+    }
+
+    [[nodiscard]] TUMBLE_INLINE const double* row(int k) const { return quad[k]; }
+};
+
+/// to += from, four doubles, both 32-byte aligned.
+TUMBLE_INLINE void add_quad(double* to, const double* from) {
+    using Quad = double __attribute__((vector_size(32)));
+    *reinterpret_cast<Quad*>(to) += *reinterpret_cast<const Quad*>(from);
+}
+TUMBLE_INLINE void subtract_quad(double* to, const double* from) {
+    using Quad = double __attribute__((vector_size(32)));
+    *reinterpret_cast<Quad*>(to) -= *reinterpret_cast<const Quad*>(from);
+}
+TUMBLE_INLINE void copy_quad(double* to, const double* from) {
+    using Quad = double __attribute__((vector_size(32)));
+    *reinterpret_cast<Quad*>(to) = *reinterpret_cast<const Quad*>(from);
+}
+
 /// Sum in lane order.
 TUMBLE_INLINE double sum(Pack x) {
     double s = 0;

@@ -1,12 +1,11 @@
 #include "sim3d/body_list.h"
 
-#include "sim3d/cells.h"
-#include "sim3d/kept_memory.h"
 #include "sim3d/phase.h"
 #include "sim3d/placement.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tumble::sim3d {
 
@@ -19,6 +18,14 @@ constexpr std::int64_t rebuilds_per_sort = 16;
 
 constexpr int fewest_bodies_per_chunk = 48;
 constexpr int most_chunks = 16;
+
+constexpr double spare_leash = 0.6; // share of the mean leash that bodies at rest get
+constexpr double expired = std::numeric_limits<double>::lowest();
+
+/// Radius of the body's bounding sphere and its leash, m: bodies whose reaches do not meet cannot touch yet.
+double reach_of(const World& world, int slot) {
+    return world.shape_at(slot).bounding_radius - world.travel[static_cast<std::size_t>(slot)];
+}
 
 void wrap(World& world) {
     const scene::Domain& domain = world.scene.domain;
@@ -43,6 +50,7 @@ void sort_slots(World& world, const std::vector<int>& order) {
     reorder(world.shape, order);
     reorder(world.motion, order);
     reorder(world.load, order);
+    reorder(world.orientation, order);
     reorder(world.turn, order);
     for (std::size_t slot = 0; slot < world.id.size(); ++slot)
         world.slot_of[static_cast<std::size_t>(world.id[slot])] = static_cast<int>(slot);
@@ -70,6 +78,8 @@ void clear(Chunk& chunk) {
     chunk.sphere_pairs.clear();
     chunk.sphere_memory.clear();
     chunk.sphere_touching.clear();
+    chunk.near_pairs.clear();
+    chunk.near_until = 0;
     chunk.body_pairs.clear();
     chunk.candidates.clear();
     chunk.memory.clear();
@@ -84,18 +94,18 @@ bool may_remember(const World& world, int a, int b, int image) {
     const BodyMotion& body_a = world.motion[static_cast<std::size_t>(a)];
     const BodyMotion& body_b = world.motion[static_cast<std::size_t>(b)];
     const Vector3d d = Vector3d(body_a.position) - Vector3d(body_b.position) -
-                       Vector3d(world.images[static_cast<std::size_t>(image)].data());
+                       Vector3d(world.images[static_cast<std::size_t>(image)].along);
     const double reach = body_a.radius + body_b.radius + 2.001 * world.books.speed_max * world.dt;
     return d.squaredNorm() < reach * reach;
 }
 
-void add_sphere_pair(const World& world, Chunk& chunk, const KeptMemory& kept, int a, int b, int image) {
+void add_sphere_pair(const World& world, Chunk& chunk, int a, int b, int image) {
     const auto id_a = world.id[static_cast<std::size_t>(a)];
     const auto id_b = world.id[static_cast<std::size_t>(b)];
     MemoryLanes memory{};
     bool touching = false;
     if (may_remember(world, a, b, image))
-        for (const KeptPair& old : kept.of_pair(std::min(id_a, id_b)))
+        for (const KeptPair& old : world.kept.of_pair(std::min(id_a, id_b)))
             if (old.second == std::max(id_a, id_b)) {
                 memory = id_a < id_b ? old.memory : mirrored(old.memory);
                 touching = true;
@@ -107,11 +117,11 @@ void add_sphere_pair(const World& world, Chunk& chunk, const KeptMemory& kept, i
 }
 
 // The pair starts expired, with only what it remembers; the first refresh completes it.
-void add_body_pair(const World& world, Chunk& chunk, const KeptMemory& kept, int a, int b, int image) {
+void add_body_pair(const World& world, Chunk& chunk, int a, int b, int image) {
     const auto id_a = world.id[static_cast<std::size_t>(a)];
     const auto id_b = world.id[static_cast<std::size_t>(b)];
-    BodyPair pair{a, b, -1.0, static_cast<int>(chunk.candidates.size()), 0, 0, static_cast<std::int16_t>(image)};
-    for (const KeptPair& old : kept.of_pair(std::min(id_a, id_b))) {
+    BodyPair pair{a, b, expired, static_cast<int>(chunk.candidates.size()), 0, 0, static_cast<std::int16_t>(image)};
+    for (const KeptPair& old : world.kept.of_pair(std::min(id_a, id_b))) {
         if (old.second != std::max(id_a, id_b))
             continue;
         const bool straight = id_a < id_b;
@@ -125,35 +135,35 @@ void add_body_pair(const World& world, Chunk& chunk, const KeptMemory& kept, int
     chunk.body_pairs.push_back(pair);
 }
 
-void list_pairs(const World& world, Chunk& chunk, const Cells& cells, const std::vector<Vector3d>& centres,
-                const KeptMemory& kept) {
+void list_pairs(const World& world, Chunk& chunk) {
+    const std::vector<Vector3d>& centres = world.centres;
     std::array<Cells::Seen, 27> seen{};
     for (int a = chunk.begin; a < chunk.end; ++a) {
         const Vector3d& centre = centres[static_cast<std::size_t>(a)];
-        const double own_reach = world.shape_at(a).bounding_radius + world.skin;
+        const double own_reach = reach_of(world, a);
         const bool single = world.shape_at(a).single;
-        const int count = cells.around(centre, seen);
+        const int count = world.cells.around(centre, seen);
         for (int k = 0; k < count; ++k) {
             const Cells::Seen& cell = seen[static_cast<std::size_t>(k)];
-            const auto& shift = world.images[static_cast<std::size_t>(cell.image)];
+            const auto& shift = world.images[static_cast<std::size_t>(cell.image)].along;
             const Vector3d from = centre - Vector3d(shift[0], shift[1], shift[2]);
             for (const int* b = cell.begin; b != cell.end; ++b) {
                 if (*b <= a)
                     continue;
-                const double reach = own_reach + world.shape_at(*b).bounding_radius;
+                const double reach = own_reach + reach_of(world, *b);
                 if ((from - centres[static_cast<std::size_t>(*b)]).squaredNorm() >= reach * reach)
                     continue;
                 if (single && world.shape_at(*b).single)
-                    add_sphere_pair(world, chunk, kept, a, *b, cell.image);
+                    add_sphere_pair(world, chunk, a, *b, cell.image);
                 else
-                    add_body_pair(world, chunk, kept, a, *b, cell.image);
+                    add_body_pair(world, chunk, a, *b, cell.image);
             }
         }
     }
 }
 
-void add_body_wall(const World& world, Chunk& chunk, const KeptMemory& kept, BodyWall near) {
-    for (const KeptWall& old : kept.of_wall(world.id[static_cast<std::size_t>(near.body)])) {
+void add_body_wall(const World& world, Chunk& chunk, BodyWall near) {
+    for (const KeptWall& old : world.kept.of_wall(world.id[static_cast<std::size_t>(near.body)])) {
         if (old.wall != near.wall)
             continue;
         WallCandidate candidate;
@@ -168,32 +178,58 @@ void add_body_wall(const World& world, Chunk& chunk, const KeptMemory& kept, Bod
     chunk.body_walls.push_back(near);
 }
 
-void list_walls(const World& world, Chunk& chunk, const std::vector<Vector3d>& centres, const KeptMemory& kept) {
+void list_walls(const World& world, Chunk& chunk) {
     std::vector<int> primitives;
     for (int body = chunk.begin; body < chunk.end; ++body)
         for (std::size_t w = 0; w < world.walls.size(); ++w) {
             const WallState& wall = world.walls[w];
-            const Vector3d centre = centres[static_cast<std::size_t>(body)] - wall.pose.translation;
+            const Vector3d centre = world.centres[static_cast<std::size_t>(body)] - wall.pose.translation;
             wall.surface.primitives_near(wall.pose.rotation.transpose() * centre,
-                                         world.shape_at(body).bounding_radius + world.skin, primitives);
+                                         reach_of(world, body) + world.wall_skin, primitives);
             if (primitives.empty())
                 continue;
             BodyWall near;
             near.body = body;
             near.wall = static_cast<int>(w);
-            near.expires = -1;
+            near.expires = expired;
             near.primitives_begin = static_cast<int>(chunk.wall_primitives.size());
             near.primitives_count = static_cast<int>(primitives.size());
             near.begin = static_cast<int>(chunk.wall_candidates.size());
             chunk.wall_primitives.insert(chunk.wall_primitives.end(), primitives.begin(), primitives.end());
-            add_body_wall(world, chunk, kept, near);
+            add_body_wall(world, chunk, near);
         }
+}
+
+/// Bodies that are fast beside the mean flow get long leashes, slow ones short, so that all last about as long; what a
+/// collision may add is the same for all. The mean is half a skin.
+void give_leashes(World& world) {
+    const auto bodies = static_cast<std::size_t>(world.bodies());
+    world.travel.resize(bodies);
+    double mean_speed = 0;
+    for (std::size_t slot = 0; slot < bodies; ++slot) {
+        const BodyMotion& body = world.motion[slot];
+        const ShapeConstants& shape = world.shape_at(static_cast<int>(slot));
+        const double speed = (Vector3d(body.velocity) - world.flow.at(Vector3d(body.position))).norm() +
+                             (shape.single ? 0 : Vector3d(body.spin).norm() * shape.reach);
+        world.travel[slot] = speed;
+        mean_speed += speed / static_cast<double>(bodies);
+    }
+    const double half = 0.5 * world.skin;
+    const double time = mean_speed > 0 ? (1 - spare_leash) * half / mean_speed : 0;
+    for (double& travel : world.travel)
+        travel = -std::min(spare_leash * half + time * travel, longest_leash * half);
+}
+
+void find_centres(World& world) {
+    world.centres.resize(world.id.size());
+    for (int slot = 0; slot < world.bodies(); ++slot)
+        world.centres[static_cast<std::size_t>(slot)] = bounding_centre(world, placement_of(world, slot));
 }
 
 } // namespace
 
 void rebuild_body_list(World& world) {
-    const KeptMemory kept(world);
+    world.kept.take(world);
     wrap(world);
     double largest = 0;
     double offset = 0;
@@ -202,30 +238,26 @@ void rebuild_body_list(World& world) {
         offset = std::max(offset, Vector3d(shape.bounding_centre).norm());
     }
     // A body is wrapped by its mass centre, so its bounding sphere may stand this far outside the periodic box.
-    const double reach = 2 * largest + world.skin + offset;
+    const auto cell_width = [&](double leash) { return 2 * (largest + leash) + offset; };
 
-    const auto find_centres = [&] {
-        std::vector<Vector3d> centres(world.id.size());
-        for (int slot = 0; slot < world.bodies(); ++slot)
-            centres[static_cast<std::size_t>(slot)] = bounding_centre(world, placement_of(world, slot));
-        return centres;
-    };
-    std::vector<Vector3d> centres = find_centres();
+    find_centres(world);
     if (world.stale || world.rebuilds % rebuilds_per_sort == 0) {
-        sort_slots(world, Cells(world.scene.domain, centres, reach).order());
-        centres = find_centres();
+        world.cells.sort(world.scene.domain, world.centres, cell_width(0.5 * world.skin));
+        sort_slots(world, world.cells.order());
+        find_centres(world);
     }
-    const Cells cells(world.scene.domain, centres, reach);
+    give_leashes(world);
+    const double longest = -*std::min_element(world.travel.begin(), world.travel.end());
+    world.cells.sort(world.scene.domain, world.centres, cell_width(longest));
     cut_chunks(world);
-    std::fill(world.travel.begin(), world.travel.end(), 0.0);
-    world.travel.resize(world.id.size(), 0.0);
+    for (WallState& wall : world.walls)
+        wall.travel = 0;
     for_chunks(world, [&](Chunk& chunk) {
         clear(chunk);
-        list_pairs(world, chunk, cells, centres, kept);
-        list_walls(world, chunk, centres, kept);
+        list_pairs(world, chunk);
+        list_walls(world, chunk);
     });
     world.stale = false;
-    world.rebuild_time = static_cast<double>(world.step) * world.dt;
     ++world.rebuilds;
 }
 

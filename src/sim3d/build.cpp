@@ -1,7 +1,7 @@
 #include "sim3d/body_shape.h"
-#include "sim3d/cells.h"
 #include "sim3d/fill.h"
 #include "sim3d/time_step.h"
+#include "sim3d/body_list.h"
 #include "sim3d/world.h"
 
 #include <algorithm>
@@ -17,6 +17,9 @@ using Eigen::Vector3d;
 // Lists as long as these parts of the bodies were found quickest on dense beds (bench/spheres, bench/trough).
 constexpr double skin_per_bounding_radius = 0.16;
 constexpr double sphere_skin_per_radius = 0.15;
+constexpr double near_skin_per_skin = 0.25;
+// Walls do not take part in the mean flow, so bodies may pass them long before they pass each other.
+constexpr double wall_skin_per_skin = 4;
 
 /// Smallest sphere around all spheres, by repeatedly stepping towards the farthest (Badoiu and Clarkson 2003); a little
 /// too large is fine, too small never happens because the radius is measured at the end.
@@ -82,7 +85,6 @@ Problems make_shapes(World& world) {
 Problems make_walls(World& world) {
     Problems problems;
     const scene::Domain& domain = world.scene.domain;
-    const Vector3d middle = 0.5 * (domain.box.lo + domain.box.hi);
     for (const scene::Wall& wall : world.scene.walls) {
         const auto surface = WallSurface::make(wall.shape, domain);
         if (!surface) {
@@ -93,9 +95,8 @@ Problems make_walls(World& world) {
             }
             continue;
         }
-        WallState state{wall, *surface, scene::pose_at(wall.motion, 0), {}, 0};
+        WallState state{wall, *surface, scene::pose_at(wall.motion, 0), {}};
         state.half_pose = scene::pose_at(wall.motion, -0.5 * world.dt);
-        state.speed_bound = scene::speed_bound(wall.motion, middle, (domain.box.hi - middle).norm());
         world.walls.push_back(std::move(state));
     }
     return problems;
@@ -117,9 +118,9 @@ void make_images(World& world) {
     for (int z = -1; z <= 1; ++z)
         for (int y = -1; y <= 1; ++y)
             for (int x = -1; x <= 1; ++x)
-                world.images[static_cast<std::size_t>(image_index(x, y, z))] = {
+                world.images[static_cast<std::size_t>(image_index(x, y, z))] = {{
                     domain.periodic[0] ? x * length.x() : 0.0, domain.periodic[1] ? y * length.y() : 0.0,
-                    domain.periodic[2] ? z * length.z() : 0.0};
+                    domain.periodic[2] ? z * length.z() : 0.0, 0.0}};
 }
 
 void choose_skins(World& world) {
@@ -132,15 +133,20 @@ void choose_skins(World& world) {
     }
     world.smallest_radius = smallest_sphere;
     world.skin = world.scene.skin > 0 ? world.scene.skin : skin_per_bounding_radius * largest;
+    world.near_skin = near_skin_per_skin * world.skin;
+    world.wall_skin = wall_skin_per_skin * world.skin;
     world.sphere_skin = std::min(sphere_skin_per_radius * smallest_sphere, world.skin);
+    for (const BodyShape& shape : world.plain_shapes)
+        world.reach = std::max(world.reach, 2 * shape.bounding_radius + longest_leash * world.skin);
 }
 
 Problems check_periods(const World& world) {
     Problems problems;
     const scene::Domain& domain = world.scene.domain;
-    double reach = world.skin;
+    double reach = 0;
     for (const ShapeConstants& shape : world.shape_constants)
-        reach = std::max(reach, 2 * shape.bounding_radius + Vector3d(shape.bounding_centre).norm() + world.skin);
+        reach = std::max(reach, 2 * shape.bounding_radius + Vector3d(shape.bounding_centre).norm() +
+                                    longest_leash * world.skin);
     for (int k = 0; k < 3; ++k)
         if (domain.periodic[static_cast<std::size_t>(k)] && domain.box.hi[k] - domain.box.lo[k] < reach)
             problems.push_back(scene_problem(

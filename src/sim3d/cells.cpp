@@ -13,8 +13,8 @@ constexpr double cells_per_body = 4;
 
 } // namespace
 
-Cells::Cells(const scene::Domain& domain, const std::vector<Eigen::Vector3d>& centres, double reach)
-    : periodic_(domain.periodic) {
+void Cells::sort(const scene::Domain& domain, const std::vector<Eigen::Vector3d>& centres, double reach) {
+    periodic_ = domain.periodic;
     Eigen::Vector3d lo = domain.box.lo;
     Eigen::Vector3d hi = domain.box.hi;
     for (int k = 0; k < 3; ++k) {
@@ -43,16 +43,16 @@ Cells::Cells(const scene::Domain& domain, const std::vector<Eigen::Vector3d>& ce
     });
 
     begin_.assign(static_cast<std::size_t>(count()) + 1, 0);
-    std::vector<int> cell(centres.size());
+    cell_.resize(centres.size());
     for (std::size_t body = 0; body < centres.size(); ++body) {
-        cell[body] = cell_of(centres[body]);
-        ++begin_[static_cast<std::size_t>(cell[body]) + 1];
+        cell_[body] = cell_of(centres[body]);
+        ++begin_[static_cast<std::size_t>(cell_[body]) + 1];
     }
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    std::vector<int> next = begin_;
+    next_ = begin_;
     order_.resize(centres.size());
     for (std::size_t body = 0; body < centres.size(); ++body)
-        order_[static_cast<std::size_t>(next[static_cast<std::size_t>(cell[body])]++)] = static_cast<int>(body);
+        order_[static_cast<std::size_t>(next_[static_cast<std::size_t>(cell_[body])]++)] = static_cast<int>(body);
 }
 
 std::array<int, 3> Cells::place_of(const Eigen::Vector3d& centre) const {

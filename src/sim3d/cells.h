@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim3d/world.h"
+#include "scene/scene.h"
 
 #include <Eigen/Core>
 #include <array>
@@ -12,8 +12,9 @@ namespace tumble::sim3d {
 /// neighbours stand in the 27 cells around. The longest side of the grid is the slowest index.
 class Cells {
 public:
-    /// `centres` in m, wrapped into the periodic box; `reach` m is the largest distance of two centres that matters.
-    Cells(const scene::Domain& domain, const std::vector<Eigen::Vector3d>& centres, double reach);
+    /// Sorts anew, in the room of the last time. `centres` in m, wrapped into the periodic box; `reach` m is the largest
+    /// distance of two centres that matters.
+    void sort(const scene::Domain& domain, const std::vector<Eigen::Vector3d>& centres, double reach);
 
     [[nodiscard]] int cell_of(const Eigen::Vector3d& centre) const;
     [[nodiscard]] int count() const { return size_[0] * size_[1] * size_[2]; }
@@ -40,6 +41,8 @@ private:
     std::array<int, 3> size_{1, 1, 1};
     std::vector<int> begin_;
     std::vector<int> order_;
+    std::vector<int> cell_; // per body
+    std::vector<int> next_; // per cell
 };
 
 /// Image 13 is the box itself; its digits to base 3, x fastest, are -1, 0, +1 box lengths.

@@ -1,5 +1,7 @@
 #include "sim3d/kept_memory.h"
 
+#include "sim3d/world.h"
+
 #include <algorithm>
 
 namespace tumble::sim3d {
@@ -7,18 +9,18 @@ namespace tumble::sim3d {
 namespace {
 
 // Counting sort by key, stable, so that the order inside a body is the order in which the contacts stood.
-template <class Entry, class Key> std::vector<int> group(std::vector<Entry>& entries, std::size_t keys, Key&& key) {
-    std::vector<int> begin(keys + 1, 0);
+template <class Entry, class Key>
+void group(const std::vector<Entry>& entries, std::vector<Entry>& sorted, std::vector<int>& begin,
+           std::vector<int>& next, std::size_t keys, Key&& key) {
+    begin.assign(keys + 1, 0);
     for (const Entry& entry : entries)
         ++begin[static_cast<std::size_t>(key(entry)) + 1];
     for (std::size_t k = 0; k < keys; ++k)
         begin[k + 1] += begin[k];
-    std::vector<int> next = begin;
-    std::vector<Entry> sorted(entries.size());
+    next = begin;
+    sorted.resize(entries.size());
     for (const Entry& entry : entries)
         sorted[static_cast<std::size_t>(next[static_cast<std::size_t>(key(entry))]++)] = entry;
-    entries = std::move(sorted);
-    return begin;
 }
 
 KeptPair canonical(std::int64_t a, std::int64_t b, int sphere_a, int sphere_b, const MemoryLanes& memory) {
@@ -29,19 +31,21 @@ KeptPair canonical(std::int64_t a, std::int64_t b, int sphere_a, int sphere_b, c
 
 } // namespace
 
-KeptMemory::KeptMemory(const World& world) {
+void KeptMemory::take(const World& world) {
+    unsorted_pairs_.clear();
+    unsorted_walls_.clear();
     for (const Chunk& chunk : world.chunks) {
         for (std::size_t p = 0; p < chunk.sphere_pairs.size(); ++p)
             if (chunk.sphere_touching[p]) {
                 const SpherePair& pair = chunk.sphere_pairs[p];
-                pairs_.push_back(canonical(world.id[static_cast<std::size_t>(pair.a)],
+                unsorted_pairs_.push_back(canonical(world.id[static_cast<std::size_t>(pair.a)],
                                            world.id[static_cast<std::size_t>(pair.b)], 0, 0, chunk.sphere_memory[p]));
             }
         for (const BodyPair& pair : chunk.body_pairs)
             for (int k = pair.begin; k < pair.begin + pair.count; ++k) {
                 const SphereCandidate& candidate = chunk.candidates[static_cast<std::size_t>(k)];
                 if (candidate.touching)
-                    pairs_.push_back(canonical(world.id[static_cast<std::size_t>(pair.a)],
+                    unsorted_pairs_.push_back(canonical(world.id[static_cast<std::size_t>(pair.a)],
                                                world.id[static_cast<std::size_t>(pair.b)], candidate.a, candidate.b,
                                                chunk.memory[static_cast<std::size_t>(k)]));
             }
@@ -49,13 +53,13 @@ KeptMemory::KeptMemory(const World& world) {
             for (int k = near.begin; k < near.begin + near.count; ++k) {
                 const WallCandidate& candidate = chunk.wall_candidates[static_cast<std::size_t>(k)];
                 for (std::size_t t = 0; t < static_cast<std::size_t>(candidate.touches); ++t)
-                    walls_.push_back({world.id[static_cast<std::size_t>(near.body)], near.wall, candidate.sphere,
+                    unsorted_walls_.push_back({world.id[static_cast<std::size_t>(near.body)], near.wall, candidate.sphere,
                                       candidate.feature[t], candidate.memory[t]});
             }
     }
     const std::size_t ids = world.slot_of.size();
-    pairs_begin_ = group(pairs_, ids, [](const KeptPair& kept) { return kept.first; });
-    walls_begin_ = group(walls_, ids, [](const KeptWall& kept) { return kept.body; });
+    group(unsorted_pairs_, pairs_, pairs_begin_, next_, ids, [](const KeptPair& kept) { return kept.first; });
+    group(unsorted_walls_, walls_, walls_begin_, next_, ids, [](const KeptWall& kept) { return kept.body; });
 }
 
 std::span<const KeptPair> KeptMemory::of_pair(std::int64_t first) const {

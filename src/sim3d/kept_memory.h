@@ -1,11 +1,14 @@
 #pragma once
 
-#include "sim3d/world.h"
+#include "sim3d/kernels.h"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace tumble::sim3d {
+
+struct World;
 
 /// What one touching contact remembers, named by body ids, so that it outlives lists and slots.
 struct KeptPair {
@@ -24,20 +27,23 @@ struct KeptWall {
     MemoryLanes memory{};
 };
 
-/// Every touching contact of the world, findable by body.
+/// Every touching contact of the world, findable by body. Keeps its room from one use to the next.
 class KeptMemory {
 public:
-    explicit KeptMemory(const World& world);
+    void take(const World& world);
 
     /// The entries whose smaller id is `first`.
     [[nodiscard]] std::span<const KeptPair> of_pair(std::int64_t first) const;
     [[nodiscard]] std::span<const KeptWall> of_wall(std::int64_t body) const;
 
 private:
+    std::vector<KeptPair> unsorted_pairs_;
     std::vector<KeptPair> pairs_;
     std::vector<int> pairs_begin_; // per id, one more at the end
+    std::vector<KeptWall> unsorted_walls_;
     std::vector<KeptWall> walls_;
     std::vector<int> walls_begin_;
+    std::vector<int> next_;
 };
 
 /// The same memory seen from the other body.

@@ -28,10 +28,15 @@ struct alignas(32) BodyLoad {
     double torque[4]; // N m about the centre of mass
 };
 
-struct alignas(64) BodyTurn {
-    double orientation[4]; // w x y z, principal frame to world
-    double momentum[3];    // kg m2/s, angular, world frame; only clumps
-    double rotation[9];    // row-major matrix of orientation; only clumps
+/// Quaternion w x y z, principal frame to world.
+struct alignas(32) BodyOrientation {
+    double q[4];
+};
+
+/// What only clumps need to turn.
+struct alignas(32) BodyTurn {
+    double momentum[3]; // kg m2/s, angular, world frame
+    double rotation[9]; // row-major matrix of the orientation
 };
 
 struct ShapeConstants {
@@ -59,31 +64,36 @@ struct SpherePair {
     std::int16_t kind; // material pair
 };
 
-/// A touching pair of clump spheres; d is from b's sphere centre to a's.
-struct BodyContact {
+/// A touching pair of clump spheres; d is from b's sphere centre to a's. Rows of four, as the kernels load them.
+struct alignas(32) BodyContact {
+    double d[3]; // m
+    double damping_share;
+    double arm_a[3]; // m, centre of mass to sphere centre
+    double radius_a;
+    double arm_b[3];
+    double radius_b;
     int a;
     int b;
     int memory;
-    float damping_share;
-    double d[3];     // m
-    double arm_a[3]; // m, centre of mass to sphere centre
-    double arm_b[3];
-    double radius_a;
-    double radius_b;
 };
 
-struct WallContact {
+struct alignas(32) WallContact {
+    double normal[3]; // world, wall to body
+    double overlap;
+    double arm[3]; // m, centre of mass to sphere centre
+    double radius;
+    double wall_velocity[3]; // m/s at the contact, half a step ago
+    double damping_share;
+    MemoryLanes memory;
+    double wall_now[3]; // m/s at the contact, at the step
     int body;
     int candidate;
     int touch;
-    float damping_share;
-    double normal[3]; // world, wall to body
-    double overlap;
-    double radius;
-    double arm[3];           // m, centre of mass to sphere centre
-    double wall_velocity[3]; // m/s at the contact, half a step ago
-    double wall_now[3];      // m/s at the contact, at the step
-    MemoryLanes memory;
+};
+
+/// A shift of the periodic box, m; the fourth is 0.
+struct alignas(32) Shift {
+    double along[4];
 };
 
 struct ContactSums {
@@ -104,6 +114,7 @@ struct IntegrateSums {
     double kinetic_rotation;
     double gravity;
     double travel_max;
+    double way_max; // m, the longest that any odometer advanced
     double speed_squared_max;
     double spin_squared_max;
     bool finite;
@@ -122,7 +133,7 @@ struct PushContext {
     BodyLoad* load;
     int begin;
     int end;
-    const double (*images)[3];
+    const Shift* images;
     double dt;
     contact::PairConstants pair;
     int normal_law;     // scene::NormalLaw
@@ -136,6 +147,7 @@ struct PushContext {
 struct IntegrateContext {
     BodyMotion* motion;
     const BodyLoad* load;
+    BodyOrientation* orientation;
     BodyTurn* turn;
     double* travel;
     const int* shape;
@@ -144,6 +156,9 @@ struct IntegrateContext {
     int end;
     double dt;
     double gravity[3];
+    double flow_velocity[3]; // m/s, of the mean flow at x = 0
+    double flow_gradient[9]; // 1/s, row-major
+    double strain_way;       // m, a body's half share of the flow's strain in one step
 };
 
 struct SphereScan {
@@ -161,10 +176,14 @@ struct SphereScan {
 };
 
 struct Kernels {
-    /// Writes 2 * index + 1 for each pair that touches and 2 * index for each that only did a step ago (`was`) to
-    /// `found`, which has room for `count`; returns how many.
-    int (*touch_spheres)(const BodyMotion* motion, const SpherePair* pairs, int count, const double (*images)[3],
-                         const std::uint8_t* was, int* found);
+    /// Writes the index of each of `count` pairs whose gap is below `skin`, or that touched (`was`), to `found`, which
+    /// has room for count + 1; returns how many.
+    int (*near_spheres)(const BodyMotion* motion, const SpherePair* pairs, int count, const Shift* images, double skin,
+                        const std::uint8_t* was, int* found);
+    /// Of the `count` pairs that `which` lists, writes 2 * index + 1 for each that touches and 2 * index for each that
+    /// only did a step ago (`was`) to `found`, which has room for count + 1; returns how many.
+    int (*touch_spheres)(const BodyMotion* motion, const SpherePair* pairs, const int* which, int count,
+                         const Shift* images, const std::uint8_t* was, int* found);
     void (*push_spheres)(PushContext&, const SpherePair* pairs, const int* which, int count, MemoryLanes* memory);
     void (*push_bodies)(PushContext&, const BodyContact* contacts, int count, MemoryLanes* memory);
     void (*push_walls)(PushContext&, WallContact* contacts, int count);

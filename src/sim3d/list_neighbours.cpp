@@ -1,34 +1,49 @@
 #include "sim3d/body_list.h"
-#include "sim3d/refresh.h"
+#include "sim3d/mean_flow.h"
 #include "sim3d/step.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace tumble::sim3d {
 
 namespace {
 
+/// How far two bodies can have come closer in the last step, m.
+double closest_rush(const World& world) {
+    double way = 0;
+    for (const Chunk& chunk : world.chunks)
+        way = std::max(way, chunk.sums.motion.way_max);
+    return 2 * way;
+}
+
 bool worn(const World& world) {
-    double travelled = 0;
+    double travelled = std::numeric_limits<double>::lowest();
     for (const Chunk& chunk : world.chunks)
         travelled = std::max(travelled, chunk.sums.motion.travel_max);
-    double other_travelled = travelled;
+    double wall_travelled = 0;
     for (const WallState& wall : world.walls)
-        other_travelled = std::max(other_travelled, wall_travel(world, wall));
-    return travelled + other_travelled >= world.skin;
+        wall_travelled = std::max(wall_travelled, wall.travel);
+    return travelled >= 0 || wall_travelled >= world.wall_skin;
 }
 
 } // namespace
 
 void move_walls(World& world) {
-    for (WallState& wall : world.walls)
+    for (WallState& wall : world.walls) {
+        const scene::WallPose before = wall.pose;
         if (!wall.wall.motion.at_rest()) {
             wall.pose = scene::pose_at(wall.wall.motion, world.time());
             wall.half_pose = scene::pose_at(wall.wall.motion, world.time() - 0.5 * world.dt);
         }
+        wall.travel += way_beside(world.flow, before, wall.pose, world.dt);
+    }
 }
 
 void list_neighbours(World& world) {
+    world.rush += closest_rush(world);
+    if (world.step % steps_per_fit == 0 || world.stale)
+        world.flow = fit_mean_flow(world);
     if (world.stale || worn(world))
         rebuild_body_list(world);
 }

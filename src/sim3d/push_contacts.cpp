@@ -10,7 +10,7 @@ PushContext context_of(World& world, Chunk& chunk, std::size_t kind) {
     context.load = world.load.data();
     context.begin = chunk.begin;
     context.end = chunk.end;
-    context.images = reinterpret_cast<const double(*)[3]>(world.images.data());
+    context.images = world.images.data();
     context.dt = world.dt;
     context.pair = world.pairs[kind];
     context.normal_law = static_cast<int>(world.scene.contact.normal);

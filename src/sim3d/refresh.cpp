@@ -25,10 +25,6 @@ void make_room(Chunk& chunk, BodyPair& pair, int count) {
 
 } // namespace
 
-double wall_travel(const World& world, const WallState& wall) {
-    return wall.speed_bound * (static_cast<double>(world.step) * world.dt - world.rebuild_time);
-}
-
 Vector3d sphere_arm(const World& world, int slot, int exposed) {
     const double* s = world.shape_at(slot).exposed + 4 * static_cast<std::ptrdiff_t>(exposed);
     return RowMajor(world.turn[static_cast<std::size_t>(slot)].rotation) * Vector3d(s[0], s[1], s[2]);
@@ -37,7 +33,7 @@ Vector3d sphere_arm(const World& world, int slot, int exposed) {
 void refresh(const World& world, Chunk& chunk, BodyPair& pair) {
     const double travelled =
         world.travel[static_cast<std::size_t>(pair.a)] + world.travel[static_cast<std::size_t>(pair.b)];
-    const auto& image = world.images[static_cast<std::size_t>(pair.image)];
+    const auto& image = world.images[static_cast<std::size_t>(pair.image)].along;
     SphereScan scan = scan_between(world, placement_of(world, pair.a), placement_of(world, pair.b),
                                    Vector3d(image[0], image[1], image[2]));
     const double apart =
@@ -115,7 +111,7 @@ void refresh(const World& world, Chunk& chunk, BodyWall& near) {
     std::vector<WallCandidate> fresh;
     const double smallest = find_wall_spheres(world, chunk, near, fresh);
     near.expires = world.travel[static_cast<std::size_t>(near.body)] +
-                   wall_travel(world, world.walls[static_cast<std::size_t>(near.wall)]) +
+                   world.walls[static_cast<std::size_t>(near.wall)].travel +
                    (fresh.empty() ? smallest : world.sphere_skin);
     if (static_cast<int>(fresh.size()) > near.capacity) {
         near.capacity = static_cast<int>(fresh.size()) + 2;

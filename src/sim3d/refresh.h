@@ -11,9 +11,6 @@ void refresh(const World& world, Chunk& chunk, BodyPair& pair);
 /// The same for a body and a wall.
 void refresh(const World& world, Chunk& chunk, BodyWall& near);
 
-/// Way that any point of the wall can have gone since the last rebuild, m.
-double wall_travel(const World& world, const WallState& wall);
-
 /// Centre of a body's exposed sphere relative to its centre of mass, world frame, m.
 Eigen::Vector3d sphere_arm(const World& world, int slot, int exposed);
 

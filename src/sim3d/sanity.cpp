@@ -86,7 +86,7 @@ std::string deepest_pair(const World& world) {
                 const BodyMotion& a = world.motion[static_cast<std::size_t>(pair.a)];
                 const BodyMotion& b = world.motion[static_cast<std::size_t>(pair.b)];
                 const Vector3d d = Vector3d(a.position) - Vector3d(b.position) -
-                                   Vector3d(world.images[static_cast<std::size_t>(pair.image)].data());
+                                   Vector3d(world.images[static_cast<std::size_t>(pair.image)].along);
                 consider((a.radius + b.radius - d.norm()) / std::min(a.radius, b.radius),
                          [&] { return name_of(world, pair.a) + " and " + name_of(world, pair.b); });
             }

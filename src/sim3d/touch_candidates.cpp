@@ -19,10 +19,10 @@ void touch_spheres(const World& world, Chunk& chunk) {
         list.clear();
     if (chunk.sphere_pairs.empty())
         return;
-    chunk.found.resize(chunk.sphere_pairs.size() + 1);
-    const int count = world.kernels->touch_spheres(
-        world.motion.data(), chunk.sphere_pairs.data(), static_cast<int>(chunk.sphere_pairs.size()),
-        reinterpret_cast<const double(*)[3]>(world.images.data()), chunk.sphere_touching.data(), chunk.found.data());
+    chunk.found.resize(chunk.near_pairs.size() + 1);
+    const int count = world.kernels->touch_spheres(world.motion.data(), chunk.sphere_pairs.data(),
+                                                   chunk.near_pairs.data(), static_cast<int>(chunk.near_pairs.size()),
+                                                   world.images.data(), chunk.sphere_touching.data(), chunk.found.data());
     for (int k = 0; k < count; ++k) {
         const int code = chunk.found[static_cast<std::size_t>(k)];
         const auto pair = static_cast<std::size_t>(code >> 1);
@@ -37,7 +37,7 @@ void touch_spheres(const World& world, Chunk& chunk) {
 
 /// Appends the pair's touching spheres to `contacts`; returns how many.
 int touch_pair(const World& world, Chunk& chunk, const BodyPair& pair, std::vector<BodyContact>& contacts) {
-    const auto& image = world.images[static_cast<std::size_t>(pair.image)];
+    const auto& image = world.images[static_cast<std::size_t>(pair.image)].along;
     const BodyMotion& a = world.motion[static_cast<std::size_t>(pair.a)];
     const BodyMotion& b = world.motion[static_cast<std::size_t>(pair.b)];
     const ShapeConstants& shape_a = world.shape_at(pair.a);
@@ -61,21 +61,21 @@ int touch_pair(const World& world, Chunk& chunk, const BodyPair& pair, std::vect
         }
         candidate.touching = true;
         ++touching;
-        contacts.push_back({pair.a,
-                            pair.b,
-                            k,
-                            1.0F,
-                            {d.x(), d.y(), d.z()},
+        contacts.push_back({{d.x(), d.y(), d.z()},
+                            1,
                             {arm_a.x(), arm_a.y(), arm_a.z()},
-                            {arm_b.x(), arm_b.y(), arm_b.z()},
                             radius_a,
-                            radius_b});
+                            {arm_b.x(), arm_b.y(), arm_b.z()},
+                            radius_b,
+                            pair.a,
+                            pair.b,
+                            k});
     }
     return touching;
 }
 
 template <class Contact> void share_damping(std::vector<Contact>& contacts, int last) {
-    const auto share = static_cast<float>(1 / std::sqrt(static_cast<double>(last)));
+    const double share = 1 / std::sqrt(static_cast<double>(last));
     for (auto contact = contacts.end() - last; contact != contacts.end(); ++contact)
         contact->damping_share = share;
 }

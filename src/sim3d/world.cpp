@@ -15,17 +15,18 @@ namespace {
 
 BodyTurn turn_of(const ShapeConstants& shape, const BodyState& state) {
     BodyTurn turn{};
-    const Eigen::Quaterniond q = state.orientation.normalized();
-    turn.orientation[0] = q.w();
-    turn.orientation[1] = q.x();
-    turn.orientation[2] = q.y();
-    turn.orientation[3] = q.z();
-    const Eigen::Matrix3d rotation = shape.single ? Eigen::Matrix3d::Identity() : q.toRotationMatrix();
+    const Eigen::Matrix3d rotation =
+        shape.single ? Eigen::Matrix3d::Identity() : state.orientation.normalized().toRotationMatrix();
     Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>{turn.rotation} = rotation;
     const Vector3d inertia(shape.inertia);
     Eigen::Map<Vector3d>{turn.momentum} =
         rotation * inertia.cwiseProduct(rotation.transpose() * state.angular_velocity);
     return turn;
+}
+
+BodyOrientation orientation_of(const BodyState& state) {
+    const Eigen::Quaterniond q = state.orientation.normalized();
+    return {{q.w(), q.x(), q.y(), q.z()}};
 }
 
 BodyMotion motion_of(const ShapeConstants& shape, const BodyState& state) {
@@ -79,6 +80,7 @@ std::optional<Problem> insert(World& world, const std::vector<BodyState>& bodies
         world.id.push_back(static_cast<std::int64_t>(world.id.size()));
         world.shape.push_back(state.shape);
         world.motion.push_back(motion_of(shape, state));
+        world.orientation.push_back(orientation_of(state));
         world.turn.push_back(turn);
         world.load.push_back({});
         world.travel.push_back(0);
@@ -136,12 +138,12 @@ std::vector<BodyState> bodies_of(const World& world) {
     for (std::size_t slot = 0; slot < world.id.size(); ++slot) {
         const BodyMotion& motion = world.motion[slot];
         const BodyLoad& load = world.load[slot];
-        const BodyTurn& turn = world.turn[slot];
+        const double* q = world.orientation[slot].q;
         BodyState& state = bodies[static_cast<std::size_t>(world.id[slot])];
         state.id = world.id[slot];
         state.shape = world.shape[slot];
         state.position = Vector3d(motion.position);
-        state.orientation = {turn.orientation[0], turn.orientation[1], turn.orientation[2], turn.orientation[3]};
+        state.orientation = {q[0], q[1], q[2], q[3]};
         state.velocity = Vector3d(motion.velocity) + 0.5 * world.dt / motion.mass * Vector3d(load.force);
         state.angular_velocity = spin_at_step(world, slot);
     }

@@ -5,6 +5,8 @@
 #include "base/rng.h"
 #include "contact/material.h"
 #include "scene/scene.h"
+#include "sim3d/cells.h"
+#include "sim3d/kept_memory.h"
 #include "sim3d/kernels.h"
 #include "sim3d/solver.h"
 #include "sim3d/wall_surface.h"
@@ -28,11 +30,25 @@ struct ShapeData {
     std::vector<double> exposed; // x y z r of the spheres that can touch anything, principal frame
 };
 
-/// Where the spheres of a body pair may soon touch: valid until the two have travelled `expires` together.
+/// The smooth velocity field that neighbours share. Lists wear by what bodies do beside it, so a bed that shakes as one
+/// or shears evenly keeps its lists for long.
+struct MeanFlow {
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();   // m
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); // m/s, at the centre
+    Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero(); // 1/s
+    scene::Box box;                                     // m, where bodies are until the next fit
+
+    [[nodiscard]] Eigen::Vector3d at(const Eigen::Vector3d& point) const {
+        return velocity + gradient * (point - centre);
+    }
+};
+constexpr std::int64_t steps_per_fit = 16;
+
+/// Where the spheres of a body pair may soon touch: valid until the two odometers together show `expires`.
 struct BodyPair {
     int a = 0;
     int b = 0;
-    double expires = 0; // m, on the sum of the two odometers
+    double expires = 0; // m, on the sum of the two odometers (World::travel)
     int begin = 0;      // into Chunk::candidates
     std::int16_t count = 0;
     std::int16_t capacity = 0;
@@ -73,7 +89,7 @@ struct WallCandidate {
 /// Sums of one chunk, J and extremes; added up in chunk order.
 struct Sums {
     ContactSums contacts;
-    IntegrateSums motion{0, 0, 0, 0, 0, 0, true};
+    IntegrateSums motion{0, 0, 0, 0, 0, 0, 0, true};
 };
 
 /// The step's verbs, for the account of where the time goes.
@@ -101,6 +117,8 @@ struct Chunk {
     std::vector<SpherePair> sphere_pairs; // both bodies single spheres
     std::vector<MemoryLanes> sphere_memory;
     std::vector<std::uint8_t> sphere_touching;
+    std::vector<int> near_pairs; // of sphere_pairs, those that may touch before World::rush reaches near_until
+    double near_until = 0;       // m
 
     std::vector<BodyPair> body_pairs;
     std::vector<SphereCandidate> candidates;
@@ -128,7 +146,7 @@ struct WallState {
     WallSurface surface;
     scene::WallPose pose;      // at the step's time
     scene::WallPose half_pose; // half a step earlier, where leapfrog's velocities live
-    double speed_bound = 0;    // m/s
+    double travel = 0;         // m, odometer: way beside the mean flow since the last rebuild
 };
 
 struct FillState {
@@ -167,8 +185,12 @@ struct World {
     std::vector<int> shape;
     Lines<BodyMotion> motion;
     Lines<BodyLoad> load;
+    Lines<BodyOrientation> orientation;
     Lines<BodyTurn> turn;
-    std::vector<double> travel; // m, upper bound on the way any sphere's centre has gone since the last rebuild
+    // m, odometer: a bound on how far any sphere's centre has gone beside the mean flow, the body's half share of the
+    // flow's strain included. Two spheres come closer by no more than both odometers advance. Lists are made for
+    // bodies that start with minus their leash and hold until the first odometer shows 0.
+    std::vector<double> travel;
 
     // Per id.
     std::vector<int> slot_of;
@@ -178,12 +200,19 @@ struct World {
 
     std::vector<Chunk> chunks;
     std::vector<int> chunk_of;                 // per slot
-    std::vector<std::array<double, 3>> images; // m, 27 shifts of the periodic box
-    double skin = 0;                           // m, of the body list
+    Lines<Shift> images;                       // 27 of them
+    MeanFlow flow;
+    double reach = 0;                          // m, farthest two centres of mass whose bodies touch, with skin
+    double skin = 0;                           // m, of the body list: two leashes of mean length
+    double wall_skin = 0;                      // m, of the list of bodies near walls
+    double near_skin = 0;                      // m, of the list of near sphere pairs
+    double rush = 0;                           // m, how far the fastest two bodies could have closed in since the start
     double sphere_skin = 0;                    // m, of the sphere candidates of a body pair
     double smallest_radius = 0;                // m, of all exposed spheres
-    double rebuild_time = 0;                   // s
     bool stale = true;                         // the body list must be rebuilt
+    KeptMemory kept;                           // room for rebuilds, as are the next two
+    Cells cells;
+    std::vector<Eigen::Vector3d> centres;      // m, of bounding spheres
     std::int64_t rebuilds = 0;
 
     Ledger ledger;

@@ -7,45 +7,7 @@ namespace tumble::sim3d::TUMBLE_ISA {
 
 namespace {
 
-// Contacts are gathered, computed and handed out in groups: a vector load right after the scalar stores that fed it
-// would stall, a group later it does not.
-constexpr int group = 4 * Pack::lanes;
-
-/// One group of contacts, a field per row. For walls, velocity_b is the wall's at the contact and d holds the normal.
-struct alignas(64) Gathered {
-    double d[3][group];
-    double overlap[group]; // walls only
-    double radius_a[group], radius_b[group];
-    double mass_a[group], mass_b[group];
-    double velocity_a[3][group], velocity_b[3][group];
-    double spin_a[3][group], spin_b[3][group];
-    double arm_a[3][group], arm_b[3][group];
-    double spring[3][group], energy[group];
-    double share[group];
-    double live[group]; // 1, or 0 for lanes that only fill up the last pack
-};
-
-struct alignas(64) Pushed {
-    double force[3][group];
-    double torque_a[3][group], torque_b[3][group];
-    double spring[3][group], energy[group];
-};
-
-TUMBLE_INLINE Vec3<Pack> load3(const double (*rows)[group], int at) {
-    return {Pack::load(rows[0] + at), Pack::load(rows[1] + at), Pack::load(rows[2] + at)};
-}
-
-TUMBLE_INLINE void store3(double (*rows)[group], int at, const Vec3<Pack>& v) {
-    v.x.store(rows[0] + at);
-    v.y.store(rows[1] + at);
-    v.z.store(rows[2] + at);
-}
-
-TUMBLE_INLINE void put3(double (*rows)[group], int lane, const double* from) {
-    rows[0][lane] = from[0];
-    rows[1][lane] = from[1];
-    rows[2][lane] = from[2];
-}
+constexpr int lanes = Pack::lanes;
 
 // Which body comes next is known long before it is needed, but not to the processor.
 constexpr int ahead = 24;
@@ -60,238 +22,241 @@ TUMBLE_INLINE void fetch_body(const PushContext& context, int body) {
     fetch(&context.load[body]);
 }
 
-enum class Kind { spheres, bodies, walls };
+TUMBLE_INLINE Vec3<Pack> xyz(const Columns& c) {
+    return {c.x, c.y, c.z};
+}
 
+/// Where the bodies of a pack of contacts stand in memory.
+using EightBodies = const BodyMotion* [lanes];
+
+/// What of their motion a contact feels.
+struct Bodies {
+    Vec3<Pack> velocity, spin;
+    Pack mass;
+
+    TUMBLE_INLINE explicit Bodies(const EightBodies& bodies) {
+        const Columns v = gather([&](int k) TUMBLE_INLINE_LAMBDA { return bodies[k]->velocity; });
+        velocity = xyz(v);
+        mass = v.w;
+        spin = xyz(gather([&](int k) TUMBLE_INLINE_LAMBDA { return bodies[k]->spin; }));
+    }
+};
+
+/// Geometry of eight contacts that the law and the torques need.
+struct Contacts {
+    contact::Touch<Pack> touch;
+    Vec3<Pack> arm_a, arm_b; // m, centre of mass to the contact
+    Pack smaller_radius;
+};
+
+/// `d` from b's sphere centre to a's, `to_a` and `to_b` from the centres of mass to the sphere centres.
+TUMBLE_INLINE Contacts between(const Vec3<Pack>& d, Pack ra, Pack rb, const Bodies& a, const Bodies& b,
+                               const Vec3<Pack>& to_a, const Vec3<Pack>& to_b) {
+    Contacts c;
+    const Pack distance = root(dot(d, d));
+    c.smaller_radius = select(rb < ra, rb, ra);
+    c.touch.normal = d * (Pack(1.0) / distance);
+    c.touch.overlap = larger(ra + rb - distance, Pack(0.0));
+    c.touch.damping_share = Pack(1.0);
+    c.touch.radius = ra * rb / (ra + rb);
+    c.touch.mass = a.mass * b.mass / (a.mass + b.mass);
+    c.arm_a = to_a + c.touch.normal * (Pack(0.5) * c.touch.overlap - ra);
+    c.arm_b = to_b + c.touch.normal * (rb - Pack(0.5) * c.touch.overlap);
+    c.touch.velocity = a.velocity - b.velocity + cross(a.spin, c.arm_a) - cross(b.spin, c.arm_b);
+    return c;
+}
+
+/// Sums over the lanes that are contacts and do not only fill up a pack.
 struct PackSums {
     Pack stored_normal{0.0}, stored_tangential{0.0};
     Pack lost_normal_damping{0.0}, lost_tangential_damping{0.0}, lost_sliding{0.0}, lost_history{0.0};
     Pack overlap_max{0.0}, ratio_max{0.0};
+
+    TUMBLE_INLINE void add(const Contacts& c, const contact::Push<Pack>& push, Pack live) {
+        stored_normal += live * push.stored_normal;
+        stored_tangential += live * push.memory.energy;
+        lost_normal_damping += live * push.lost_normal_damping;
+        lost_tangential_damping += live * push.lost_tangential_damping;
+        lost_sliding += live * push.lost_sliding;
+        lost_history += live * push.lost_history;
+        overlap_max = larger(overlap_max, live * c.touch.overlap);
+        ratio_max = larger(ratio_max, live * c.touch.overlap / c.smaller_radius);
+    }
+
+    TUMBLE_INLINE void add_to(ContactSums& to, int contacts) const {
+        to.stored_normal += sum(stored_normal);
+        to.stored_tangential += sum(stored_tangential);
+        to.lost_normal_damping += sum(lost_normal_damping);
+        to.lost_tangential_damping += sum(lost_tangential_damping);
+        to.lost_sliding += sum(lost_sliding);
+        to.lost_history += sum(lost_history);
+        to.overlap_max = larger(to.overlap_max, largest(overlap_max));
+        to.overlap_ratio_max = larger(to.overlap_ratio_max, largest(ratio_max));
+        to.contacts += contacts;
+    }
 };
 
-TUMBLE_INLINE void add_to(ContactSums& to, const PackSums& sums, int contacts) {
-    to.stored_normal += sum(sums.stored_normal);
-    to.stored_tangential += sum(sums.stored_tangential);
-    to.lost_normal_damping += sum(sums.lost_normal_damping);
-    to.lost_tangential_damping += sum(sums.lost_tangential_damping);
-    to.lost_sliding += sum(sums.lost_sliding);
-    to.lost_history += sum(sums.lost_history);
-    to.overlap_max = larger(to.overlap_max, largest(sums.overlap_max));
-    to.overlap_ratio_max = larger(to.overlap_ratio_max, largest(sums.ratio_max));
-    to.contacts += contacts;
+/// 1 for the first n lanes, 0 for those that only fill up the pack.
+TUMBLE_INLINE Pack live_lanes(int n) {
+    constexpr Pack::Lanes number{0, 1, 2, 3, 4, 5, 6, 7};
+    return select(Pack(number) < Pack(static_cast<double>(n)), Pack(1.0), Pack(0.0));
 }
 
-/// Geometry of one pack of contacts, then the law, then forces and torques.
-template <Kind kind, class ThisLaw>
-TUMBLE_INLINE void push_pack(const ThisLaw& law, const PushContext& context, const Gathered& in, Pushed& out, int at,
-                             PackSums& sums) {
-    const Pack ra = Pack::load(in.radius_a + at);
-    const Pack ma = Pack::load(in.mass_a + at);
-    contact::Touch<Pack> touch;
-    Vec3<Pack> arm_a;
-    Vec3<Pack> arm_b;
-    Pack smaller = ra;
-    if constexpr (kind == Kind::walls) {
-        touch.normal = load3(in.d, at);
-        touch.overlap = Pack::load(in.overlap + at);
-        touch.radius = ra;
-        touch.mass = ma;
-        arm_a = load3(in.arm_a, at) + touch.normal * (Pack(0.5) * touch.overlap - ra);
-        touch.velocity = load3(in.velocity_a, at) - load3(in.velocity_b, at) + cross(load3(in.spin_a, at), arm_a);
-    } else {
-        const Pack rb = Pack::load(in.radius_b + at);
-        const Pack mb = Pack::load(in.mass_b + at);
-        const Vec3<Pack> d = load3(in.d, at);
-        const Pack distance = root(dot(d, d));
-        smaller = select(rb < ra, rb, ra);
-        touch.normal = d * (Pack(1.0) / distance);
-        touch.overlap = larger(ra + rb - distance, Pack(0.0));
-        touch.radius = ra * rb / (ra + rb);
-        touch.mass = ma * mb / (ma + mb);
-        arm_a = touch.normal * (Pack(0.5) * touch.overlap - ra);
-        arm_b = touch.normal * (rb - Pack(0.5) * touch.overlap);
-        if constexpr (kind == Kind::bodies) {
-            arm_a = arm_a + load3(in.arm_a, at);
-            arm_b = arm_b + load3(in.arm_b, at);
-        }
-        touch.velocity = load3(in.velocity_a, at) - load3(in.velocity_b, at) + cross(load3(in.spin_a, at), arm_a) -
-                         cross(load3(in.spin_b, at), arm_b);
-    }
-    touch.damping_share = kind == Kind::spheres ? Pack(1.0) : Pack::load(in.share + at);
+/// What a pack of contacts does, a contact per row.
+struct Pushed {
+    RowBlock force, torque_a, torque_b, memory;
 
-    const contact::Memory<Pack> memory{load3(in.spring, at), Pack::load(in.energy + at)};
-    const contact::Push<Pack> push = law.push(touch, context.pair, memory, Pack(context.dt));
+    TUMBLE_INLINE Pushed(const Contacts& c, const contact::Push<Pack>& push)
+        : force(rows_of(push.force, Pack(0.0))), torque_a(rows_of(cross(c.arm_a, push.force), Pack(0.0))),
+          torque_b(rows_of(cross(push.force, c.arm_b), Pack(0.0))),
+          memory(rows_of(push.memory.spring, push.memory.energy)) {}
 
-    store3(out.force, at, push.force);
-    store3(out.torque_a, at, cross(arm_a, push.force));
-    if constexpr (kind != Kind::walls)
-        store3(out.torque_b, at, cross(push.force, arm_b));
-    store3(out.spring, at, push.memory.spring);
-    push.memory.energy.store(out.energy + at);
+private:
+    TUMBLE_INLINE static RowBlock rows_of(const Vec3<Pack>& v, Pack w) { return RowBlock(Columns{v.x, v.y, v.z, w}); }
+};
 
-    const Pack live = Pack::load(in.live + at);
-    sums.stored_normal += live * push.stored_normal;
-    sums.stored_tangential += live * push.memory.energy;
-    sums.lost_normal_damping += live * push.lost_normal_damping;
-    sums.lost_tangential_damping += live * push.lost_tangential_damping;
-    sums.lost_sliding += live * push.lost_sliding;
-    sums.lost_history += live * push.lost_history;
-    sums.overlap_max = larger(sums.overlap_max, live * touch.overlap);
-    sums.ratio_max = larger(sums.ratio_max, live * touch.overlap / smaller);
+TUMBLE_INLINE void load_body(BodyLoad& load, const double* force, const double* torque) {
+    add_quad(load.force, force);
+    add_quad(load.torque, torque);
 }
 
-TUMBLE_INLINE void gather_body(const BodyMotion& body, double (*velocity)[group], double (*spin)[group], double* mass,
-                               int lane) {
-    put3(velocity, lane, body.velocity);
-    put3(spin, lane, body.spin);
-    mass[lane] = body.mass;
-}
-
-TUMBLE_INLINE void gather_memory(const MemoryLanes& memory, Gathered& in, int lane) {
-    put3(in.spring, lane, memory.spring);
-    in.energy[lane] = memory.energy;
-}
-
-TUMBLE_INLINE void keep_memory(const Pushed& out, int lane, MemoryLanes& memory) {
-    for (int axis = 0; axis < 3; ++axis)
-        memory.spring[axis] = out.spring[axis][lane];
-    memory.energy = out.energy[lane];
-}
-
-TUMBLE_INLINE void add_load(BodyLoad& load, const double (*force)[group], const double (*torque)[group], int lane,
-                            double sign) {
-    for (int axis = 0; axis < 3; ++axis) {
-        load.force[axis] += sign * force[axis][lane];
-        load.torque[axis] += torque[axis][lane];
-    }
-}
-
-TUMBLE_INLINE void hand_out(PushContext& context, const Pushed& out, int a, int b, int lane) {
-    add_load(context.load[a], out.force, out.torque_a, lane, 1.0);
+TUMBLE_INLINE void hand_out(PushContext& context, const Pushed& pushed, int lane, int a, int b) {
+    load_body(context.load[a], pushed.force.row(lane), pushed.torque_a.row(lane));
     if (b >= context.begin && b < context.end) {
-        add_load(context.load[b], out.force, out.torque_b, lane, -1.0);
+        subtract_quad(context.load[b].force, pushed.force.row(lane));
+        add_quad(context.load[b].torque, pushed.torque_b.row(lane));
         return;
     }
     ForeignPush& foreign = context.foreign[context.foreign_count++];
     foreign.body = b;
     for (int axis = 0; axis < 3; ++axis) {
-        foreign.force[axis] = -out.force[axis][lane];
-        foreign.torque[axis] = out.torque_b[axis][lane];
+        foreign.force[axis] = -pushed.force.row(lane)[axis];
+        foreign.torque[axis] = pushed.torque_b.row(lane)[axis];
     }
 }
 
-// The last pack is filled up with copies of lane 0, which keeps every number finite; `live` keeps them out of sums.
-TUMBLE_INLINE int fill_up(Gathered& in, int n) {
-    const int padded = (n + Pack::lanes - 1) / Pack::lanes * Pack::lanes;
-    double* rows = &in.d[0][0];
-    for (int lane = n; lane < padded; ++lane)
-        for (std::size_t row = 0; row < sizeof(Gathered) / sizeof(double) / group; ++row)
-            rows[row * group + static_cast<std::size_t>(lane)] = rows[row * group];
-    for (int lane = 0; lane < padded; ++lane)
-        in.live[lane] = lane < n ? 1.0 : 0.0;
-    return padded;
+/// Calls pack(first, n) for every eight of `count` contacts.
+template <class PackOf> TUMBLE_INLINE void by_packs(int count, PackOf&& pack) {
+    for (int first = 0; first < count; first += lanes)
+        pack(first, count - first < lanes ? count - first : lanes);
+}
+
+/// Calls each(lane, contact) for a whole pack; lanes beyond n repeat the first contact, which keeps every number finite.
+template <class EachOf> TUMBLE_INLINE void fill_lanes(int first, int n, EachOf&& each) {
+    for (int lane = 0; lane < lanes; ++lane)
+        each(lane, lane < n ? first + lane : first);
 }
 
 template <class ThisLaw> struct Pusher {
     ThisLaw law;
 
+    TUMBLE_INLINE contact::Push<Pack> push(const PushContext& context, const Contacts& c, const Columns& memory) const {
+        return law.push(c.touch, context.pair, contact::Memory<Pack>{xyz(memory), memory.w}, Pack(context.dt));
+    }
+
     void spheres(PushContext& context, const SpherePair* pairs, const int* which, int count,
                  MemoryLanes* memory) const {
-        Gathered in;
-        Pushed out;
         PackSums sums;
-        for (int first = 0; first < count; first += group) {
-            const int n = count - first < group ? count - first : group;
+        by_packs(count, [&](int first, int n) TUMBLE_INLINE_LAMBDA {
+            EightBodies a;
+            EightBodies b;
+            const Shift* image[lanes];
+            MemoryLanes* kept[lanes];
+            fill_lanes(first, n, [&](int lane, int at) TUMBLE_INLINE_LAMBDA {
+                const SpherePair& pair = pairs[which[at]];
+                a[lane] = &context.motion[pair.a];
+                b[lane] = &context.motion[pair.b];
+                image[lane] = &context.images[pair.image];
+                kept[lane] = &memory[which[at]];
+                const int next = which[at + ahead < count ? at + ahead : at];
+                fetch_body(context, pairs[next].b);
+                fetch(&memory[next]);
+            });
+            const Columns at_a = gather([&](int k) TUMBLE_INLINE_LAMBDA { return a[k]->position; });
+            const Columns at_b = gather([&](int k) TUMBLE_INLINE_LAMBDA { return b[k]->position; });
+            const Columns shift = gather([&](int k) TUMBLE_INLINE_LAMBDA { return image[k]->along; });
+            const Vec3<Pack> none{Pack(0.0), Pack(0.0), Pack(0.0)};
+            const Contacts c =
+                between(xyz(at_a) - xyz(at_b) - xyz(shift), at_a.w, at_b.w, Bodies(a), Bodies(b), none, none);
+            const auto result =
+                push(context, c, gather([&](int k) TUMBLE_INLINE_LAMBDA { return kept[k]->spring; }));
+            sums.add(c, result, live_lanes(n));
+            const Pushed pushed(c, result);
             for (int lane = 0; lane < n; ++lane) {
-                const int p = which[first + lane];
-                if (first + lane + ahead < count) {
-                    const int next = which[first + lane + ahead];
-                    fetch_body(context, pairs[next].b);
-                    fetch(&memory[next]);
-                }
-                const BodyMotion& a = context.motion[pairs[p].a];
-                const BodyMotion& b = context.motion[pairs[p].b];
-                const double* image = context.images[pairs[p].image];
-                for (int axis = 0; axis < 3; ++axis)
-                    in.d[axis][lane] = a.position[axis] - b.position[axis] - image[axis];
-                in.radius_a[lane] = a.radius;
-                in.radius_b[lane] = b.radius;
-                gather_body(a, in.velocity_a, in.spin_a, in.mass_a, lane);
-                gather_body(b, in.velocity_b, in.spin_b, in.mass_b, lane);
-                gather_memory(memory[p], in, lane);
+                copy_quad(kept[lane]->spring, pushed.memory.row(lane));
+                hand_out(context, pushed, lane, static_cast<int>(a[lane] - context.motion),
+                         static_cast<int>(b[lane] - context.motion));
             }
-            const int padded = fill_up(in, n);
-            for (int at = 0; at < padded; at += Pack::lanes)
-                push_pack<Kind::spheres>(law, context, in, out, at, sums);
-            for (int lane = 0; lane < n; ++lane) {
-                const int p = which[first + lane];
-                keep_memory(out, lane, memory[p]);
-                hand_out(context, out, pairs[p].a, pairs[p].b, lane);
-            }
-        }
-        add_to(*context.sums, sums, count);
+        });
+        sums.add_to(*context.sums, count);
     }
 
     void bodies(PushContext& context, const BodyContact* contacts, int count, MemoryLanes* memory) const {
-        Gathered in;
-        Pushed out;
         PackSums sums;
-        for (int first = 0; first < count; first += group) {
-            const int n = count - first < group ? count - first : group;
+        by_packs(count, [&](int first, int n) TUMBLE_INLINE_LAMBDA {
+            EightBodies a;
+            EightBodies b;
+            const BodyContact* contact[lanes];
+            MemoryLanes* kept[lanes];
+            fill_lanes(first, n, [&](int lane, int at) TUMBLE_INLINE_LAMBDA {
+                contact[lane] = &contacts[at];
+                a[lane] = &context.motion[contacts[at].a];
+                b[lane] = &context.motion[contacts[at].b];
+                kept[lane] = &memory[contacts[at].memory];
+            });
+            const Columns d = gather([&](int k) TUMBLE_INLINE_LAMBDA { return contact[k]->d; });
+            const Columns to_a = gather([&](int k) TUMBLE_INLINE_LAMBDA { return contact[k]->arm_a; });
+            const Columns to_b = gather([&](int k) TUMBLE_INLINE_LAMBDA { return contact[k]->arm_b; });
+            Contacts c = between(xyz(d), to_a.w, to_b.w, Bodies(a), Bodies(b), xyz(to_a), xyz(to_b));
+            c.touch.damping_share = d.w;
+            const auto result =
+                push(context, c, gather([&](int k) TUMBLE_INLINE_LAMBDA { return kept[k]->spring; }));
+            sums.add(c, result, live_lanes(n));
+            const Pushed pushed(c, result);
             for (int lane = 0; lane < n; ++lane) {
-                const BodyContact& c = contacts[first + lane];
-                put3(in.d, lane, c.d);
-                put3(in.arm_a, lane, c.arm_a);
-                put3(in.arm_b, lane, c.arm_b);
-                in.radius_a[lane] = c.radius_a;
-                in.radius_b[lane] = c.radius_b;
-                in.share[lane] = static_cast<double>(c.damping_share);
-                gather_body(context.motion[c.a], in.velocity_a, in.spin_a, in.mass_a, lane);
-                gather_body(context.motion[c.b], in.velocity_b, in.spin_b, in.mass_b, lane);
-                gather_memory(memory[c.memory], in, lane);
+                copy_quad(kept[lane]->spring, pushed.memory.row(lane));
+                hand_out(context, pushed, lane, contact[lane]->a, contact[lane]->b);
             }
-            const int padded = fill_up(in, n);
-            for (int at = 0; at < padded; at += Pack::lanes)
-                push_pack<Kind::bodies>(law, context, in, out, at, sums);
-            for (int lane = 0; lane < n; ++lane) {
-                const BodyContact& c = contacts[first + lane];
-                keep_memory(out, lane, memory[c.memory]);
-                hand_out(context, out, c.a, c.b, lane);
-            }
-        }
-        add_to(*context.sums, sums, count);
+        });
+        sums.add_to(*context.sums, count);
     }
 
     void walls(PushContext& context, WallContact* contacts, int count) const {
-        Gathered in;
-        Pushed out;
         PackSums sums;
-        for (int first = 0; first < count; first += group) {
-            const int n = count - first < group ? count - first : group;
+        by_packs(count, [&](int first, int n) TUMBLE_INLINE_LAMBDA {
+            EightBodies bodies;
+            WallContact* contact[lanes];
+            fill_lanes(first, n, [&](int lane, int at) TUMBLE_INLINE_LAMBDA {
+                contact[lane] = &contacts[at];
+                bodies[lane] = &context.motion[contacts[at].body];
+            });
+            const Columns normal = gather([&](int k) TUMBLE_INLINE_LAMBDA { return contact[k]->normal; });
+            const Columns arm = gather([&](int k) TUMBLE_INLINE_LAMBDA { return contact[k]->arm; });
+            const Columns wall = gather([&](int k) TUMBLE_INLINE_LAMBDA { return contact[k]->wall_velocity; });
+            const Bodies body(bodies);
+            Contacts c;
+            c.touch.normal = xyz(normal);
+            c.touch.overlap = normal.w;
+            c.touch.radius = c.smaller_radius = arm.w;
+            c.touch.mass = body.mass;
+            c.touch.damping_share = wall.w;
+            c.arm_a = c.arm_b = xyz(arm) + c.touch.normal * (Pack(0.5) * c.touch.overlap - arm.w);
+            c.touch.velocity = body.velocity - xyz(wall) + cross(body.spin, c.arm_a);
+            const auto result =
+                push(context, c, gather([&](int k) TUMBLE_INLINE_LAMBDA { return contact[k]->memory.spring; }));
+            sums.add(c, result, live_lanes(n));
+            const Pushed pushed(c, result);
             for (int lane = 0; lane < n; ++lane) {
-                const WallContact& c = contacts[first + lane];
-                put3(in.d, lane, c.normal);
-                put3(in.arm_a, lane, c.arm);
-                put3(in.velocity_b, lane, c.wall_velocity);
-                in.overlap[lane] = c.overlap;
-                in.radius_a[lane] = c.radius;
-                in.share[lane] = static_cast<double>(c.damping_share);
-                gather_body(context.motion[c.body], in.velocity_a, in.spin_a, in.mass_a, lane);
-                gather_memory(c.memory, in, lane);
-            }
-            const int padded = fill_up(in, n);
-            for (int at = 0; at < padded; at += Pack::lanes)
-                push_pack<Kind::walls>(law, context, in, out, at, sums);
-            for (int lane = 0; lane < n; ++lane) {
-                WallContact& c = contacts[first + lane];
-                keep_memory(out, lane, c.memory);
-                add_load(context.load[c.body], out.force, out.torque_a, lane, 1.0);
+                WallContact& to = *contact[lane];
+                copy_quad(to.memory.spring, pushed.memory.row(lane));
+                load_body(context.load[to.body], pushed.force.row(lane), pushed.torque_a.row(lane));
                 double power = 0;
                 for (int axis = 0; axis < 3; ++axis)
-                    power += out.force[axis][lane] * c.wall_now[axis];
+                    power += pushed.force.row(lane)[axis] * to.wall_now[axis];
                 context.sums->wall_work += power * context.dt;
             }
-        }
-        add_to(*context.sums, sums, count);
+        });
+        sums.add_to(*context.sums, count);
     }
 };
 

@@ -2,22 +2,43 @@
 
 namespace tumble::sim3d::TUMBLE_ISA {
 
-int touch_spheres(const BodyMotion* motion, const SpherePair* pairs, int count, const double (*images)[3],
-                  const std::uint8_t* was, int* found) {
-    constexpr int ahead = 24; // which body comes next is known long before the processor could guess it
+namespace {
+
+constexpr int ahead = 24; // which body comes next is known long before the processor could guess it
+
+TUMBLE_INLINE int closer_than(double gap, const BodyMotion* motion, const SpherePair& pair, const Shift* images) {
+    const BodyMotion& a = motion[pair.a];
+    const BodyMotion& b = motion[pair.b];
+    const double* shift = images[pair.image].along;
+    const double dx = a.position[0] - b.position[0] - shift[0];
+    const double dy = a.position[1] - b.position[1] - shift[1];
+    const double dz = a.position[2] - b.position[2] - shift[2];
+    const double reach = a.radius + b.radius + gap;
+    return dx * dx + dy * dy + dz * dz < reach * reach;
+}
+
+} // namespace
+
+// Which pairs are found is hard to predict: both always write, and advance only when it counts.
+
+int near_spheres(const BodyMotion* motion, const SpherePair* pairs, int count, const Shift* images, double skin,
+                 const std::uint8_t* was, int* found) {
     int n = 0;
     for (int p = 0; p < count; ++p) {
-        const SpherePair pair = pairs[p];
         __builtin_prefetch(&motion[pairs[p + ahead < count ? p + ahead : p].b]);
-        const BodyMotion& a = motion[pair.a];
-        const BodyMotion& b = motion[pair.b];
-        const double* image = images[pair.image];
-        const double dx = a.position[0] - b.position[0] - image[0];
-        const double dy = a.position[1] - b.position[1] - image[1];
-        const double dz = a.position[2] - b.position[2] - image[2];
-        const double reach = a.radius + b.radius;
-        const int now = dx * dx + dy * dy + dz * dz < reach * reach;
-        // Which pairs touch is hard to predict: always write, advance only when it counts.
+        found[n] = p;
+        n += closer_than(skin, motion, pairs[p], images) | was[p];
+    }
+    return n;
+}
+
+int touch_spheres(const BodyMotion* motion, const SpherePair* pairs, const int* which, int count, const Shift* images,
+                  const std::uint8_t* was, int* found) {
+    int n = 0;
+    for (int k = 0; k < count; ++k) {
+        const int p = which[k];
+        __builtin_prefetch(&motion[pairs[which[k + ahead < count ? k + ahead : k]].b]);
+        const int now = closer_than(0, motion, pairs[p], images);
         found[n] = 2 * p + now;
         n += now | was[p];
     }

@@ -50,6 +50,13 @@ struct Pack {
     /// `from` holds 8 doubles and is 64-byte aligned.
     TUMBLE_INLINE static Pack load(const double* from) { return Pack(*reinterpret_cast<const Lanes*>(from)); }
     TUMBLE_INLINE void store(double* to) const { *reinterpret_cast<Lanes*>(to) = v; }
+    /// The same at any address.
+    TUMBLE_INLINE static Pack load_anywhere(const double* from) {
+        Pack p;
+        __builtin_memcpy(&p.v, from, sizeof p.v);
+        return p;
+    }
+    TUMBLE_INLINE void store_anywhere(double* to) const { __builtin_memcpy(to, &v, sizeof v); }
 
     TUMBLE_INLINE Pack operator-() const { return Pack(-v); }
     TUMBLE_INLINE friend Pack operator+(Pack a, Pack b) { return Pack(a.v + b.v); }
@@ -80,6 +87,9 @@ TUMBLE_INLINE Pack root(Pack x) {
     return r;
 #endif
 }
+/// Four doubles side by side: a row.
+using Quad = double __attribute__((vector_size(32)));
+
 /// Four packs that stand for eight rows of four doubles: column k holds the k-th double of every row.
 struct Columns {
     Pack x, y, z, w;
@@ -87,7 +97,6 @@ struct Columns {
 
 /// Columns of eight rows of four doubles; row(k) points to one, 32-byte aligned, for k = 0 .. 7.
 template <class RowOf> TUMBLE_INLINE Columns gather(RowOf&& row) {
-    using Quad = double __attribute__((vector_size(32)));
     const auto quad = [&](int k) TUMBLE_INLINE_LAMBDA { return *reinterpret_cast<const Quad*>(row(k)); };
     // Rows k and k + 4 share a register; then 4 x 4 blocks are turned in both halves at once.
     const auto both = [&](int k) TUMBLE_INLINE_LAMBDA {
@@ -104,43 +113,25 @@ template <class RowOf> TUMBLE_INLINE Columns gather(RowOf&& row) {
             Pack(static_cast<Pack::Lanes>(__builtin_shufflevector(odd01, odd23, 2, 3, 10, 11, 6, 7, 14, 15)))};
 }
 
-/// Eight rows of four doubles: gather() undone.
-struct alignas(64) RowBlock {
-    double quad[Pack::lanes][4];
-
-    TUMBLE_INLINE explicit RowBlock(const Columns& c) {
-        const auto even01 = __builtin_shufflevector(c.x.v, c.y.v, 0, 8, 2, 10, 4, 12, 6, 14);
-        const auto odd01 = __builtin_shufflevector(c.x.v, c.y.v, 1, 9, 3, 11, 5, 13, 7, 15);
-        const auto even23 = __builtin_shufflevector(c.z.v, c.w.v, 0, 8, 2, 10, 4, 12, 6, 14);
-        const auto odd23 = __builtin_shufflevector(c.z.v, c.w.v, 1, 9, 3, 11, 5, 13, 7, 15);
-        const auto put = [&](int pair, auto rows) TUMBLE_INLINE_LAMBDA {
-            *reinterpret_cast<Pack::Lanes*>(quad[pair]) = static_cast<Pack::Lanes>(rows);
-        };
-        const auto r04 = __builtin_shufflevector(even01, even23, 0, 1, 8, 9, 4, 5, 12, 13);
-        const auto r15 = __builtin_shufflevector(odd01, odd23, 0, 1, 8, 9, 4, 5, 12, 13);
-        const auto r26 = __builtin_shufflevector(even01, even23, 2, 3, 10, 11, 6, 7, 14, 15);
-        const auto r37 = __builtin_shufflevector(odd01, odd23, 2, 3, 10, 11, 6, 7, 14, 15);
-        put(0, __builtin_shufflevector(r04, r15, 0, 1, 2, 3, 8, 9, 10, 11));
-        put(2, __builtin_shufflevector(r26, r37, 0, 1, 2, 3, 8, 9, 10, 11));
-        put(4, __builtin_shufflevector(r04, r15, 4, 5, 6, 7, 12, 13, 14, 15));
-        put(6, __builtin_shufflevector(r26, r37, 4, 5, 6, 7, 12, 13, 14, 15));
-    }
-
-    [[nodiscard]] TUMBLE_INLINE const double* row(int k) const { return quad[k]; }
-};
-
-/// to += from, four doubles, both 32-byte aligned.
-TUMBLE_INLINE void add_quad(double* to, const double* from) {
-    using Quad = double __attribute__((vector_size(32)));
-    *reinterpret_cast<Quad*>(to) += *reinterpret_cast<const Quad*>(from);
+/// gather() undone: calls put(k, row) for the eight rows.
+template <class Put> TUMBLE_INLINE void for_rows(const Columns& c, Put&& put) {
+    const auto even01 = __builtin_shufflevector(c.x.v, c.y.v, 0, 8, 2, 10, 4, 12, 6, 14);
+    const auto odd01 = __builtin_shufflevector(c.x.v, c.y.v, 1, 9, 3, 11, 5, 13, 7, 15);
+    const auto even23 = __builtin_shufflevector(c.z.v, c.w.v, 0, 8, 2, 10, 4, 12, 6, 14);
+    const auto odd23 = __builtin_shufflevector(c.z.v, c.w.v, 1, 9, 3, 11, 5, 13, 7, 15);
+    const auto halves = [&](int k, auto rows) TUMBLE_INLINE_LAMBDA {
+        put(k, static_cast<Quad>(__builtin_shufflevector(rows, rows, 0, 1, 2, 3)));
+        put(k + 4, static_cast<Quad>(__builtin_shufflevector(rows, rows, 4, 5, 6, 7)));
+    };
+    halves(0, __builtin_shufflevector(even01, even23, 0, 1, 8, 9, 4, 5, 12, 13));
+    halves(1, __builtin_shufflevector(odd01, odd23, 0, 1, 8, 9, 4, 5, 12, 13));
+    halves(2, __builtin_shufflevector(even01, even23, 2, 3, 10, 11, 6, 7, 14, 15));
+    halves(3, __builtin_shufflevector(odd01, odd23, 2, 3, 10, 11, 6, 7, 14, 15));
 }
-TUMBLE_INLINE void subtract_quad(double* to, const double* from) {
-    using Quad = double __attribute__((vector_size(32)));
-    *reinterpret_cast<Quad*>(to) -= *reinterpret_cast<const Quad*>(from);
-}
-TUMBLE_INLINE void copy_quad(double* to, const double* from) {
-    using Quad = double __attribute__((vector_size(32)));
-    *reinterpret_cast<Quad*>(to) = *reinterpret_cast<const Quad*>(from);
+
+/// The quad at a 32-byte aligned address.
+TUMBLE_INLINE Quad& quad_at(double* at) {
+    return *reinterpret_cast<Quad*>(at);
 }
 
 /// Sum in lane order.

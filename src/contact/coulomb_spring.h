@@ -29,7 +29,7 @@ TUMBLE_INLINE TangentialPush<Real> coulomb_spring(const Touch<Real>& touch, cons
     const Real c = select(slides, none, damping);
     push.force = (push.memory.spring * stiffness + slip_rate * c) * Real(-1.0);
 
-    const Real half_kick = Real(0.5 * 7.0 / 2.0) * dt / touch.mass;
+    const Real half_kick = Real(0.5 * 7.0 / 2.0) * (dt / touch.mass);
     const Vec3<Real> rate_now = slip_rate + push.force * half_kick;
     push.lost_damping = c * dot(slip_rate, rate_now) * dt;
     const Real after = cut * stretch;

@@ -24,7 +24,7 @@ template <class Normal, class Tangential> struct Law {
             Tangential::push(touch, slip_rate, limit, normal.stiffness, pair, memory, dt);
 
         // The dashpot's work over the step is its force times the velocity at the step, half a kick later.
-        const Real rate_now = normal_rate + Real(0.5) * dt * force / touch.mass;
+        const Real rate_now = normal_rate + Real(0.5) * force * (dt / touch.mass);
         Push<Real> push;
         push.force = touch.normal * force + tangential.force;
         push.memory = tangential.memory;

@@ -14,10 +14,9 @@ namespace {
 using Eigen::Vector3d;
 
 // Sorting moves every body in memory; neighbours drift apart slowly, so it pays only now and then.
-constexpr std::int64_t rebuilds_per_sort = 16;
+constexpr std::int64_t rebuilds_per_sort = 4;
 
 constexpr int fewest_bodies_per_chunk = 48;
-constexpr int most_chunks = 16;
 
 constexpr double spare_leash = 0.6; // share of the mean leash that bodies at rest get
 constexpr double expired = std::numeric_limits<double>::lowest();
@@ -66,7 +65,7 @@ void cut_chunks(World& world) {
         Chunk& chunk = world.chunks[static_cast<std::size_t>(k)];
         chunk.begin = static_cast<int>(static_cast<std::int64_t>(bodies) * k / count);
         chunk.end = static_cast<int>(static_cast<std::int64_t>(bodies) * (k + 1) / count);
-        chunk.sphere_contacts.resize(kinds);
+        chunk.near_spheres.resize(kinds);
         chunk.body_contacts.resize(kinds);
         chunk.wall_contacts.resize(kinds);
         chunk.outbox.resize(static_cast<std::size_t>(count));
@@ -76,9 +75,8 @@ void cut_chunks(World& world) {
 
 void clear(Chunk& chunk) {
     chunk.sphere_pairs.clear();
-    chunk.sphere_memory.clear();
-    chunk.sphere_touching.clear();
-    chunk.near_pairs.clear();
+    for (NearSpheres& near : chunk.near_spheres)
+        near.clear();
     chunk.near_until = 0;
     chunk.body_pairs.clear();
     chunk.candidates.clear();
@@ -99,21 +97,18 @@ bool may_remember(const World& world, int a, int b, int image) {
     return d.squaredNorm() < reach * reach;
 }
 
+// What the pair remembers stands in the near list, which find_candidates completes.
 void add_sphere_pair(const World& world, Chunk& chunk, int a, int b, int image) {
     const auto id_a = world.id[static_cast<std::size_t>(a)];
     const auto id_b = world.id[static_cast<std::size_t>(b)];
-    MemoryLanes memory{};
-    bool touching = false;
+    const int kind = world.kind_of(a, world.shape_at(b).material);
     if (may_remember(world, a, b, image))
         for (const KeptPair& old : world.kept.of_pair(std::min(id_a, id_b)))
-            if (old.second == std::max(id_a, id_b)) {
-                memory = id_a < id_b ? old.memory : mirrored(old.memory);
-                touching = true;
-            }
-    chunk.sphere_pairs.push_back({a, b, static_cast<std::int16_t>(image),
-                                  static_cast<std::int16_t>(world.kind_of(a, world.shape_at(b).material))});
-    chunk.sphere_memory.push_back(memory);
-    chunk.sphere_touching.push_back(touching ? 1 : 0);
+            if (old.second == std::max(id_a, id_b))
+                chunk.near_spheres[static_cast<std::size_t>(kind)].add(
+                    {a, b, image, static_cast<int>(chunk.sphere_pairs.size())}, 1,
+                    id_a < id_b ? old.memory : mirrored(old.memory));
+    chunk.sphere_pairs.push_back({a, b, static_cast<std::int16_t>(image), static_cast<std::int16_t>(kind)});
 }
 
 // The pair starts expired, with only what it remembers; the first refresh completes it.

@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 // Lists as long as these parts of the bodies were found quickest on dense beds (bench/spheres, bench/trough).
 constexpr double skin_per_bounding_radius = 0.16;
 constexpr double sphere_skin_per_radius = 0.15;
-constexpr double near_skin_per_skin = 0.25;
+constexpr double near_skin_per_skin = 0.3;
 // Walls do not take part in the mean flow, so bodies may pass them long before they pass each other.
 constexpr double wall_skin_per_skin = 4;
 

@@ -1,25 +1,53 @@
 #include "sim3d/refresh.h"
 #include "sim3d/step.h"
 
+#include <algorithm>
+#include <span>
+#include <utility>
+#include <vector>
+
 namespace tumble::sim3d {
 
 namespace {
 
-void find_near_pairs(const World& world, Chunk& chunk) {
-    const auto pairs = static_cast<int>(chunk.sphere_pairs.size());
-    chunk.near_pairs.resize(chunk.sphere_pairs.size() + 1);
-    const int count =
-        world.kernels->near_spheres(world.motion.data(), chunk.sphere_pairs.data(), pairs, world.images.data(),
-                                    world.near_skin, chunk.sphere_touching.data(), chunk.near_pairs.data());
-    chunk.near_pairs.resize(static_cast<std::size_t>(count));
-    chunk.near_until = world.rush + world.near_skin;
+/// Of the pairs found, in order, makes the near lists; what a pair remembers it keeps.
+void list_near(Chunk& chunk, std::span<const int> found) {
+    thread_local std::vector<NearSpheres> old;
+    thread_local std::vector<std::size_t> seen; // per material pair, how many of old
+    old.resize(chunk.near_spheres.size());
+    std::swap(old, chunk.near_spheres);
+    seen.assign(old.size(), 0);
+    for (NearSpheres& near : chunk.near_spheres)
+        near.clear();
+    for (const int listed : found) {
+        const SpherePair& pair = chunk.sphere_pairs[static_cast<std::size_t>(listed)];
+        const auto kind = static_cast<std::size_t>(pair.kind);
+        const NearSpheres& before = old[kind];
+        std::size_t& k = seen[kind];
+        while (k < before.pairs.size() && before.pairs[k].listed < listed)
+            ++k;
+        const bool known = k < before.pairs.size() && before.pairs[k].listed == listed;
+        chunk.near_spheres[kind].add({pair.a, pair.b, pair.image, listed}, known ? before.touching[k] : std::uint8_t{0},
+                                     known ? before.memory[k] : MemoryLanes{});
+    }
+}
+
+void find_near_spheres(const World& world, Chunk& chunk) {
+    chunk.found.resize(chunk.sphere_pairs.size() + 1);
+    // What touched a step ago must stay listed until it is seen apart, however fast it left.
+    const double skin = std::max(world.near_skin, world.last_rush);
+    const int count = world.kernels->near_spheres(world.motion.data(), chunk.sphere_pairs.data(),
+                                                  static_cast<int>(chunk.sphere_pairs.size()), world.images.data(),
+                                                  skin, chunk.found.data());
+    list_near(chunk, {chunk.found.data(), static_cast<std::size_t>(count)});
+    chunk.near_until = world.rush + skin;
 }
 
 } // namespace
 
 void find_candidates(World& world, Chunk& chunk) {
     if (world.rush >= chunk.near_until && !chunk.sphere_pairs.empty())
-        find_near_pairs(world, chunk);
+        find_near_spheres(world, chunk);
     const auto travelled = [&](int slot) { return world.travel[static_cast<std::size_t>(slot)]; };
     for (BodyPair& pair : chunk.body_pairs)
         if (travelled(pair.a) + travelled(pair.b) >= pair.expires)

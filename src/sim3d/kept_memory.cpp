@@ -35,12 +35,12 @@ void KeptMemory::take(const World& world) {
     unsorted_pairs_.clear();
     unsorted_walls_.clear();
     for (const Chunk& chunk : world.chunks) {
-        for (std::size_t p = 0; p < chunk.sphere_pairs.size(); ++p)
-            if (chunk.sphere_touching[p]) {
-                const SpherePair& pair = chunk.sphere_pairs[p];
-                unsorted_pairs_.push_back(canonical(world.id[static_cast<std::size_t>(pair.a)],
-                                           world.id[static_cast<std::size_t>(pair.b)], 0, 0, chunk.sphere_memory[p]));
-            }
+        for (const NearSpheres& near : chunk.near_spheres)
+            for (std::size_t k = 0; k < near.pairs.size(); ++k)
+                if (near.touching[k] != 0)
+                    unsorted_pairs_.push_back(canonical(world.id[static_cast<std::size_t>(near.pairs[k].a)],
+                                                        world.id[static_cast<std::size_t>(near.pairs[k].b)], 0, 0,
+                                                        near.memory[k]));
         for (const BodyPair& pair : chunk.body_pairs)
             for (int k = pair.begin; k < pair.begin + pair.count; ++k) {
                 const SphereCandidate& candidate = chunk.candidates[static_cast<std::size_t>(k)];

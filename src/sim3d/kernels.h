@@ -64,6 +64,14 @@ struct SpherePair {
     std::int16_t kind; // material pair
 };
 
+/// A sphere pair that touches or soon may.
+struct NearPair {
+    int a;
+    int b;
+    int image;
+    int listed; // index of its SpherePair
+};
+
 /// A touching pair of clump spheres; d is from b's sphere centre to a's. Rows of four, as the kernels load them.
 struct alignas(32) BodyContact {
     double d[3]; // m
@@ -175,16 +183,22 @@ struct SphereScan {
     double* scratch;      // 4 * (count_a + 8) doubles, 64-byte aligned
 };
 
+struct TouchCounts {
+    int contacts;
+    int ended;
+};
+
 struct Kernels {
-    /// Writes the index of each of `count` pairs whose gap is below `skin`, or that touched (`was`), to `found`, which
-    /// has room for count + 1; returns how many.
+    /// Writes the index of each of `count` pairs whose gap is below `skin` to `found`, which has room for count + 1;
+    /// returns how many.
     int (*near_spheres)(const BodyMotion* motion, const SpherePair* pairs, int count, const Shift* images, double skin,
-                        const std::uint8_t* was, int* found);
-    /// Of the `count` pairs that `which` lists, writes 2 * index + 1 for each that touches and 2 * index for each that
-    /// only did a step ago (`was`) to `found`, which has room for count + 1; returns how many.
-    int (*touch_spheres)(const BodyMotion* motion, const SpherePair* pairs, const int* which, int count,
-                         const Shift* images, const std::uint8_t* was, int* found);
-    void (*push_spheres)(PushContext&, const SpherePair* pairs, const int* which, int count, MemoryLanes* memory);
+                        int* found);
+    /// Brings touching[] of `count` pairs up to date. Writes the indices of those that touch to `contacts` and of those
+    /// that ceased to touch to `ended`, each with room for count + 1.
+    TouchCounts (*touch_spheres)(const BodyMotion* motion, const NearPair* pairs, int count, const Shift* images,
+                                 std::uint8_t* touching, int* contacts, int* ended);
+    /// `which` lists the `count` pairs that touch; memory is parallel to pairs.
+    void (*push_spheres)(PushContext&, const NearPair* pairs, const int* which, int count, MemoryLanes* memory);
     void (*push_bodies)(PushContext&, const BodyContact* contacts, int count, MemoryLanes* memory);
     void (*push_walls)(PushContext&, WallContact* contacts, int count);
     IntegrateSums (*integrate)(const IntegrateContext&);

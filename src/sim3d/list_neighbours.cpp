@@ -41,7 +41,8 @@ void move_walls(World& world) {
 }
 
 void list_neighbours(World& world) {
-    world.rush += closest_rush(world);
+    world.last_rush = closest_rush(world);
+    world.rush += world.last_rush;
     if (world.step % steps_per_fit == 0 || world.stale)
         world.flow = fit_mean_flow(world);
     if (world.stale || worn(world))

@@ -2,6 +2,8 @@
 
 #include "sim3d/world.h"
 
+#include <array>
+#include <atomic>
 #include <chrono>
 
 namespace tumble::sim3d {
@@ -33,6 +35,21 @@ inline void timed(Phase phase, void (*verb)(World&, Chunk&), World& world, Chunk
 template <class Task> void for_chunks(World& world, Task&& task) {
     world.crew.share(static_cast<int>(world.chunks.size()),
                      [&](int k) { task(world.chunks[static_cast<std::size_t>(k)]); });
+}
+
+/// Calls first(chunk) for every chunk, and then(chunk) as soon as first is done for it and all before it, on all
+/// threads. What a chunk's `first` reads and pushes belongs to it or to later chunks, so `then` may change its own.
+template <class First, class Then> void for_chunks(World& world, First&& first, Then&& then) {
+    const std::size_t count = world.chunks.size();
+    std::array<std::atomic<bool>, most_chunks> done{};
+    std::atomic<std::size_t> next{0};
+    world.crew.share(static_cast<int>(count), [&](int k) {
+        first(world.chunks[static_cast<std::size_t>(k)]);
+        done[static_cast<std::size_t>(k)].store(true);
+        for (std::size_t mine = next.load(); mine < count && done[mine].load(); mine = next.load())
+            if (next.compare_exchange_strong(mine, mine + 1))
+                then(world.chunks[mine]);
+    });
 }
 
 } // namespace tumble::sim3d

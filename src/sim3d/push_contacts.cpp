@@ -43,10 +43,10 @@ void push_contacts(World& world, Chunk& chunk) {
         letters.clear();
     for (std::size_t kind = 0; kind < world.pairs.size(); ++kind) {
         PushContext context = context_of(world, chunk, kind);
-        if (const auto& which = chunk.sphere_contacts[kind]; !which.empty()) {
-            prepare_foreign(chunk, context, which);
-            world.kernels->push_spheres(context, chunk.sphere_pairs.data(), which.data(),
-                                        static_cast<int>(which.size()), chunk.sphere_memory.data());
+        if (NearSpheres& near = chunk.near_spheres[kind]; !near.contacts.empty()) {
+            prepare_foreign(chunk, context, near.contacts);
+            world.kernels->push_spheres(context, near.pairs.data(), near.contacts.data(),
+                                        static_cast<int>(near.contacts.size()), near.memory.data());
             post(world, chunk, context);
         }
         if (const auto& contacts = chunk.body_contacts[kind]; !contacts.empty()) {

@@ -80,9 +80,8 @@ std::string deepest_pair(const World& world) {
             for (const BodyContact& c : contacts)
                 consider((c.radius_a + c.radius_b - Vector3d(c.d).norm()) / std::min(c.radius_a, c.radius_b),
                          [&] { return name_of(world, c.a) + " and " + name_of(world, c.b); });
-        for (const auto& which : chunk.sphere_contacts)
-            for (const int p : which) {
-                const SpherePair& pair = chunk.sphere_pairs[static_cast<std::size_t>(p)];
+        for (const NearSpheres& near : chunk.near_spheres)
+            for (const NearPair& pair : near.pairs) {
                 const BodyMotion& a = world.motion[static_cast<std::size_t>(pair.a)];
                 const BodyMotion& b = world.motion[static_cast<std::size_t>(pair.b)];
                 const Vector3d d = Vector3d(a.position) - Vector3d(b.position) -

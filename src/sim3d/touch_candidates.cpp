@@ -14,25 +14,15 @@ void forget(Chunk& chunk, MemoryLanes& memory) {
     memory = {};
 }
 
-void touch_spheres(const World& world, Chunk& chunk) {
-    for (auto& list : chunk.sphere_contacts)
-        list.clear();
-    if (chunk.sphere_pairs.empty())
-        return;
-    chunk.found.resize(chunk.near_pairs.size() + 1);
-    const int count = world.kernels->touch_spheres(world.motion.data(), chunk.sphere_pairs.data(),
-                                                   chunk.near_pairs.data(), static_cast<int>(chunk.near_pairs.size()),
-                                                   world.images.data(), chunk.sphere_touching.data(), chunk.found.data());
-    for (int k = 0; k < count; ++k) {
-        const int code = chunk.found[static_cast<std::size_t>(k)];
-        const auto pair = static_cast<std::size_t>(code >> 1);
-        const bool now = (code & 1) != 0;
-        chunk.sphere_touching[pair] = now ? 1 : 0;
-        if (now)
-            chunk.sphere_contacts[static_cast<std::size_t>(chunk.sphere_pairs[pair].kind)].push_back(code >> 1);
-        else
-            forget(chunk, chunk.sphere_memory[pair]);
-    }
+void touch_spheres(const World& world, Chunk& chunk, NearSpheres& near) {
+    near.contacts.resize(near.pairs.size() + 1);
+    chunk.found.resize(near.pairs.size() + 1);
+    const TouchCounts counts = world.kernels->touch_spheres(
+        world.motion.data(), near.pairs.data(), static_cast<int>(near.pairs.size()), world.images.data(),
+        near.touching.data(), near.contacts.data(), chunk.found.data());
+    near.contacts.resize(static_cast<std::size_t>(counts.contacts));
+    for (int k = 0; k < counts.ended; ++k)
+        forget(chunk, near.memory[static_cast<std::size_t>(chunk.found[static_cast<std::size_t>(k)])]);
 }
 
 /// Appends the pair's touching spheres to `contacts`; returns how many.
@@ -183,7 +173,8 @@ void touch_walls(const World& world, Chunk& chunk) {
 
 void touch_candidates(World& world, Chunk& chunk) {
     chunk.dropped_history = 0;
-    touch_spheres(world, chunk);
+    for (NearSpheres& near : chunk.near_spheres)
+        touch_spheres(world, chunk, near);
     touch_bodies(world, chunk);
     touch_walls(world, chunk);
 }

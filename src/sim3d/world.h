@@ -42,7 +42,7 @@ struct MeanFlow {
         return velocity + gradient * (point - centre);
     }
 };
-constexpr std::int64_t steps_per_fit = 16;
+constexpr std::int64_t steps_per_fit = 64;
 
 /// Where the spheres of a body pair may soon touch: valid until the two odometers together show `expires`.
 struct BodyPair {
@@ -109,16 +109,35 @@ constexpr std::array<const char*, 9> phase_names{"move_walls",     "list_neighbo
                                                  "collect_pushes", "integrate",        "book_energy"};
 using PhaseSeconds = std::array<double, phase_names.size()>;
 
+/// Those of a chunk's sphere pairs that may touch before World::rush reaches Chunk::near_until.
+struct NearSpheres {
+    std::vector<NearPair> pairs; // in the order of Chunk::sphere_pairs
+    std::vector<MemoryLanes> memory;
+    std::vector<std::uint8_t> touching; // 1 or 0
+    std::vector<int> contacts; // those of pairs that touch now
+
+    void clear() {
+        pairs.clear();
+        memory.clear();
+        touching.clear();
+    }
+    void add(const NearPair& pair, std::uint8_t touches, const MemoryLanes& remembered) {
+        pairs.push_back(pair);
+        memory.push_back(remembered);
+        touching.push_back(touches);
+    }
+};
+
+constexpr int most_chunks = 16;
+
 /// A contiguous range of slots and everything that its bodies own.
 struct Chunk {
     int begin = 0;
     int end = 0;
 
     std::vector<SpherePair> sphere_pairs; // both bodies single spheres
-    std::vector<MemoryLanes> sphere_memory;
-    std::vector<std::uint8_t> sphere_touching;
-    std::vector<int> near_pairs; // of sphere_pairs, those that may touch before World::rush reaches near_until
-    double near_until = 0;       // m
+    std::vector<NearSpheres> near_spheres; // per material pair
+    double near_until = 0;                 // m, on World::rush
 
     std::vector<BodyPair> body_pairs;
     std::vector<SphereCandidate> candidates;
@@ -129,7 +148,6 @@ struct Chunk {
     std::vector<WallCandidate> wall_candidates;
     std::vector<int> sphere_primitives;
 
-    std::vector<std::vector<int>> sphere_contacts;       // per material pair: touching entries of sphere_pairs
     std::vector<std::vector<BodyContact>> body_contacts; // per material pair
     std::vector<std::vector<WallContact>> wall_contacts; // per material pair
 
@@ -207,6 +225,7 @@ struct World {
     double wall_skin = 0;                      // m, of the list of bodies near walls
     double near_skin = 0;                      // m, of the list of near sphere pairs
     double rush = 0;                           // m, how far the fastest two bodies could have closed in since the start
+    double last_rush = 0;                      // m, in the last step
     double sphere_skin = 0;                    // m, of the sphere candidates of a body pair
     double smallest_radius = 0;                // m, of all exposed spheres
     bool stale = true;                         // the body list must be rebuilt

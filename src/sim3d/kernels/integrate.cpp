@@ -39,10 +39,26 @@ template <class Real> TUMBLE_INLINE Vec3<Real> flow_at(const IntegrateContext& c
 
 /// Sums and extremes of one body, or of eight in lanes.
 template <class Real> struct Tally {
-    Real translation, rotation, gravity; // J, at the step
-    Real speed_squared, spin_squared;    // of the next half step
-    Real travel, way;                    // m, the odometer and its advance
+    Real translation{0.0}, rotation{0.0}, gravity{0.0}; // J, at the step
+    Real speed_squared{0.0}, spin_squared{0.0};         // of the next half step
+    Real travel{-1e300}, way{0.0};                      // m, the odometer and its advance
+
+    TUMBLE_INLINE void add(const Tally& body) {
+        translation = translation + body.translation;
+        rotation = rotation + body.rotation;
+        gravity = gravity + body.gravity;
+        speed_squared = larger(speed_squared, body.speed_squared);
+        spin_squared = larger(spin_squared, body.spin_squared);
+        travel = larger(travel, body.travel);
+        way = larger(way, body.way);
+    }
 };
+
+TUMBLE_INLINE Tally<double> in_one(const Tally<Pack>& eight) {
+    return {sum(eight.translation),        sum(eight.rotation),         sum(eight.gravity),
+            largest(eight.speed_squared), largest(eight.spin_squared), largest(eight.travel),
+            largest(eight.way)};
+}
 
 /// A body's flight over one step, apart from how it turns.
 template <class Real> struct Flight {
@@ -66,31 +82,6 @@ template <class Real> struct Flight {
     }
 };
 
-TUMBLE_INLINE void add(IntegrateSums& sums, const Tally<double>& body) {
-    sums.kinetic_translation += body.translation;
-    sums.kinetic_rotation += body.rotation;
-    sums.gravity += body.gravity;
-    sums.travel_max = larger(sums.travel_max, body.travel);
-    sums.way_max = larger(sums.way_max, body.way);
-    sums.speed_squared_max = larger(sums.speed_squared_max, body.speed_squared);
-    sums.spin_squared_max = larger(sums.spin_squared_max, body.spin_squared);
-    sums.finite = sums.finite && body.speed_squared + body.spin_squared < 1e30;
-}
-
-TUMBLE_INLINE void add(IntegrateSums& sums, const Tally<Pack>& bodies, int n) {
-    double values[7][lanes] __attribute__((aligned(64)));
-    bodies.translation.store(values[0]);
-    bodies.rotation.store(values[1]);
-    bodies.gravity.store(values[2]);
-    bodies.speed_squared.store(values[3]);
-    bodies.spin_squared.store(values[4]);
-    bodies.travel.store(values[5]);
-    bodies.way.store(values[6]);
-    for (int k = 0; k < n; ++k)
-        add(sums, Tally<double>{values[0][k], values[1][k], values[2][k], values[3][k], values[4][k], values[5][k],
-                                values[6][k]});
-}
-
 /// Eight neighbouring slots that all hold single spheres.
 struct SpherePack {
     Columns place, velocity, spin, force, torque, orientation;
@@ -103,10 +94,9 @@ struct SpherePack {
         force = gather([&](int k) TUMBLE_INLINE_LAMBDA { return context.load[first + k].force; });
         torque = gather([&](int k) TUMBLE_INLINE_LAMBDA { return context.load[first + k].torque; });
         orientation = gather([&](int k) TUMBLE_INLINE_LAMBDA { return context.orientation[first + k].q; });
-        for (int k = 0; k < lanes; ++k) {
+        for (int k = 0; k < lanes; ++k)
             inertia.v[k] = context.shapes[context.shape[first + k]].inertia[0];
-            travel.v[k] = context.travel[first + k];
-        }
+        travel = Pack::load_anywhere(context.travel + first);
     }
 };
 
@@ -114,7 +104,7 @@ TUMBLE_INLINE Vec3<Pack> xyz(const Columns& c) {
     return {c.x, c.y, c.z};
 }
 
-TUMBLE_INLINE void move_spheres(const IntegrateContext& context, int first, IntegrateSums& sums) {
+TUMBLE_INLINE void move_spheres(const IntegrateContext& context, int first, Tally<Pack>& tally) {
     const SpherePack in(context, first);
     const Pack dt(context.dt);
     Flight<Pack> flight(context, xyz(in.place), xyz(in.velocity), xyz(in.force), in.velocity.w, in.spin.w, in.travel,
@@ -127,18 +117,15 @@ TUMBLE_INLINE void move_spheres(const IntegrateContext& context, int first, Inte
     flight.tally.rotation = Pack(0.5) * in.inertia * dot(now, now);
     flight.tally.spin_squared = dot(spin, spin);
 
-    const RowBlock place(Columns{flight.position.x, flight.position.y, flight.position.z, in.place.w});
-    const RowBlock velocity(Columns{flight.velocity.x, flight.velocity.y, flight.velocity.z, in.velocity.w});
-    const RowBlock turning(Columns{spin.x, spin.y, spin.z, Pack(1.0)});
-    const RowBlock orientation(Columns{q.w, q.x, q.y, q.z});
-    for (int k = 0; k < lanes; ++k) {
-        copy_quad(context.motion[first + k].position, place.row(k));
-        copy_quad(context.motion[first + k].velocity, velocity.row(k));
-        copy_quad(context.motion[first + k].spin, turning.row(k));
-        copy_quad(context.orientation[first + k].q, orientation.row(k));
-        context.travel[first + k] = flight.tally.travel.v[k];
-    }
-    add(sums, flight.tally, lanes);
+    const auto put = [&](const Vec3<Pack>& v, Pack w, auto&& place) TUMBLE_INLINE_LAMBDA {
+        for_rows({v.x, v.y, v.z, w}, [&](int k, Quad row) TUMBLE_INLINE_LAMBDA { quad_at(place(first + k)) = row; });
+    };
+    put(flight.position, in.place.w, [&](int slot) TUMBLE_INLINE_LAMBDA { return context.motion[slot].position; });
+    put(flight.velocity, in.velocity.w, [&](int slot) TUMBLE_INLINE_LAMBDA { return context.motion[slot].velocity; });
+    put(spin, Pack(1.0), [&](int slot) TUMBLE_INLINE_LAMBDA { return context.motion[slot].spin; });
+    put({q.w, q.x, q.y}, q.z, [&](int slot) TUMBLE_INLINE_LAMBDA { return context.orientation[slot].q; });
+    flight.tally.travel.store_anywhere(context.travel + first);
+    tally.add(flight.tally);
 }
 
 using Vec = Vec3<double>;
@@ -212,7 +199,7 @@ TUMBLE_INLINE double turn_clump(BodyMotion& motion, BodyOrientation& orientation
     return energy;
 }
 
-TUMBLE_INLINE void move_body(const IntegrateContext& context, int slot, IntegrateSums& sums) {
+TUMBLE_INLINE void move_body(const IntegrateContext& context, int slot, Tally<double>& tally) {
     BodyMotion& motion = context.motion[slot];
     const BodyLoad& load = context.load[slot];
     const ShapeConstants& shape = context.shapes[context.shape[slot]];
@@ -230,7 +217,7 @@ TUMBLE_INLINE void move_body(const IntegrateContext& context, int slot, Integrat
     write(motion.velocity, flight.velocity);
     motion.kick = 1;
     context.travel[slot] = flight.tally.travel;
-    add(sums, flight.tally);
+    tally.add(flight.tally);
 }
 
 TUMBLE_INLINE bool all_single(const IntegrateContext& context, int first) {
@@ -243,18 +230,23 @@ TUMBLE_INLINE bool all_single(const IntegrateContext& context, int first) {
 } // namespace
 
 IntegrateSums integrate(const IntegrateContext& context) {
-    IntegrateSums sums{0, 0, 0, -1e300, 0, 0, 0, true};
+    Tally<Pack> eights;
+    Tally<double> tally;
     int slot = context.begin;
     for (; slot + lanes <= context.end; slot += lanes) {
         if (all_single(context, slot))
-            move_spheres(context, slot, sums);
+            move_spheres(context, slot, eights);
         else
             for (int k = 0; k < lanes; ++k)
-                move_body(context, slot + k, sums);
+                move_body(context, slot + k, tally);
     }
     for (; slot < context.end; ++slot)
-        move_body(context, slot, sums);
-    return sums;
+        move_body(context, slot, tally);
+    tally.add(in_one(eights));
+    // A speed that is not a number shows in the sums, one that is absurd in the extremes.
+    const bool finite = tally.translation + tally.rotation < 1e300 && tally.speed_squared + tally.spin_squared < 1e30;
+    return {tally.translation, tally.rotation,      tally.gravity,      tally.travel,
+            tally.way,         tally.speed_squared, tally.spin_squared, finite};
 }
 
 } // namespace tumble::sim3d::TUMBLE_ISA

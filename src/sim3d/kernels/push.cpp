@@ -58,8 +58,12 @@ TUMBLE_INLINE Contacts between(const Vec3<Pack>& d, Pack ra, Pack rb, const Bodi
     c.touch.normal = d * (Pack(1.0) / distance);
     c.touch.overlap = larger(ra + rb - distance, Pack(0.0));
     c.touch.damping_share = Pack(1.0);
-    c.touch.radius = ra * rb / (ra + rb);
-    c.touch.mass = a.mass * b.mass / (a.mass + b.mass);
+    // R* = Ra Rb / (Ra + Rb) and m* = ma mb / (ma + mb) share one division.
+    const Pack radii = ra + rb;
+    const Pack masses = a.mass + b.mass;
+    const Pack shared = Pack(1.0) / (radii * masses);
+    c.touch.radius = ra * rb * masses * shared;
+    c.touch.mass = a.mass * b.mass * radii * shared;
     c.arm_a = to_a + c.touch.normal * (Pack(0.5) * c.touch.overlap - ra);
     c.arm_b = to_b + c.touch.normal * (rb - Pack(0.5) * c.touch.overlap);
     c.touch.velocity = a.velocity - b.velocity + cross(a.spin, c.arm_a) - cross(b.spin, c.arm_b);
@@ -70,7 +74,8 @@ TUMBLE_INLINE Contacts between(const Vec3<Pack>& d, Pack ra, Pack rb, const Bodi
 struct PackSums {
     Pack stored_normal{0.0}, stored_tangential{0.0};
     Pack lost_normal_damping{0.0}, lost_tangential_damping{0.0}, lost_sliding{0.0}, lost_history{0.0};
-    Pack overlap_max{0.0}, ratio_max{0.0};
+    Pack overlap_max{0.0};
+    Pack deepest{0.0}, deepest_of{1.0}; // m, overlap and smaller radius where their ratio is largest
 
     TUMBLE_INLINE void add(const Contacts& c, const contact::Push<Pack>& push, Pack live) {
         stored_normal += live * push.stored_normal;
@@ -80,7 +85,9 @@ struct PackSums {
         lost_sliding += live * push.lost_sliding;
         lost_history += live * push.lost_history;
         overlap_max = larger(overlap_max, live * c.touch.overlap);
-        ratio_max = larger(ratio_max, live * c.touch.overlap / c.smaller_radius);
+        const auto deeper = deepest * c.smaller_radius < live * c.touch.overlap * deepest_of;
+        deepest = select(deeper, c.touch.overlap, deepest);
+        deepest_of = select(deeper, c.smaller_radius, deepest_of);
     }
 
     TUMBLE_INLINE void add_to(ContactSums& to, int contacts) const {
@@ -91,7 +98,7 @@ struct PackSums {
         to.lost_sliding += sum(lost_sliding);
         to.lost_history += sum(lost_history);
         to.overlap_max = larger(to.overlap_max, largest(overlap_max));
-        to.overlap_ratio_max = larger(to.overlap_ratio_max, largest(ratio_max));
+        to.overlap_ratio_max = larger(to.overlap_ratio_max, largest(deepest / deepest_of));
         to.contacts += contacts;
     }
 };
@@ -104,34 +111,37 @@ TUMBLE_INLINE Pack live_lanes(int n) {
 
 /// What a pack of contacts does, a contact per row.
 struct Pushed {
-    RowBlock force, torque_a, torque_b, memory;
+    Quad force[lanes], torque_a[lanes], torque_b[lanes], memory[lanes];
 
-    TUMBLE_INLINE Pushed(const Contacts& c, const contact::Push<Pack>& push)
-        : force(rows_of(push.force, Pack(0.0))), torque_a(rows_of(cross(c.arm_a, push.force), Pack(0.0))),
-          torque_b(rows_of(cross(push.force, c.arm_b), Pack(0.0))),
-          memory(rows_of(push.memory.spring, push.memory.energy)) {}
+    TUMBLE_INLINE Pushed(const Contacts& c, const contact::Push<Pack>& push) {
+        rows(force, push.force, Pack(0.0));
+        rows(torque_a, cross(c.arm_a, push.force), Pack(0.0));
+        rows(torque_b, cross(push.force, c.arm_b), Pack(0.0));
+        rows(memory, push.memory.spring, push.memory.energy);
+    }
 
 private:
-    TUMBLE_INLINE static RowBlock rows_of(const Vec3<Pack>& v, Pack w) { return RowBlock(Columns{v.x, v.y, v.z, w}); }
+    TUMBLE_INLINE static void rows(Quad* to, const Vec3<Pack>& v, Pack w) {
+        for_rows({v.x, v.y, v.z, w}, [&](int k, Quad row) TUMBLE_INLINE_LAMBDA { to[k] = row; });
+    }
 };
 
-TUMBLE_INLINE void load_body(BodyLoad& load, const double* force, const double* torque) {
-    add_quad(load.force, force);
-    add_quad(load.torque, torque);
+TUMBLE_INLINE void load_body(BodyLoad& load, Quad force, Quad torque) {
+    quad_at(load.force) += force;
+    quad_at(load.torque) += torque;
 }
 
 TUMBLE_INLINE void hand_out(PushContext& context, const Pushed& pushed, int lane, int a, int b) {
-    load_body(context.load[a], pushed.force.row(lane), pushed.torque_a.row(lane));
+    load_body(context.load[a], pushed.force[lane], pushed.torque_a[lane]);
     if (b >= context.begin && b < context.end) {
-        subtract_quad(context.load[b].force, pushed.force.row(lane));
-        add_quad(context.load[b].torque, pushed.torque_b.row(lane));
+        load_body(context.load[b], -pushed.force[lane], pushed.torque_b[lane]);
         return;
     }
     ForeignPush& foreign = context.foreign[context.foreign_count++];
     foreign.body = b;
     for (int axis = 0; axis < 3; ++axis) {
-        foreign.force[axis] = -pushed.force.row(lane)[axis];
-        foreign.torque[axis] = pushed.torque_b.row(lane)[axis];
+        foreign.force[axis] = -pushed.force[lane][axis];
+        foreign.torque[axis] = pushed.torque_b[lane][axis];
     }
 }
 
@@ -154,7 +164,7 @@ template <class ThisLaw> struct Pusher {
         return law.push(c.touch, context.pair, contact::Memory<Pack>{xyz(memory), memory.w}, Pack(context.dt));
     }
 
-    void spheres(PushContext& context, const SpherePair* pairs, const int* which, int count,
+    void spheres(PushContext& context, const NearPair* pairs, const int* which, int count,
                  MemoryLanes* memory) const {
         PackSums sums;
         by_packs(count, [&](int first, int n) TUMBLE_INLINE_LAMBDA {
@@ -163,7 +173,7 @@ template <class ThisLaw> struct Pusher {
             const Shift* image[lanes];
             MemoryLanes* kept[lanes];
             fill_lanes(first, n, [&](int lane, int at) TUMBLE_INLINE_LAMBDA {
-                const SpherePair& pair = pairs[which[at]];
+                const NearPair& pair = pairs[which[at]];
                 a[lane] = &context.motion[pair.a];
                 b[lane] = &context.motion[pair.b];
                 image[lane] = &context.images[pair.image];
@@ -183,9 +193,8 @@ template <class ThisLaw> struct Pusher {
             sums.add(c, result, live_lanes(n));
             const Pushed pushed(c, result);
             for (int lane = 0; lane < n; ++lane) {
-                copy_quad(kept[lane]->spring, pushed.memory.row(lane));
-                hand_out(context, pushed, lane, static_cast<int>(a[lane] - context.motion),
-                         static_cast<int>(b[lane] - context.motion));
+                quad_at(kept[lane]->spring) = pushed.memory[lane];
+                hand_out(context, pushed, lane, pairs[which[first + lane]].a, pairs[which[first + lane]].b);
             }
         });
         sums.add_to(*context.sums, count);
@@ -214,7 +223,7 @@ template <class ThisLaw> struct Pusher {
             sums.add(c, result, live_lanes(n));
             const Pushed pushed(c, result);
             for (int lane = 0; lane < n; ++lane) {
-                copy_quad(kept[lane]->spring, pushed.memory.row(lane));
+                quad_at(kept[lane]->spring) = pushed.memory[lane];
                 hand_out(context, pushed, lane, contact[lane]->a, contact[lane]->b);
             }
         });
@@ -248,11 +257,11 @@ template <class ThisLaw> struct Pusher {
             const Pushed pushed(c, result);
             for (int lane = 0; lane < n; ++lane) {
                 WallContact& to = *contact[lane];
-                copy_quad(to.memory.spring, pushed.memory.row(lane));
-                load_body(context.load[to.body], pushed.force.row(lane), pushed.torque_a.row(lane));
+                quad_at(to.memory.spring) = pushed.memory[lane];
+                load_body(context.load[to.body], pushed.force[lane], pushed.torque_a[lane]);
                 double power = 0;
                 for (int axis = 0; axis < 3; ++axis)
-                    power += pushed.force.row(lane)[axis] * to.wall_now[axis];
+                    power += pushed.force[lane][axis] * to.wall_now[axis];
                 context.sums->wall_work += power * context.dt;
             }
         });
@@ -282,7 +291,7 @@ template <class Visitor> TUMBLE_INLINE void with_law(const PushContext& context,
 
 } // namespace
 
-void push_spheres(PushContext& context, const SpherePair* pairs, const int* which, int count, MemoryLanes* memory) {
+void push_spheres(PushContext& context, const NearPair* pairs, const int* which, int count, MemoryLanes* memory) {
     with_law(context, [&](const auto& pusher) { pusher.spheres(context, pairs, which, count, memory); });
 }
 

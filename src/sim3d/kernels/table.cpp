@@ -3,7 +3,8 @@
 namespace tumble::sim3d::TUMBLE_ISA {
 
 const Kernels& kernels() {
-    static constexpr Kernels all{near_spheres, touch_spheres, push_spheres, push_bodies, push_walls, integrate, scan_spheres};
+    static constexpr Kernels all{near_spheres, touch_spheres, push_spheres, push_bodies,
+                                 push_walls,   integrate,     scan_spheres};
     return all;
 }
 

@@ -6,7 +6,8 @@ namespace {
 
 constexpr int ahead = 24; // which body comes next is known long before the processor could guess it
 
-TUMBLE_INLINE int closer_than(double gap, const BodyMotion* motion, const SpherePair& pair, const Shift* images) {
+template <class Pair>
+TUMBLE_INLINE int closer_than(double gap, const BodyMotion* motion, const Pair& pair, const Shift* images) {
     const BodyMotion& a = motion[pair.a];
     const BodyMotion& b = motion[pair.b];
     const double* shift = images[pair.image].along;
@@ -22,25 +23,28 @@ TUMBLE_INLINE int closer_than(double gap, const BodyMotion* motion, const Sphere
 // Which pairs are found is hard to predict: both always write, and advance only when it counts.
 
 int near_spheres(const BodyMotion* motion, const SpherePair* pairs, int count, const Shift* images, double skin,
-                 const std::uint8_t* was, int* found) {
+                 int* found) {
     int n = 0;
     for (int p = 0; p < count; ++p) {
         __builtin_prefetch(&motion[pairs[p + ahead < count ? p + ahead : p].b]);
         found[n] = p;
-        n += closer_than(skin, motion, pairs[p], images) | was[p];
+        n += closer_than(skin, motion, pairs[p], images);
     }
     return n;
 }
 
-int touch_spheres(const BodyMotion* motion, const SpherePair* pairs, const int* which, int count, const Shift* images,
-                  const std::uint8_t* was, int* found) {
-    int n = 0;
-    for (int k = 0; k < count; ++k) {
-        const int p = which[k];
-        __builtin_prefetch(&motion[pairs[which[k + ahead < count ? k + ahead : k]].b]);
+TouchCounts touch_spheres(const BodyMotion* motion, const NearPair* pairs, int count, const Shift* images,
+                          std::uint8_t* touching, int* contacts, int* ended) {
+    TouchCounts n{0, 0};
+    for (int p = 0; p < count; ++p) {
+        __builtin_prefetch(&motion[pairs[p + ahead < count ? p + ahead : p].b]);
         const int now = closer_than(0, motion, pairs[p], images);
-        found[n] = 2 * p + now;
-        n += now | was[p];
+        const int was = touching[p];
+        contacts[n.contacts] = p;
+        n.contacts += now;
+        ended[n.ended] = p;
+        n.ended += was & ~now;
+        touching[p] = static_cast<std::uint8_t>(now);
     }
     return n;
 }

@@ -16,7 +16,7 @@ void breathe() {
 
 } // namespace
 
-Crew::Crew(int threads) {
+Crew::Crew(int threads) : parts_(static_cast<std::size_t>(threads)) {
     for (int member = 1; member < threads; ++member)
         helpers_.emplace_back([this, member] { help(member); });
 }
@@ -27,21 +27,27 @@ Crew::~Crew() {
     round_.notify_all();
 }
 
-void Crew::work(std::uint64_t round) {
+void Crew::work(int member, std::uint64_t round) {
     const std::uint64_t tag = (round & 0xffffffffU) << 32;
-    for (;;) {
-        std::uint64_t ticket = next_.load(std::memory_order_acquire);
-        if ((ticket & ~0xffffffffULL) != tag ||
-            static_cast<int>(ticket & 0xffffffffU) >= count_.load(std::memory_order_relaxed))
-            return;
-        if (!next_.compare_exchange_weak(ticket, ticket + 1, std::memory_order_acq_rel))
-            continue;
-        (*task_.load(std::memory_order_relaxed))(static_cast<int>(ticket & 0xffffffffU));
-        done_.fetch_add(1, std::memory_order_release);
+    for (int turn = 0; turn < threads(); ++turn) {
+        const int owner = (member + turn) % threads();
+        std::atomic<std::uint64_t>& next = parts_[static_cast<std::size_t>(owner)].next;
+        for (;;) {
+            std::uint64_t ticket = next.load(std::memory_order_acquire);
+            if ((ticket & ~0xffffffffULL) != tag)
+                return;
+            if (static_cast<int>(ticket & 0xffffffffU) >=
+                begin_of_part(owner + 1, count_.load(std::memory_order_relaxed)))
+                break;
+            if (!next.compare_exchange_weak(ticket, ticket + 1, std::memory_order_acq_rel))
+                continue;
+            (*task_.load(std::memory_order_relaxed))(static_cast<int>(ticket & 0xffffffffU));
+            done_.fetch_add(1, std::memory_order_release);
+        }
     }
 }
 
-void Crew::help(int) {
+void Crew::help(int member) {
     std::uint64_t seen = 0;
     for (;;) {
         int spins = 0;
@@ -54,7 +60,7 @@ void Crew::help(int) {
         seen = round_.load(std::memory_order_acquire);
         if (stop_.load(std::memory_order_relaxed))
             return;
-        work(seen);
+        work(member, seen);
     }
 }
 
@@ -68,10 +74,12 @@ void Crew::share(int n, const std::function<void(int)>& task) {
     count_.store(n, std::memory_order_relaxed);
     done_.store(0, std::memory_order_relaxed);
     const std::uint64_t round = round_.load(std::memory_order_relaxed) + 1;
-    next_.store((round & 0xffffffffU) << 32, std::memory_order_release);
+    for (int member = 0; member < threads(); ++member)
+        parts_[static_cast<std::size_t>(member)].next.store(
+            (round & 0xffffffffU) << 32 | static_cast<std::uint64_t>(begin_of_part(member, n)), std::memory_order_release);
     round_.store(round, std::memory_order_release);
     round_.notify_all();
-    work(round);
+    work(0, round);
     while (done_.load(std::memory_order_acquire) < n)
         breathe();
 }

@@ -74,6 +74,8 @@ void cut_chunks(World& world) {
 }
 
 void clear(Chunk& chunk) {
+    chunk.partners_after = 0;
+    chunk.partners_before = 0;
     chunk.sphere_pairs.clear();
     for (NearSpheres& near : chunk.near_spheres)
         near.clear();
@@ -148,6 +150,7 @@ void list_pairs(const World& world, Chunk& chunk) {
                 const double reach = own_reach + reach_of(world, *b);
                 if ((from - centres[static_cast<std::size_t>(*b)]).squaredNorm() >= reach * reach)
                     continue;
+                chunk.partners_after |= chunk_bit(world.chunk_of[static_cast<std::size_t>(*b)]);
                 if (single && world.shape_at(*b).single)
                     add_sphere_pair(world, chunk, a, *b, cell.image);
                 else
@@ -252,6 +255,10 @@ void rebuild_body_list(World& world) {
         list_pairs(world, chunk);
         list_walls(world, chunk);
     });
+    for (std::size_t k = 0; k < world.chunks.size(); ++k)
+        for (std::size_t before = 0; before < world.chunks.size(); ++before)
+            if ((world.chunks[before].partners_after & chunk_bit(static_cast<int>(k))) != 0)
+                world.chunks[k].partners_before |= chunk_bit(static_cast<int>(before));
     world.stale = false;
     ++world.rebuilds;
 }

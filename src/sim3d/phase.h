@@ -2,7 +2,6 @@
 
 #include "sim3d/world.h"
 
-#include <array>
 #include <atomic>
 #include <chrono>
 
@@ -37,18 +36,20 @@ template <class Task> void for_chunks(World& world, Task&& task) {
                      [&](int k) { task(world.chunks[static_cast<std::size_t>(k)]); });
 }
 
-/// Calls first(chunk) for every chunk, and then(chunk) as soon as first is done for it and all before it, on all
-/// threads. What a chunk's `first` reads and pushes belongs to it or to later chunks, so `then` may change its own.
+/// Calls first(chunk) for every chunk, and then(chunk) as soon as first is done for it and for all that read or push its
+/// bodies (Chunk::partners_before), on all threads.
 template <class First, class Then> void for_chunks(World& world, First&& first, Then&& then) {
     const std::size_t count = world.chunks.size();
-    std::array<std::atomic<bool>, most_chunks> done{};
-    std::atomic<std::size_t> next{0};
+    std::atomic<ChunkSet> done{0};
+    std::atomic<ChunkSet> taken{0};
     world.crew.share(static_cast<int>(count), [&](int k) {
         first(world.chunks[static_cast<std::size_t>(k)]);
-        done[static_cast<std::size_t>(k)].store(true);
-        for (std::size_t mine = next.load(); mine < count && done[mine].load(); mine = next.load())
-            if (next.compare_exchange_strong(mine, mine + 1))
-                then(world.chunks[mine]);
+        const ChunkSet ready = done.fetch_or(chunk_bit(k)) | chunk_bit(k);
+        for (std::size_t c = 0; c < count; ++c) {
+            const ChunkSet bit = chunk_bit(static_cast<int>(c));
+            if (((bit | world.chunks[c].partners_before) & ~ready) == 0 && (taken.fetch_or(bit) & bit) == 0)
+                then(world.chunks[c]);
+        }
     });
 }
 

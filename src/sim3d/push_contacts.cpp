@@ -20,9 +20,9 @@ PushContext context_of(World& world, Chunk& chunk, std::size_t kind) {
     return context;
 }
 
-template <class Contacts> void prepare_foreign(Chunk& chunk, PushContext& context, const Contacts& contacts) {
-    if (chunk.foreign.size() < contacts.size())
-        chunk.foreign.resize(contacts.size() * 2);
+void prepare_foreign(Chunk& chunk, PushContext& context, int contacts) {
+    if (chunk.foreign.size() < static_cast<std::size_t>(contacts))
+        chunk.foreign.resize(static_cast<std::size_t>(contacts) * 2);
     context.foreign = chunk.foreign.data();
     context.foreign_count = 0;
 }
@@ -43,14 +43,14 @@ void push_contacts(World& world, Chunk& chunk) {
         letters.clear();
     for (std::size_t kind = 0; kind < world.pairs.size(); ++kind) {
         PushContext context = context_of(world, chunk, kind);
-        if (NearSpheres& near = chunk.near_spheres[kind]; !near.contacts.empty()) {
-            prepare_foreign(chunk, context, near.contacts);
+        if (NearSpheres& near = chunk.near_spheres[kind]; near.contact_count > 0) {
+            prepare_foreign(chunk, context, near.contact_count);
             world.kernels->push_spheres(context, near.pairs.data(), near.contacts.data(),
-                                        static_cast<int>(near.contacts.size()), near.memory.data());
+                                        near.contact_count, near.memory.data());
             post(world, chunk, context);
         }
         if (const auto& contacts = chunk.body_contacts[kind]; !contacts.empty()) {
-            prepare_foreign(chunk, context, contacts);
+            prepare_foreign(chunk, context, static_cast<int>(contacts.size()));
             world.kernels->push_bodies(context, contacts.data(), static_cast<int>(contacts.size()),
                                        chunk.memory.data());
             post(world, chunk, context);

@@ -14,13 +14,18 @@ void forget(Chunk& chunk, MemoryLanes& memory) {
     memory = {};
 }
 
+void make_room(std::vector<int>& list, std::size_t entries) {
+    if (list.size() < entries)
+        list.resize(2 * entries);
+}
+
 void touch_spheres(const World& world, Chunk& chunk, NearSpheres& near) {
-    near.contacts.resize(near.pairs.size() + 1);
-    chunk.found.resize(near.pairs.size() + 1);
+    make_room(near.contacts, near.pairs.size() + 1);
+    make_room(chunk.found, near.pairs.size() + 1);
     const TouchCounts counts = world.kernels->touch_spheres(
         world.motion.data(), near.pairs.data(), static_cast<int>(near.pairs.size()), world.images.data(),
         near.touching.data(), near.contacts.data(), chunk.found.data());
-    near.contacts.resize(static_cast<std::size_t>(counts.contacts));
+    near.contact_count = counts.contacts;
     for (int k = 0; k < counts.ended; ++k)
         forget(chunk, near.memory[static_cast<std::size_t>(chunk.found[static_cast<std::size_t>(k)])]);
 }

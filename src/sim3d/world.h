@@ -114,12 +114,14 @@ struct NearSpheres {
     std::vector<NearPair> pairs; // in the order of Chunk::sphere_pairs
     std::vector<MemoryLanes> memory;
     std::vector<std::uint8_t> touching; // 1 or 0
-    std::vector<int> contacts; // those of pairs that touch now
+    std::vector<int> contacts; // the first contact_count entries: those of pairs that touch now
+    int contact_count = 0;
 
     void clear() {
         pairs.clear();
         memory.clear();
         touching.clear();
+        contact_count = 0;
     }
     void add(const NearPair& pair, std::uint8_t touches, const MemoryLanes& remembered) {
         pairs.push_back(pair);
@@ -129,11 +131,18 @@ struct NearSpheres {
 };
 
 constexpr int most_chunks = 16;
+using ChunkSet = std::uint64_t; // a bit per chunk
+static_assert(most_chunks <= 64);
+constexpr ChunkSet chunk_bit(int chunk) {
+    return ChunkSet{1} << chunk;
+}
 
 /// A contiguous range of slots and everything that its bodies own.
 struct Chunk {
     int begin = 0;
     int end = 0;
+    ChunkSet partners_after = 0;  // chunks whose bodies stand as b in this chunk's pairs
+    ChunkSet partners_before = 0; // chunks that have this chunk's bodies as b in theirs
 
     std::vector<SpherePair> sphere_pairs; // both bodies single spheres
     std::vector<NearSpheres> near_spheres; // per material pair

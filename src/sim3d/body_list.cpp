@@ -167,7 +167,6 @@ void add_body_wall(const World& world, Chunk& chunk, BodyWall near) {
         WallCandidate candidate;
         candidate.sphere = static_cast<std::int16_t>(old.sphere);
         candidate.touches = 1;
-        candidate.feature[0] = old.feature;
         candidate.memory[0] = old.memory;
         chunk.wall_candidates.push_back(candidate);
         ++near.count;

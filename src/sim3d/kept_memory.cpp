@@ -54,7 +54,7 @@ void KeptMemory::take(const World& world) {
                 const WallCandidate& candidate = chunk.wall_candidates[static_cast<std::size_t>(k)];
                 for (std::size_t t = 0; t < static_cast<std::size_t>(candidate.touches); ++t)
                     unsorted_walls_.push_back({world.id[static_cast<std::size_t>(near.body)], near.wall, candidate.sphere,
-                                      candidate.feature[t], candidate.memory[t]});
+                                      candidate.memory[t]});
             }
     }
     const std::size_t ids = world.slot_of.size();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim3d/kernels.h"
+#include "sim3d/wall_memory.h"
 
 #include <cstdint>
 #include <span>
@@ -23,8 +24,7 @@ struct KeptWall {
     std::int64_t body = 0;
     int wall = 0;
     int sphere = 0;
-    int feature = 0;
-    MemoryLanes memory{};
+    WallMemory memory;
 };
 
 /// Every touching contact of the world, findable by body. Keeps its room from one use to the next.

@@ -59,7 +59,8 @@ void push_contacts(World& world, Chunk& chunk) {
             world.kernels->push_walls(context, contacts.data(), static_cast<int>(contacts.size()));
             for (const WallContact& contact : contacts)
                 chunk.wall_candidates[static_cast<std::size_t>(contact.candidate)]
-                    .memory[static_cast<std::size_t>(contact.touch)] = contact.memory;
+                    .memory[static_cast<std::size_t>(contact.touch)]
+                    .lanes = contact.memory;
         }
     }
 }

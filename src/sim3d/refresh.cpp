@@ -96,11 +96,8 @@ double find_wall_spheres(const World& world, Chunk& chunk, const BodyWall& near,
 
 void remember(WallCandidate& fresh, const std::vector<WallCandidate>& old) {
     for (const WallCandidate& before : old)
-        for (int t = 0; before.sphere == fresh.sphere && t < before.touches && fresh.touches < max_wall_touches; ++t) {
-            const auto to = static_cast<std::size_t>(fresh.touches++);
-            fresh.feature[to] = before.feature[static_cast<std::size_t>(t)];
-            fresh.memory[to] = before.memory[static_cast<std::size_t>(t)];
-        }
+        for (int t = 0; before.sphere == fresh.sphere && t < before.touches && fresh.touches < max_wall_touches; ++t)
+            fresh.memory[static_cast<std::size_t>(fresh.touches++)] = before.memory[static_cast<std::size_t>(t)];
 }
 
 } // namespace

@@ -1,7 +1,10 @@
 #include "sim3d/refresh.h"
 #include "sim3d/step.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <span>
 
 namespace tumble::sim3d {
 
@@ -89,25 +92,39 @@ void touch_bodies(const World& world, Chunk& chunk) {
     }
 }
 
-/// Memory of the touches by feature: features that ended are forgotten, new ones start at rest.
-void match_features(Chunk& chunk, WallCandidate& candidate, const std::array<WallTouch, max_wall_touches>& touches,
-                    int count) {
-    WallCandidate matched = candidate;
-    matched.touches = static_cast<std::int16_t>(count);
-    matched.memory = {};
-    for (std::size_t t = 0; t < static_cast<std::size_t>(count); ++t)
-        matched.feature[t] = touches[t].feature;
-    for (std::size_t old = 0; old < static_cast<std::size_t>(candidate.touches); ++old) {
-        bool lives = false;
-        for (std::size_t t = 0; t < static_cast<std::size_t>(count) && !lives; ++t)
-            if (matched.feature[t] == candidate.feature[old]) {
-                matched.memory[t] = candidate.memory[old];
-                lives = true;
-            }
-        if (!lives)
-            forget(chunk, candidate.memory[old]);
+// Facets that meet at less than this stand for one curved surface.
+const double cos_smooth_joint = std::cos(30 * std::numbers::pi / 180);
+
+/// The touch that goes on with what `old` remembers: the one with the same feature, else, over the joint of a curved
+/// mesh, one that was not there before and faces nearly the same way. Null if there is none.
+WallMemory* heir_of(const WallMemory& old, std::span<WallMemory> now, std::span<const WallMemory> before) {
+    for (WallMemory& memory : now)
+        if (memory.feature == old.feature)
+            return &memory;
+    for (WallMemory& memory : now) {
+        const bool fresh = std::none_of(before.begin(), before.end(), [&](const WallMemory& other) {
+            return other.feature == memory.feature;
+        });
+        if (fresh && memory.lanes.energy == 0 && memory.normal.dot(old.normal) > cos_smooth_joint)
+            return &memory;
     }
-    candidate = matched;
+    return nullptr;
+}
+
+/// Hands the memory of the touches a step ago to those of now; what finds no heir is forgotten, and what is new starts
+/// at rest.
+void match_features(Chunk& chunk, WallCandidate& candidate, std::span<const WallTouch> touches) {
+    std::array<WallMemory, max_wall_touches> now;
+    for (std::size_t t = 0; t < touches.size(); ++t)
+        now[t] = {touches[t].feature, touches[t].normal, {}};
+    const std::span before(candidate.memory.data(), static_cast<std::size_t>(candidate.touches));
+    for (WallMemory& old : before)
+        if (WallMemory* heir = heir_of(old, {now.data(), touches.size()}, before))
+            heir->lanes = old.lanes;
+        else
+            forget(chunk, old.lanes);
+    candidate.memory = now;
+    candidate.touches = static_cast<std::int16_t>(touches.size());
 }
 
 void put(double* to, const Vector3d& from) {
@@ -146,13 +163,13 @@ int touch_wall(const World& world, Chunk& chunk, const BodyWall& near, std::vect
                                                 static_cast<std::size_t>(candidate.primitives_count)},
                                                touches);
         if (count > 0 || candidate.touches > 0)
-            match_features(chunk, candidate, touches, count);
+            match_features(chunk, candidate, {touches.data(), static_cast<std::size_t>(count)});
         for (int t = 0; t < count; ++t) {
             WallContact contact = wall_contact(wall, body, arm, radius, touches[static_cast<std::size_t>(t)]);
             contact.body = near.body;
             contact.candidate = k;
             contact.touch = t;
-            contact.memory = candidate.memory[static_cast<std::size_t>(t)];
+            contact.memory = candidate.memory[static_cast<std::size_t>(t)].lanes;
             contacts.push_back(contact);
         }
         touching += count;

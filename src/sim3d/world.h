@@ -9,6 +9,7 @@
 #include "sim3d/kept_memory.h"
 #include "sim3d/kernels.h"
 #include "sim3d/solver.h"
+#include "sim3d/wall_memory.h"
 #include "sim3d/wall_surface.h"
 
 #include <Eigen/Core>
@@ -76,14 +77,13 @@ struct BodyWall {
 
 constexpr int max_wall_touches = 3;
 
-/// A sphere near a wall and what its touches remember, by feature of the wall.
+/// A sphere near a wall and its touches.
 struct WallCandidate {
     std::int16_t sphere = 0;
     std::int16_t touches = 0;
     int primitives_begin = 0; // into Chunk::sphere_primitives
     int primitives_count = 0;
-    std::array<int, max_wall_touches> feature{};
-    std::array<MemoryLanes, max_wall_touches> memory{};
+    std::array<WallMemory, max_wall_touches> memory{}; // the first `touches`
 };
 
 /// Sums of one chunk, J and extremes; added up in chunk order.

@@ -2,6 +2,7 @@
 
 import json
 import tempfile
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from statistics import median
 
@@ -69,9 +70,22 @@ def lammps_spheres(style, pre, steps, core):
     return 32000 * taken / seconds, ran.peak_rss_MB
 
 
+def at_once(job, *words, cores):
+    """The summed rate of as many independent runs as there are cores, each on its own: what the machine itself gains."""
+    with ThreadPoolExecutor(len(cores)) as pool:
+        return sum(rate for rate, _ in pool.map(lambda core: job(*words, [core]), cores))
+
+
+def gain(two, one, machine):
+    """Of two threads over one, and of two independent runs over one: cores that share hardware hold both down."""
+    over_one = (lambda rates: median(rates) / median(one)) if one else (lambda rates: None)
+    return {"tumble": spread(two), "gain": over_one(two) if two else None,
+            "two_runs_at_once": spread(machine), "gain_of_two_runs": over_one(machine) if machine else None}
+
+
 def spheres(repeats=3, steps=3000, core=0, other=1):
     """32,000 spheres in dense flow: one thread and two of ours, LAMMPS gran/hertz/history on one core."""
-    one, two, theirs, problems = [], [], [], []
+    one, two, machine, theirs, problems = [], [], [], [], []
     for _ in range(repeats):
         for keep, job, words in ((one, our_spheres, (1, 1000, steps, [core])),
                                  (theirs, lammps_spheres, ("hertz", 1000, steps, core)),
@@ -79,10 +93,11 @@ def spheres(repeats=3, steps=3000, core=0, other=1):
             got = attempt(problems, job, *words)
             if got is not None:
                 keep.append(got)
-    rates = spread([rate for rate, _ in two])
-    gain = rates[1] / median([rate for rate, _ in one]) if rates and one else None
+        both = attempt(problems, lambda: at_once(our_spheres, 1, 1000, steps, cores=[core, other]))
+        if both is not None:
+            machine.append(both)
     return result("spheres", "body-steps/s", one, "lammps gran/hertz/history", theirs, problems,
-                  two_threads={"tumble": rates, "gain": gain})
+                  two_threads=gain([rate for rate, _ in two], [rate for rate, _ in one], machine))
 
 
 def our_trough(blocks, steps, vibrate_blocks, vibrate_steps, cores, threads=1):
@@ -122,7 +137,5 @@ def trough(repeats=2, steps=1500, core=0, other=1):
             for keep, values in zip(kept, got or ()):
                 keep.extend(values)
     vibrating = result("trough, vibrating", "body-steps/s", shaken, "liggghts", peer_shaken, [])
-    rates = spread([rate for rate, _ in two])
-    gain = rates[1] / median([rate for rate, _ in rest]) if rates and rest else None
     return result("trough", "body-steps/s", rest, "liggghts", peer_rest, problems, vibrating=vibrating,
-                  two_threads={"tumble": rates, "gain": gain})
+                  two_threads=gain([rate for rate, _ in two], [rate for rate, _ in rest], []))

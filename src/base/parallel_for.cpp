@@ -75,8 +75,9 @@ void Crew::share(int n, const std::function<void(int)>& task) {
     done_.store(0, std::memory_order_relaxed);
     const std::uint64_t round = round_.load(std::memory_order_relaxed) + 1;
     for (int member = 0; member < threads(); ++member)
-        parts_[static_cast<std::size_t>(member)].next.store(
-            (round & 0xffffffffU) << 32 | static_cast<std::uint64_t>(begin_of_part(member, n)), std::memory_order_release);
+        parts_[static_cast<std::size_t>(member)].next.store((round & 0xffffffffU) << 32 |
+                                                                static_cast<std::uint64_t>(begin_of_part(member, n)),
+                                                            std::memory_order_release);
     round_.store(round, std::memory_order_release);
     round_.notify_all();
     work(0, round);

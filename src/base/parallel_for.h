@@ -9,9 +9,9 @@
 namespace tumble {
 
 /// A fixed crew of threads that shares out the numbers 0..n-1: each takes its own part in order, round after round the
-/// same, so that what belongs to a number stays in one core's cache, and then helps the others. Which thread takes which
-/// number is open all the same; callers get the same bits for any crew by letting each number own its data. One caller
-/// at a time.
+/// same, so that what belongs to a number stays in one core's cache, and then helps the others. Which thread takes
+/// which number is open all the same; callers get the same bits for any crew by letting each number own its data. One
+/// caller at a time.
 class Crew {
 public:
     /// `threads` >= 1, the calling thread included.
@@ -33,7 +33,9 @@ private:
 
     void work(int member, std::uint64_t round);
     void help(int member);
-    [[nodiscard]] int begin_of_part(int member, int n) const { return static_cast<int>(std::int64_t{n} * member / threads()); }
+    [[nodiscard]] int begin_of_part(int member, int n) const {
+        return static_cast<int>(std::int64_t{n} * member / threads());
+    }
 
     std::atomic<const std::function<void(int)>*> task_{nullptr};
     std::atomic<int> count_{0};

@@ -1,7 +1,7 @@
+#include "sim3d/body_list.h"
 #include "sim3d/body_shape.h"
 #include "sim3d/fill.h"
 #include "sim3d/time_step.h"
-#include "sim3d/body_list.h"
 #include "sim3d/world.h"
 
 #include <algorithm>
@@ -118,9 +118,9 @@ void make_images(World& world) {
     for (int z = -1; z <= 1; ++z)
         for (int y = -1; y <= 1; ++y)
             for (int x = -1; x <= 1; ++x)
-                world.images[static_cast<std::size_t>(image_index(x, y, z))] = {{
-                    domain.periodic[0] ? x * length.x() : 0.0, domain.periodic[1] ? y * length.y() : 0.0,
-                    domain.periodic[2] ? z * length.z() : 0.0, 0.0}};
+                world.images[static_cast<std::size_t>(image_index(x, y, z))] = {
+                    {domain.periodic[0] ? x * length.x() : 0.0, domain.periodic[1] ? y * length.y() : 0.0,
+                     domain.periodic[2] ? z * length.z() : 0.0, 0.0}};
 }
 
 void choose_skins(World& world) {

@@ -12,8 +12,8 @@ namespace tumble::sim3d {
 /// neighbours stand in the 27 cells around. The longest side of the grid is the slowest index.
 class Cells {
 public:
-    /// Sorts anew, in the room of the last time. `centres` in m, wrapped into the periodic box; `reach` m is the largest
-    /// distance of two centres that matters.
+    /// Sorts anew, in the room of the last time. `centres` in m, wrapped into the periodic box; `reach` m is the
+    /// largest distance of two centres that matters.
     void sort(const scene::Domain& domain, const std::vector<Eigen::Vector3d>& centres, double reach);
 
     [[nodiscard]] int cell_of(const Eigen::Vector3d& centre) const;

@@ -4,10 +4,20 @@ namespace tumble::sim3d {
 
 void integrate(World& world, Chunk& chunk) {
     const Eigen::Vector3d g = world.scene.gravity;
-    IntegrateContext context{world.motion.data(),  world.load.data(),  world.orientation.data(), world.turn.data(),
-                             world.travel.data(),  world.shape.data(), world.shape_constants.data(),
-                             chunk.begin,          chunk.end,          world.dt,
-                             {g.x(), g.y(), g.z()},{},{},0};
+    IntegrateContext context{world.motion.data(),
+                             world.load.data(),
+                             world.orientation.data(),
+                             world.turn.data(),
+                             world.travel.data(),
+                             world.shape.data(),
+                             world.shape_constants.data(),
+                             chunk.begin,
+                             chunk.end,
+                             world.dt,
+                             {g.x(), g.y(), g.z()},
+                             {},
+                             {},
+                             0};
     Eigen::Map<Eigen::Vector3d>{context.flow_velocity} = world.flow.at(Eigen::Vector3d::Zero());
     Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>{context.flow_gradient} = world.flow.gradient;
     // The Frobenius norm bounds how fast the flow can part two points per metre between them.

@@ -46,15 +46,15 @@ void KeptMemory::take(const World& world) {
                 const SphereCandidate& candidate = chunk.candidates[static_cast<std::size_t>(k)];
                 if (candidate.touching)
                     unsorted_pairs_.push_back(canonical(world.id[static_cast<std::size_t>(pair.a)],
-                                               world.id[static_cast<std::size_t>(pair.b)], candidate.a, candidate.b,
-                                               chunk.memory[static_cast<std::size_t>(k)]));
+                                                        world.id[static_cast<std::size_t>(pair.b)], candidate.a,
+                                                        candidate.b, chunk.memory[static_cast<std::size_t>(k)]));
             }
         for (const BodyWall& near : chunk.body_walls)
             for (int k = near.begin; k < near.begin + near.count; ++k) {
                 const WallCandidate& candidate = chunk.wall_candidates[static_cast<std::size_t>(k)];
                 for (std::size_t t = 0; t < static_cast<std::size_t>(candidate.touches); ++t)
-                    unsorted_walls_.push_back({world.id[static_cast<std::size_t>(near.body)], near.wall, candidate.sphere,
-                                      candidate.memory[t]});
+                    unsorted_walls_.push_back({world.id[static_cast<std::size_t>(near.body)], near.wall,
+                                               candidate.sphere, candidate.memory[t]});
             }
     }
     const std::size_t ids = world.slot_of.size();

@@ -36,8 +36,8 @@ template <class Task> void for_chunks(World& world, Task&& task) {
                      [&](int k) { task(world.chunks[static_cast<std::size_t>(k)]); });
 }
 
-/// Calls first(chunk) for every chunk, and then(chunk) as soon as first is done for it and for all that read or push its
-/// bodies (Chunk::partners_before), on all threads.
+/// Calls first(chunk) for every chunk, and then(chunk) as soon as first is done for it and for all that read or push
+/// its bodies (Chunk::partners_before), on all threads.
 template <class First, class Then> void for_chunks(World& world, First&& first, Then&& then) {
     const std::size_t count = world.chunks.size();
     std::atomic<ChunkSet> done{0};

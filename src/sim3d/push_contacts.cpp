@@ -45,8 +45,8 @@ void push_contacts(World& world, Chunk& chunk) {
         PushContext context = context_of(world, chunk, kind);
         if (NearSpheres& near = chunk.near_spheres[kind]; near.contact_count > 0) {
             prepare_foreign(chunk, context, near.contact_count);
-            world.kernels->push_spheres(context, near.pairs.data(), near.contacts.data(),
-                                        near.contact_count, near.memory.data());
+            world.kernels->push_spheres(context, near.pairs.data(), near.contacts.data(), near.contact_count,
+                                        near.memory.data());
             post(world, chunk, context);
         }
         if (const auto& contacts = chunk.body_contacts[kind]; !contacts.empty()) {

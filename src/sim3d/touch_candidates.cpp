@@ -102,9 +102,8 @@ WallMemory* heir_of(const WallMemory& old, std::span<WallMemory> now, std::span<
         if (memory.feature == old.feature)
             return &memory;
     for (WallMemory& memory : now) {
-        const bool fresh = std::none_of(before.begin(), before.end(), [&](const WallMemory& other) {
-            return other.feature == memory.feature;
-        });
+        const bool fresh = std::none_of(before.begin(), before.end(),
+                                        [&](const WallMemory& other) { return other.feature == memory.feature; });
         if (fresh && memory.lanes.energy == 0 && memory.normal.dot(old.normal) > cos_smooth_joint)
             return &memory;
     }

@@ -114,7 +114,7 @@ struct NearSpheres {
     std::vector<NearPair> pairs; // in the order of Chunk::sphere_pairs
     std::vector<MemoryLanes> memory;
     std::vector<std::uint8_t> touching; // 1 or 0
-    std::vector<int> contacts; // the first contact_count entries: those of pairs that touch now
+    std::vector<int> contacts;          // the first contact_count entries: those of pairs that touch now
     int contact_count = 0;
 
     void clear() {
@@ -144,7 +144,7 @@ struct Chunk {
     ChunkSet partners_after = 0;  // chunks whose bodies stand as b in this chunk's pairs
     ChunkSet partners_before = 0; // chunks that have this chunk's bodies as b in theirs
 
-    std::vector<SpherePair> sphere_pairs; // both bodies single spheres
+    std::vector<SpherePair> sphere_pairs;  // both bodies single spheres
     std::vector<NearSpheres> near_spheres; // per material pair
     double near_until = 0;                 // m, on World::rush
 
@@ -226,21 +226,21 @@ struct World {
     std::vector<ShapeConstants> shape_constants;
 
     std::vector<Chunk> chunks;
-    std::vector<int> chunk_of;                 // per slot
-    Lines<Shift> images;                       // 27 of them
+    std::vector<int> chunk_of; // per slot
+    Lines<Shift> images;       // 27 of them
     MeanFlow flow;
-    double reach = 0;                          // m, farthest two centres of mass whose bodies touch, with skin
-    double skin = 0;                           // m, of the body list: two leashes of mean length
-    double wall_skin = 0;                      // m, of the list of bodies near walls
-    double near_skin = 0;                      // m, of the list of near sphere pairs
-    double rush = 0;                           // m, how far the fastest two bodies could have closed in since the start
-    double last_rush = 0;                      // m, in the last step
-    double sphere_skin = 0;                    // m, of the sphere candidates of a body pair
-    double smallest_radius = 0;                // m, of all exposed spheres
-    bool stale = true;                         // the body list must be rebuilt
-    KeptMemory kept;                           // room for rebuilds, as are the next two
+    double reach = 0;           // m, farthest two centres of mass whose bodies touch, with skin
+    double skin = 0;            // m, of the body list: two leashes of mean length
+    double wall_skin = 0;       // m, of the list of bodies near walls
+    double near_skin = 0;       // m, of the list of near sphere pairs
+    double rush = 0;            // m, how far the fastest two bodies could have closed in since the start
+    double last_rush = 0;       // m, in the last step
+    double sphere_skin = 0;     // m, of the sphere candidates of a body pair
+    double smallest_radius = 0; // m, of all exposed spheres
+    bool stale = true;          // the body list must be rebuilt
+    KeptMemory kept;            // room for rebuilds, as are the next two
     Cells cells;
-    std::vector<Eigen::Vector3d> centres;      // m, of bounding spheres
+    std::vector<Eigen::Vector3d> centres; // m, of bounding spheres
     std::int64_t rebuilds = 0;
 
     Ledger ledger;

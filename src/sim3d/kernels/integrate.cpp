@@ -7,9 +7,7 @@ namespace {
 
 constexpr int lanes = Pack::lanes;
 
-template <class Real> struct Quaternion {
-    Real w, x, y, z;
-};
+template <class Real> struct Quaternion { Real w, x, y, z; };
 
 /// Turns q by the small rotation vector spin * dt: sine and cosine to fourth order in the half angle, length kept by
 /// one Newton step towards 1.
@@ -31,10 +29,9 @@ template <class Real> TUMBLE_INLINE Vec3<Real> spread(const double* v) {
 
 template <class Real> TUMBLE_INLINE Vec3<Real> flow_at(const IntegrateContext& context, const Vec3<Real>& p) {
     const double* g = context.flow_gradient;
-    return spread<Real>(context.flow_velocity) +
-           Vec3<Real>{Real(g[0]) * p.x + Real(g[1]) * p.y + Real(g[2]) * p.z,
-                      Real(g[3]) * p.x + Real(g[4]) * p.y + Real(g[5]) * p.z,
-                      Real(g[6]) * p.x + Real(g[7]) * p.y + Real(g[8]) * p.z};
+    return spread<Real>(context.flow_velocity) + Vec3<Real>{Real(g[0]) * p.x + Real(g[1]) * p.y + Real(g[2]) * p.z,
+                                                            Real(g[3]) * p.x + Real(g[4]) * p.y + Real(g[5]) * p.z,
+                                                            Real(g[6]) * p.x + Real(g[7]) * p.y + Real(g[8]) * p.z};
 }
 
 /// Sums and extremes of one body, or of eight in lanes.
@@ -55,9 +52,8 @@ template <class Real> struct Tally {
 };
 
 TUMBLE_INLINE Tally<double> in_one(const Tally<Pack>& eight) {
-    return {sum(eight.translation),        sum(eight.rotation),         sum(eight.gravity),
-            largest(eight.speed_squared), largest(eight.spin_squared), largest(eight.travel),
-            largest(eight.way)};
+    return {sum(eight.translation),      sum(eight.rotation),   sum(eight.gravity), largest(eight.speed_squared),
+            largest(eight.spin_squared), largest(eight.travel), largest(eight.way)};
 }
 
 /// A body's flight over one step, apart from how it turns.
@@ -112,8 +108,8 @@ TUMBLE_INLINE void move_spheres(const IntegrateContext& context, int first, Tall
     const Vec3<Pack> kick = xyz(in.torque) * (dt / in.inertia);
     const Vec3<Pack> spin = xyz(in.spin) + kick * in.spin.w;
     const Vec3<Pack> now = spin - kick * Pack(0.5);
-    const Quaternion<Pack> q = turned<Pack>(
-        {in.orientation.x, in.orientation.y, in.orientation.z, in.orientation.w}, spin, dt);
+    const Quaternion<Pack> q =
+        turned<Pack>({in.orientation.x, in.orientation.y, in.orientation.z, in.orientation.w}, spin, dt);
     flight.tally.rotation = Pack(0.5) * in.inertia * dot(now, now);
     flight.tally.spin_squared = dot(spin, spin);
 
@@ -205,8 +201,9 @@ TUMBLE_INLINE void move_body(const IntegrateContext& context, int slot, Tally<do
     const ShapeConstants& shape = context.shapes[context.shape[slot]];
     const Vec torque = read(load.torque);
     const double rotation =
-        shape.single ? turn_sphere(motion, context.orientation[slot], torque, shape.inertia[0], context.dt)
-                     : turn_clump(motion, context.orientation[slot], context.turn[slot], torque, shape.inertia, context.dt);
+        shape.single
+            ? turn_sphere(motion, context.orientation[slot], torque, shape.inertia[0], context.dt)
+            : turn_clump(motion, context.orientation[slot], context.turn[slot], torque, shape.inertia, context.dt);
     const Vec spin = read(motion.spin);
     const double spin_squared = dot(spin, spin);
     Flight<double> flight(context, read(motion.position), read(motion.velocity), read(load.force), motion.mass,

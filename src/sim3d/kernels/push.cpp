@@ -151,7 +151,8 @@ template <class PackOf> TUMBLE_INLINE void by_packs(int count, PackOf&& pack) {
         pack(first, count - first < lanes ? count - first : lanes);
 }
 
-/// Calls each(lane, contact) for a whole pack; lanes beyond n repeat the first contact, which keeps every number finite.
+/// Calls each(lane, contact) for a whole pack; lanes beyond n repeat the first contact, which keeps every number
+/// finite.
 template <class EachOf> TUMBLE_INLINE void fill_lanes(int first, int n, EachOf&& each) {
     for (int lane = 0; lane < lanes; ++lane)
         each(lane, lane < n ? first + lane : first);
@@ -164,8 +165,7 @@ template <class ThisLaw> struct Pusher {
         return law.push(c.touch, context.pair, contact::Memory<Pack>{xyz(memory), memory.w}, Pack(context.dt));
     }
 
-    void spheres(PushContext& context, const NearPair* pairs, const int* which, int count,
-                 MemoryLanes* memory) const {
+    void spheres(PushContext& context, const NearPair* pairs, const int* which, int count, MemoryLanes* memory) const {
         PackSums sums;
         by_packs(count, [&](int first, int n) TUMBLE_INLINE_LAMBDA {
             EightBodies a;
@@ -188,8 +188,7 @@ template <class ThisLaw> struct Pusher {
             const Vec3<Pack> none{Pack(0.0), Pack(0.0), Pack(0.0)};
             const Contacts c =
                 between(xyz(at_a) - xyz(at_b) - xyz(shift), at_a.w, at_b.w, Bodies(a), Bodies(b), none, none);
-            const auto result =
-                push(context, c, gather([&](int k) TUMBLE_INLINE_LAMBDA { return kept[k]->spring; }));
+            const auto result = push(context, c, gather([&](int k) TUMBLE_INLINE_LAMBDA { return kept[k]->spring; }));
             sums.add(c, result, live_lanes(n));
             const Pushed pushed(c, result);
             for (int lane = 0; lane < n; ++lane) {
@@ -218,8 +217,7 @@ template <class ThisLaw> struct Pusher {
             const Columns to_b = gather([&](int k) TUMBLE_INLINE_LAMBDA { return contact[k]->arm_b; });
             Contacts c = between(xyz(d), to_a.w, to_b.w, Bodies(a), Bodies(b), xyz(to_a), xyz(to_b));
             c.touch.damping_share = d.w;
-            const auto result =
-                push(context, c, gather([&](int k) TUMBLE_INLINE_LAMBDA { return kept[k]->spring; }));
+            const auto result = push(context, c, gather([&](int k) TUMBLE_INLINE_LAMBDA { return kept[k]->spring; }));
             sums.add(c, result, live_lanes(n));
             const Pushed pushed(c, result);
             for (int lane = 0; lane < n; ++lane) {

@@ -19,14 +19,15 @@ struct Books {
     double lost_normal_damping = 0;
     double lost_tangential_damping = 0;
     double lost_sliding = 0;
-    double lost_history = 0;      // spring energy that the law drops when it projects, restiffens or forgets a history
-    double wall_work = 0;         // done by walls on bodies
-    double inserted = 0;          // energy that came with inserted bodies
-    double closure = 0;           // left side minus right side
-    double overlap_max = 0;       // m, the deepest contact now
-    double overlap_ratio_max = 0; // -, deepest now, over the smaller radius
-    double speed_max = 0;         // m/s
-    double angular_speed_max = 0; // rad/s
+    double lost_history = 0;       // spring energy that the law drops when it projects, restiffens or forgets a history
+    double wall_work = 0;          // done by walls on bodies
+    double inserted = 0;           // energy that came with inserted bodies
+    double closure = 0;            // left side minus right side
+    double overlap_max = 0;        // m, the deepest contact now
+    double overlap_ratio_max = 0;  // -, deepest now, over the smaller radius
+    double overlap_ratio_peak = 0; // -, the largest overlap_ratio_max of any step so far
+    double speed_max = 0;          // m/s
+    double angular_speed_max = 0;  // rad/s
 };
 
 } // namespace tumble

@@ -205,7 +205,7 @@ Result<Done> RunInWork::add_row(const observe::Frame& frame, const Books& books)
         plot_.times.push_back(frame.time);
         plot_.values.push_back(plotted_->value(seen));
     }
-    summary_.overlap_ratio_max = std::max(summary_.overlap_ratio_max, books.overlap_ratio_max);
+    summary_.overlap_ratio_max = books.overlap_ratio_peak;
     summary_.energy_turnover = std::max(summary_.energy_turnover, turned_over(books));
     ++summary_.rows;
     return series_->write(row);

@@ -69,7 +69,7 @@ struct RunSummary {
     std::vector<sim3d::PhaseTime> phases;
     Books books;                  // at the end
     double energy_turnover = 0;   // J, what closure is to be compared with
-    double overlap_ratio_max = 0; // over all rows
+    double overlap_ratio_max = 0; // over all steps
     std::vector<std::string> unfilled;
     std::vector<std::string> warnings;
 };

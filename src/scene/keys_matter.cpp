@@ -47,7 +47,8 @@ KeyTable body() {
         text("material", "Name of its material.").must(),
         number("mass_kg", "kg", above(0, 1e6), "Mass; without it density times the volume of the spheres' union."),
         vector("inertia_kg_m2", "kg m2", above(0, 1e9),
-               "Moments of inertia about the principal axes, smallest first; without them those of the union."),
+               "Moments of inertia about the principal axes that lie nearest to the written x, y and z axes; without "
+               "them those of the union."),
     };
     return table;
 }

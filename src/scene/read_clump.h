@@ -11,7 +11,7 @@
 namespace tumble::scene {
 
 /// The most spheres one body may have.
-inline constexpr std::size_t most_spheres = 100000;
+inline constexpr std::size_t most_spheres = 4000; // sphere indices of the solver have 16 bits
 
 /// Spheres of a body template, metres, template frame, in the order written. Two forms, told apart by the first line
 /// that is not a comment: CSV below the head "x,y,z,radius", and LIGGGHTS' lines "x y z r" between blanks. '#' begins a

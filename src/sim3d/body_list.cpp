@@ -26,14 +26,25 @@ double reach_of(const World& world, int slot) {
     return world.shape_at(slot).bounding_radius - world.travel[static_cast<std::size_t>(slot)];
 }
 
+/// Moves bodies back into the periodic box; fills World::wraps with the periods that each was moved, or empties it if
+/// none was.
 void wrap(World& world) {
     const scene::Domain& domain = world.scene.domain;
-    for (BodyMotion& body : world.motion)
-        for (int k = 0; k < 3; ++k) {
-            if (!domain.periodic[static_cast<std::size_t>(k)])
+    world.wraps.clear();
+    for (std::size_t slot = 0; slot < world.motion.size(); ++slot)
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (!domain.periodic[k])
                 continue;
-            const double length = domain.box.hi[k] - domain.box.lo[k];
-            body.position[k] -= length * std::floor((body.position[k] - domain.box.lo[k]) / length);
+            const auto axis = static_cast<Eigen::Index>(k);
+            const double length = domain.box.hi[axis] - domain.box.lo[axis];
+            double& x = world.motion[slot].position[k];
+            const double periods = std::floor((x - domain.box.lo[axis]) / length);
+            if (periods == 0)
+                continue;
+            x -= length * periods;
+            if (world.wraps.empty())
+                world.wraps.assign(world.motion.size(), {0, 0, 0});
+            world.wraps[slot][k] = static_cast<int>(periods);
         }
 }
 
@@ -74,6 +85,9 @@ void cut_chunks(World& world) {
 }
 
 void clear(Chunk& chunk) {
+    // Letters of the last step are addressed to slots that may be others' now.
+    for (auto& letters : chunk.outbox)
+        letters.clear();
     chunk.partners_after = 0;
     chunk.partners_before = 0;
     chunk.sphere_pairs.clear();
@@ -105,11 +119,11 @@ void add_sphere_pair(const World& world, Chunk& chunk, int a, int b, int image) 
     const auto id_b = world.id[static_cast<std::size_t>(b)];
     const int kind = world.kind_of(a, world.shape_at(b).material);
     if (may_remember(world, a, b, image))
-        for (const KeptPair& old : world.kept.of_pair(std::min(id_a, id_b)))
-            if (old.second == std::max(id_a, id_b))
-                chunk.near_spheres[static_cast<std::size_t>(kind)].add(
-                    {a, b, image, static_cast<int>(chunk.sphere_pairs.size())}, 1,
-                    id_a < id_b ? old.memory : mirrored(old.memory));
+        world.kept.of_pair(id_a, id_b, image, [&](const KeptPair& old, bool straight) {
+            chunk.near_spheres[static_cast<std::size_t>(kind)].add(
+                {a, b, image, static_cast<int>(chunk.sphere_pairs.size())}, 1,
+                straight ? old.memory : mirrored(old.memory));
+        });
     chunk.sphere_pairs.push_back({a, b, static_cast<std::int16_t>(image), static_cast<std::int16_t>(kind)});
 }
 
@@ -118,16 +132,13 @@ void add_body_pair(const World& world, Chunk& chunk, int a, int b, int image) {
     const auto id_a = world.id[static_cast<std::size_t>(a)];
     const auto id_b = world.id[static_cast<std::size_t>(b)];
     BodyPair pair{a, b, expired, static_cast<int>(chunk.candidates.size()), 0, 0, static_cast<std::int16_t>(image)};
-    for (const KeptPair& old : world.kept.of_pair(std::min(id_a, id_b))) {
-        if (old.second != std::max(id_a, id_b))
-            continue;
-        const bool straight = id_a < id_b;
+    world.kept.of_pair(id_a, id_b, image, [&](const KeptPair& old, bool straight) {
         const int sphere_a = straight ? old.sphere_of_first : old.sphere_of_second;
         const int sphere_b = straight ? old.sphere_of_second : old.sphere_of_first;
         chunk.candidates.push_back({static_cast<std::int16_t>(sphere_a), static_cast<std::int16_t>(sphere_b), true});
         chunk.memory.push_back(straight ? old.memory : mirrored(old.memory));
         ++pair.count;
-    }
+    });
     pair.capacity = pair.count;
     chunk.body_pairs.push_back(pair);
 }
@@ -226,8 +237,8 @@ void find_centres(World& world) {
 } // namespace
 
 void rebuild_body_list(World& world) {
-    world.kept.take(world);
     wrap(world);
+    world.kept.take(world, world.wraps);
     double largest = 0;
     double offset = 0;
     for (const ShapeConstants& shape : world.shape_constants) {

@@ -63,6 +63,8 @@ void book_energy(World& world) {
     books.inserted = ledger.inserted;
     books.overlap_max = now.overlap_max;
     books.overlap_ratio_max = now.overlap_ratio_max;
+    ledger.overlap_ratio_peak = std::max(ledger.overlap_ratio_peak, now.overlap_ratio_max);
+    books.overlap_ratio_peak = ledger.overlap_ratio_peak;
     double speed_squared = 0;
     double spin_squared = 0;
     for (const Chunk& chunk : world.chunks) {

@@ -52,7 +52,8 @@ ShapeConstants constants_of(const ShapeData& data) {
     constants.mass = data.shape.mass;
     Eigen::Map<Vector3d>{constants.inertia} = data.shape.inertia;
     constants.material = data.material;
-    constants.single = data.shape.spheres.size() == 1;
+    const Vector3d& inertia = data.shape.inertia;
+    constants.single = data.shape.spheres.size() == 1 && inertia.minCoeff() == inertia.maxCoeff();
     constants.exposed = data.exposed.data();
     constants.exposed_count = static_cast<int>(data.exposed.size() / 4);
     for (const scene::Sphere& sphere : data.shape.spheres)

@@ -173,6 +173,18 @@ void schedule(World& world) {
             world.next_fill_step = std::min(world.next_fill_step, fill.next_step);
 }
 
+Problem no_room_at(const World& world, const FillState& fill, const char* what_is_there) {
+    const Vector3d& at = *fill.fill.position;
+    return {world.scene.file.string(),
+            0,
+            0,
+            "fill.position_m",
+            fmt::format("body '{}' at ({:.6g}, {:.6g}, {:.6g}) m overlaps {} at t = {:.6g} s",
+                        world.shapes[static_cast<std::size_t>(fill.fill.body)].shape.name, at.x(), at.y(), at.z(),
+                        what_is_there, world.time()),
+            "move it, or let it come at another time"};
+}
+
 std::optional<Problem> insert_fill(World& world, FillState& fill) {
     std::vector<BodyState> placed;
     if (fill.fill.position) {
@@ -180,6 +192,11 @@ std::optional<Problem> insert_fill(World& world, FillState& fill) {
             fill.fill.orientation == scene::Orientation::random
                 ? random_orientation(fill.rng)
                 : world.shapes[static_cast<std::size_t>(fill.fill.body)].shape.written_from_principal;
+        const Placement body{fill.fill.body, *fill.fill.position, orientation.toRotationMatrix()};
+        if (in_wall(world, body))
+            return no_room_at(world, fill, "a wall");
+        if (!Crowd(world).leaves_room_for(body))
+            return no_room_at(world, fill, "another body");
         placed.push_back(state_of(fill.fill, *fill.fill.position, orientation));
     } else {
         Crowd crowd(world);

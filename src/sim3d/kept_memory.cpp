@@ -23,31 +23,42 @@ void group(const std::vector<Entry>& entries, std::vector<Entry>& sorted, std::v
         sorted[static_cast<std::size_t>(next[static_cast<std::size_t>(key(entry))]++)] = entry;
 }
 
-KeptPair canonical(std::int64_t a, std::int64_t b, int sphere_a, int sphere_b, const MemoryLanes& memory) {
+KeptPair canonical(std::int64_t a, std::int64_t b, int sphere_a, int sphere_b, int image, const MemoryLanes& memory) {
     if (a < b)
-        return {a, b, sphere_a, sphere_b, memory};
-    return {b, a, sphere_b, sphere_a, mirrored(memory)};
+        return {a, b, sphere_a, sphere_b, image, memory};
+    return {b, a, sphere_b, sphere_a, mirrored(image), mirrored(memory)};
+}
+
+/// The image of b seen from a, after both were moved back into the box.
+int image_after(int image, int a, int b, const std::vector<std::array<int, 3>>& wraps) {
+    if (wraps.empty())
+        return image;
+    const auto& of_a = wraps[static_cast<std::size_t>(a)];
+    const auto& of_b = wraps[static_cast<std::size_t>(b)];
+    return image + (of_b[0] - of_a[0]) + 3 * (of_b[1] - of_a[1]) + 9 * (of_b[2] - of_a[2]);
 }
 
 } // namespace
 
-void KeptMemory::take(const World& world) {
+void KeptMemory::take(const World& world, const std::vector<std::array<int, 3>>& wraps) {
+    const auto keep = [&](int a, int b, int sphere_a, int sphere_b, int image, const MemoryLanes& memory) {
+        unsorted_pairs_.push_back(canonical(world.id[static_cast<std::size_t>(a)],
+                                            world.id[static_cast<std::size_t>(b)], sphere_a, sphere_b,
+                                            image_after(image, a, b, wraps), memory));
+    };
     unsorted_pairs_.clear();
     unsorted_walls_.clear();
     for (const Chunk& chunk : world.chunks) {
         for (const NearSpheres& near : chunk.near_spheres)
             for (std::size_t k = 0; k < near.pairs.size(); ++k)
                 if (near.touching[k] != 0)
-                    unsorted_pairs_.push_back(canonical(world.id[static_cast<std::size_t>(near.pairs[k].a)],
-                                                        world.id[static_cast<std::size_t>(near.pairs[k].b)], 0, 0,
-                                                        near.memory[k]));
+                    keep(near.pairs[k].a, near.pairs[k].b, 0, 0, near.pairs[k].image, near.memory[k]);
         for (const BodyPair& pair : chunk.body_pairs)
             for (int k = pair.begin; k < pair.begin + pair.count; ++k) {
                 const SphereCandidate& candidate = chunk.candidates[static_cast<std::size_t>(k)];
                 if (candidate.touching)
-                    unsorted_pairs_.push_back(canonical(world.id[static_cast<std::size_t>(pair.a)],
-                                                        world.id[static_cast<std::size_t>(pair.b)], candidate.a,
-                                                        candidate.b, chunk.memory[static_cast<std::size_t>(k)]));
+                    keep(pair.a, pair.b, candidate.a, candidate.b, pair.image,
+                         chunk.memory[static_cast<std::size_t>(k)]);
             }
         for (const BodyWall& near : chunk.body_walls)
             for (int k = near.begin; k < near.begin + near.count; ++k) {
@@ -62,7 +73,7 @@ void KeptMemory::take(const World& world) {
     group(unsorted_walls_, walls_, walls_begin_, next_, ids, [](const KeptWall& kept) { return kept.body; });
 }
 
-std::span<const KeptPair> KeptMemory::of_pair(std::int64_t first) const {
+std::span<const KeptPair> KeptMemory::of_first(std::int64_t first) const {
     const auto k = static_cast<std::size_t>(first);
     return {pairs_.data() + pairs_begin_[k], static_cast<std::size_t>(pairs_begin_[k + 1] - pairs_begin_[k])};
 }

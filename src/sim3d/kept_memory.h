@@ -3,6 +3,7 @@
 #include "sim3d/kernels.h"
 #include "sim3d/wall_memory.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -17,6 +18,7 @@ struct KeptPair {
     std::int64_t second = 0;
     int sphere_of_first = 0;
     int sphere_of_second = 0;
+    int image = 0; // of the second, seen from the first
     MemoryLanes memory{};
 };
 
@@ -27,16 +29,31 @@ struct KeptWall {
     WallMemory memory;
 };
 
+/// The image through which a sees b, when b sees a through `image`.
+constexpr int mirrored(int image) {
+    return 26 - image;
+}
+
 /// Every touching contact of the world, findable by body. Keeps its room from one use to the next.
 class KeptMemory {
 public:
-    void take(const World& world);
+    /// `wraps`: per slot, how many periods the body has just been moved back along each axis; empty for none.
+    void take(const World& world, const std::vector<std::array<int, 3>>& wraps);
 
-    /// The entries whose smaller id is `first`.
-    [[nodiscard]] std::span<const KeptPair> of_pair(std::int64_t first) const;
+    /// Calls each(kept, straight) for what the bodies a and b remember of each other, b seen through `image`; straight:
+    /// a is the first of the entry.
+    template <class Each> void of_pair(std::int64_t a, std::int64_t b, int image, Each&& each) const {
+        const bool straight = a < b;
+        const int seen = straight ? image : mirrored(image);
+        for (const KeptPair& old : of_first(straight ? a : b))
+            if (old.second == (straight ? b : a) && old.image == seen)
+                each(old, straight);
+    }
     [[nodiscard]] std::span<const KeptWall> of_wall(std::int64_t body) const;
 
 private:
+    [[nodiscard]] std::span<const KeptPair> of_first(std::int64_t first) const;
+
     std::vector<KeptPair> unsorted_pairs_;
     std::vector<KeptPair> pairs_;
     std::vector<int> pairs_begin_; // per id, one more at the end

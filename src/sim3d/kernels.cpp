@@ -16,32 +16,23 @@ const Kernels& kernels();
 }
 #endif
 
-namespace {
-
-const Kernels* best_first(std::string_view wanted) {
+const Kernels* kernels_named(std::string_view name) {
 #if defined(TUMBLE_HAS_isa_v4)
-    if (wanted != "baseline" && wanted != "x86-64-v3" && __builtin_cpu_supports("x86-64-v4"))
+    if (name == "x86-64-v4" && __builtin_cpu_supports("x86-64-v4"))
         return &isa_v4::kernels();
-    if (wanted == "x86-64-v4")
-        return nullptr;
 #endif
 #if defined(TUMBLE_HAS_isa_v3)
-    if (wanted != "baseline" && __builtin_cpu_supports("x86-64-v3"))
+    if (name == "x86-64-v3" && __builtin_cpu_supports("x86-64-v3"))
         return &isa_v3::kernels();
-    if (wanted == "x86-64-v3")
-        return nullptr;
 #endif
-    return &isa_baseline::kernels();
+    return name == "baseline" ? &isa_baseline::kernels() : nullptr;
 }
-
-} // namespace
 
 const Kernels& choose_kernels() {
-    return *best_first("");
-}
-
-const Kernels* kernels_named(std::string_view name) {
-    return best_first(name);
+    for (const char* name : {"x86-64-v4", "x86-64-v3"})
+        if (const Kernels* found = kernels_named(name))
+            return *found;
+    return isa_baseline::kernels();
 }
 
 } // namespace tumble::sim3d

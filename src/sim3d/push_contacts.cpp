@@ -67,14 +67,17 @@ void push_contacts(World& world, Chunk& chunk) {
 
 void collect_pushes(World& world, Chunk& chunk) {
     const auto own = static_cast<std::size_t>(&chunk - world.chunks.data());
-    for (const Chunk& sender : world.chunks)
-        for (const ForeignPush& push : sender.outbox[own]) {
+    for (std::size_t sender = 0; sender < world.chunks.size(); ++sender) {
+        if ((chunk.partners_before & chunk_bit(static_cast<int>(sender))) == 0)
+            continue;
+        for (const ForeignPush& push : world.chunks[sender].outbox[own]) {
             BodyLoad& load = world.load[static_cast<std::size_t>(push.body)];
             for (int axis = 0; axis < 3; ++axis) {
                 load.force[axis] += push.force[axis];
                 load.torque[axis] += push.torque[axis];
             }
         }
+    }
 }
 
 } // namespace tumble::sim3d

@@ -120,6 +120,12 @@ std::optional<Problem> insanity(const World& world) {
                     fmt::format("{} overlap by {:.3g} of the smaller sphere's radius", deepest_pair(world),
                                 world.books.overlap_ratio_max),
                     "use stiffer materials, a shorter time step, or let the bodies come in more slowly");
+    for (const Chunk& chunk : world.chunks)
+        if (chunk.crossed_body >= 0)
+            return stop(world,
+                        fmt::format("{} went through wall '{}'", name_of(world, chunk.crossed_body),
+                                    world.walls[static_cast<std::size_t>(chunk.crossed_wall)].wall.name),
+                        "use a stiffer wall, a shorter time step, or let the bodies come in more slowly");
     if (world.step % steps_per_look == 0)
         return outside(world);
     return std::nullopt;

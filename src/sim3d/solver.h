@@ -32,8 +32,9 @@ Result<WorldPtr> build_world(const scene::Scene& scene, int threads);
 std::optional<Problem> advance(World& world, std::int64_t steps);
 
 /// Puts bodies exactly where they are said to be (ids are given anew, in order), whatever they overlap; their energy is
-/// booked as inserted. For states measured elsewhere and for tests; fills are the usual way. Problems: a shape index
-/// that does not exist, a position outside the domain, a number that is not finite.
+/// booked as inserted, that of overlaps among them only before the first step. For states measured elsewhere and for
+/// tests; fills are the usual way. Problems: a shape index that does not exist, a position outside the domain, a number
+/// that is not finite.
 std::optional<Problem> insert(World& world, const std::vector<struct BodyState>& bodies);
 
 double time_of(const World& world); // s

@@ -126,6 +126,18 @@ void match_features(Chunk& chunk, WallCandidate& candidate, std::span<const Wall
     candidate.touches = static_cast<std::int16_t>(touches.size());
 }
 
+/// Whether the sphere's centre has passed through the surface since the last step: what it touches is the same, but
+/// pushes the other way.
+bool crosses(const WallCandidate& candidate, std::span<const WallTouch> touches) {
+    for (int old = 0; old < candidate.touches; ++old)
+        for (const WallTouch& touch : touches) {
+            const WallMemory& before = candidate.memory[static_cast<std::size_t>(old)];
+            if (touch.feature == before.feature && touch.normal.dot(before.normal) < 0)
+                return true;
+        }
+    return false;
+}
+
 void put(double* to, const Vector3d& from) {
     Eigen::Map<Vector3d>{to} = from;
 }
@@ -161,8 +173,13 @@ int touch_wall(const World& world, Chunk& chunk, const BodyWall& near, std::vect
                                                {chunk.sphere_primitives.data() + candidate.primitives_begin,
                                                 static_cast<std::size_t>(candidate.primitives_count)},
                                                touches);
+        const std::span<const WallTouch> now(touches.data(), static_cast<std::size_t>(count));
+        if (crosses(candidate, now)) {
+            chunk.crossed_body = near.body;
+            chunk.crossed_wall = near.wall;
+        }
         if (count > 0 || candidate.touches > 0)
-            match_features(chunk, candidate, {touches.data(), static_cast<std::size_t>(count)});
+            match_features(chunk, candidate, now);
         for (int t = 0; t < count; ++t) {
             WallContact contact = wall_contact(wall, body, arm, radius, touches[static_cast<std::size_t>(t)]);
             contact.body = near.body;

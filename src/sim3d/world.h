@@ -164,6 +164,8 @@ struct Chunk {
     std::vector<ForeignPush> foreign;             // room for the kernels; delivered through the outbox
     std::vector<int> found;                       // room for the kernels
     double dropped_history = 0;                   // J forgotten by contacts that ended in this step
+    int crossed_body = -1;                        // slot of a body whose sphere's centre has passed through a wall, ...
+    int crossed_wall = -1;                        // ... and the wall
     Sums sums;
     PhaseSeconds seconds{};
 };
@@ -193,6 +195,7 @@ struct Ledger {
     double lost_history = 0;
     double wall_work = 0;
     double inserted = 0;
+    double overlap_ratio_peak = 0; // -
 };
 
 struct World {
@@ -240,7 +243,8 @@ struct World {
     bool stale = true;          // the body list must be rebuilt
     KeptMemory kept;            // room for rebuilds, as are the next two
     Cells cells;
-    std::vector<Eigen::Vector3d> centres; // m, of bounding spheres
+    std::vector<std::array<int, 3>> wraps; // per slot, periods moved back at the rebuild
+    std::vector<Eigen::Vector3d> centres;  // m, of bounding spheres
     std::int64_t rebuilds = 0;
 
     Ledger ledger;

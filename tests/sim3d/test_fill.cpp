@@ -145,3 +145,36 @@ TEST_CASE("a periodic box too short for a body is refused") {
     REQUIRE(!world.ok());
     CHECK(to_string(world.problems()).find("its own image") != std::string::npos);
 }
+
+TEST_CASE("a body placed where another body or a wall is, is refused by name") {
+    const auto refusal = [](const Vector3d& position, double start) {
+        Sandbox box = jar();
+        const int ball = box.ball(3e-3);
+        for (const auto& [at, when] : {std::pair{Vector3d(0, 0, 0), 0.0}, std::pair{position, start}}) {
+            scene::Fill fill;
+            fill.body = ball;
+            fill.count = 1;
+            fill.position = at;
+            fill.start = when;
+            box.scene.fills.push_back(fill);
+        }
+        auto world = build_world(box.scene, 1);
+        if (!world.ok())
+            return to_string(world.problems());
+        const auto problem = advance(**world, 200);
+        return problem ? to_string(*problem) : std::string();
+    };
+    CHECK(refusal({0.01, 0, 0}, 0.001).empty());
+    CHECK(refusal({0.001, 0, 0}, 0.001).find("overlaps another body at t = 0.001 s") != std::string::npos);
+    CHECK(refusal({0.001, 0, 0}, 0).find("overlaps another body at t = 0 s") != std::string::npos);
+    CHECK(refusal({-0.039, 0, 0}, 0).find("overlaps a wall") != std::string::npos);
+}
+
+TEST_CASE("a body that is shot through a thin wall stops the run and names both") {
+    Sandbox box({"media", 1666, 5e5, 0.2887}, {0.67, 0.0}, 1e-5);
+    box.wall(scene::DiscShape{{0, 0, 0}, {0, 1, 0}, 0.05, 0});
+    box.start({placed(box.ball(5e-3), {0, 6e-3, 0}, {0, -9, 0})});
+    const auto problem = advance(*box.world, 2000);
+    REQUIRE(problem);
+    CHECK(problem->what.find("body 0 (body0) went through wall 'wall0'") != std::string::npos);
+}

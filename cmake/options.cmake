@@ -7,7 +7,8 @@ target_compile_options(tumble_options INTERFACE -Wall -Wextra -Wshadow -Wpedanti
 # g++ 12 sees overlapping and endless copies in string additions where there are none (GCC bugs 105329, 105651), and,
 # with sanitizers, unset members of variants that hold another alternative (GCC bug 105593).
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-  target_compile_options(tumble_options INTERFACE -Wno-restrict -Wno-stringop-overflow)
+  target_compile_options(tumble_options INTERFACE -Wno-restrict
+                         $<$<CONFIG:Release>:-Wno-stringop-overflow> $<$<CONFIG:Release>:-Wno-array-bounds>)
   if(TUMBLE_SANITIZE)
     target_compile_options(tumble_options INTERFACE -Wno-maybe-uninitialized)
   endif()

@@ -125,16 +125,18 @@ private:
             return wrong_type(node);
         if (array->items.empty())
             return refuse(node, fmt::format("'{}' is empty", key_.name));
+        // A list that is not nested at all is one mistake, not one per number.
         bool right = true;
-        for (const Node& item : array->items)
+        for (const Node& item : array->items) {
+            if (!item.as<Array>())
+                return wrong_type(item);
             right = row(item) && right;
+        }
         return right;
     }
 
     bool row(const Node& node) {
         const Array* four = node.as<Array>();
-        if (!four)
-            return wrong_type(node);
         if (four->items.size() != 4)
             return refuse(node, fmt::format("a row of '{}' has {} of 4 numbers", key_.name, four->items.size()));
         bool right = true;

@@ -75,5 +75,5 @@ TEST_CASE("more spheres than a body may have are refused before they fill the me
     std::string text;
     for (std::size_t i = 0; i <= most_spheres; ++i)
         text += "0 0 0 1\n";
-    CHECK(refusal(text) == "cone.csv:100001:1: more than 100000 spheres");
+    CHECK(refusal(text) == "cone.csv:4001:1: more than 4000 spheres");
 }

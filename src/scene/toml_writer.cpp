@@ -15,6 +15,8 @@ namespace {
 /// The decimal that times `si` gives exactly this value: division alone may miss by a rounding. A value that no decimal
 /// gives (it never came from a file) is written as near as it can be.
 double typed(double value, double si) {
+    if (value == 0)
+        return 0; // TOML reads "-0" as the integer 0, which has no sign
     if (si == 1)
         return value;
     const double near = value / si;
@@ -34,7 +36,7 @@ double typed(double value, double si) {
 std::string list(const double* values, std::size_t count) {
     std::string text = "[";
     for (std::size_t i = 0; i < count; ++i)
-        text += (i ? ", " : "") + shortest(values[i]);
+        text += (i ? ", " : "") + shortest(typed(values[i], 1));
     return text + "]";
 }
 

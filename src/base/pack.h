@@ -74,6 +74,17 @@ struct Pack {
 TUMBLE_INLINE Pack select(Pack::Mask condition, Pack yes, Pack no) {
     return Pack(condition.m ? yes.v : no.v);
 }
+/// One bit per lane, the first the lowest.
+TUMBLE_INLINE unsigned bits(Pack::Mask mask) {
+#if defined(__AVX512F__)
+    return _mm512_movepi64_mask(reinterpret_cast<__m512i>(mask.m));
+#else
+    unsigned all = 0;
+    for (int lane = 0; lane < Pack::lanes; ++lane)
+        all |= static_cast<unsigned>(mask.m[lane] & 1) << lane;
+    return all;
+#endif
+}
 TUMBLE_INLINE Pack larger(Pack a, Pack b) {
     return Pack(a.v > b.v ? a.v : b.v);
 }

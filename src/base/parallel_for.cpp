@@ -1,5 +1,7 @@
 #include "base/parallel_for.h"
 
+#include <utility>
+
 namespace tumble {
 
 namespace {
@@ -27,6 +29,16 @@ Crew::~Crew() {
     round_.notify_all();
 }
 
+void Crew::call(int number) {
+    try {
+        (*task_.load(std::memory_order_relaxed))(number);
+    } catch (...) {
+        const std::lock_guard lock(thrown_mutex_);
+        if (!thrown_)
+            thrown_ = std::current_exception();
+    }
+}
+
 void Crew::work(int member, std::uint64_t round) {
     const std::uint64_t tag = (round & 0xffffffffU) << 32;
     for (int turn = 0; turn < threads(); ++turn) {
@@ -41,7 +53,7 @@ void Crew::work(int member, std::uint64_t round) {
                 break;
             if (!next.compare_exchange_weak(ticket, ticket + 1, std::memory_order_acq_rel))
                 continue;
-            (*task_.load(std::memory_order_relaxed))(static_cast<int>(ticket & 0xffffffffU));
+            call(static_cast<int>(ticket & 0xffffffffU));
             done_.fetch_add(1, std::memory_order_release);
         }
     }
@@ -83,6 +95,8 @@ void Crew::share(int n, const std::function<void(int)>& task) {
     work(0, round);
     while (done_.load(std::memory_order_acquire) < n)
         breathe();
+    if (thrown_)
+        std::rethrow_exception(std::exchange(thrown_, nullptr));
 }
 
 } // namespace tumble

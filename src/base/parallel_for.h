@@ -2,7 +2,9 @@
 
 #include <atomic>
 #include <cstdint>
+#include <exception>
 #include <functional>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -20,7 +22,8 @@ public:
     Crew(const Crew&) = delete;
     Crew& operator=(const Crew&) = delete;
 
-    /// Calls task(0) ... task(n-1) and returns when all have returned.
+    /// Calls task(0) ... task(n-1) and returns when all have returned. An exception of a task is thrown on here,
+    /// whichever thread it was on.
     void share(int n, const std::function<void(int)>& task);
 
     [[nodiscard]] int threads() const { return static_cast<int>(parts_.size()); }
@@ -31,6 +34,7 @@ private:
         std::atomic<std::uint64_t> next{0}; // low 32 bits: next number; high 32 bits: the round it belongs to
     };
 
+    void call(int number);
     void work(int member, std::uint64_t round);
     void help(int member);
     [[nodiscard]] int begin_of_part(int member, int n) const {
@@ -43,6 +47,8 @@ private:
     std::vector<Part> parts_; // one per member
     std::atomic<int> done_{0};
     std::atomic<bool> stop_{false};
+    std::mutex thrown_mutex_;
+    std::exception_ptr thrown_;
     std::vector<std::jthread> helpers_;
 };
 

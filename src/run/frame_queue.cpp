@@ -1,10 +1,24 @@
 #include "run/frame_queue.h"
 
+#include <exception>
+
 namespace tumble::run {
 
 namespace {
 constexpr std::size_t most_waiting = 2;
+
+/// What a sink's work gives; an exception, as when memory runs out, becomes a problem, for nobody catches it on this
+/// thread.
+template <class Work> Problems problems_of(Work&& work) {
+    try {
+        return work().problems();
+    } catch (const std::exception& error) {
+        return {{.what = std::string("a frame could not be kept: ") + error.what(),
+                 .fix = "keep fewer frames or smaller pictures, or free memory"}};
+    }
 }
+
+} // namespace
 
 FrameQueue::FrameQueue(FrameSinks sinks) : sinks_(std::move(sinks)), thread_([this] { serve(); }) {}
 
@@ -27,13 +41,13 @@ void FrameQueue::serve() {
             hand_on(shot);
     }
     for (const auto& sink : sinks_)
-        remember(sink->finish().problems());
+        remember(problems_of([&] { return sink->finish(); }));
 }
 
 void FrameQueue::hand_on(const Shot& shot) {
     for (const auto& sink : sinks_)
-        if (const Result<Done> done = sink->take(shot); !done) {
-            remember(done.problems());
+        if (const Problems problems = problems_of([&] { return sink->take(shot); }); !problems.empty()) {
+            remember(problems);
             return;
         }
     const std::lock_guard lock(mutex_);

@@ -13,18 +13,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Sorting moves every body in memory; neighbours drift apart slowly, so it pays only now and then.
-constexpr std::int64_t rebuilds_per_sort = 4;
-
 constexpr int fewest_bodies_per_chunk = 48;
 
 constexpr double spare_leash = 0.6; // share of the mean leash that bodies at rest get
 constexpr double expired = std::numeric_limits<double>::lowest();
-
-/// Radius of the body's bounding sphere and its leash, m: bodies whose reaches do not meet cannot touch yet.
-double reach_of(const World& world, int slot) {
-    return world.shape_at(slot).bounding_radius - world.travel[static_cast<std::size_t>(slot)];
-}
 
 /// Moves bodies back into the periodic box; fills World::wraps with the periods that each was moved, or empties it if
 /// none was.
@@ -49,10 +41,11 @@ void wrap(World& world) {
 }
 
 template <class Array> void reorder(Array& values, const std::vector<int>& order) {
-    Array sorted(values.size());
+    thread_local Array sorted; // fresh memory costs more than moving what it is for
+    sorted.resize(values.size());
     for (std::size_t k = 0; k < order.size(); ++k)
         sorted[k] = values[static_cast<std::size_t>(order[k])];
-    values = std::move(sorted);
+    std::swap(values, sorted);
 }
 
 void sort_slots(World& world, const std::vector<int>& order) {
@@ -62,6 +55,8 @@ void sort_slots(World& world, const std::vector<int>& order) {
     reorder(world.load, order);
     reorder(world.orientation, order);
     reorder(world.turn, order);
+    reorder(world.travel, order);
+    reorder(world.bounds, order);
     for (std::size_t slot = 0; slot < world.id.size(); ++slot)
         world.slot_of[static_cast<std::size_t>(world.id[slot])] = static_cast<int>(slot);
 }
@@ -95,8 +90,7 @@ void clear(Chunk& chunk) {
         near.clear();
     chunk.near_until = 0;
     chunk.body_pairs.clear();
-    chunk.candidates.clear();
-    chunk.memory.clear();
+    chunk.candidates.resize(0);
     chunk.body_walls.clear();
     chunk.wall_primitives.clear();
     chunk.wall_candidates.clear();
@@ -131,42 +125,48 @@ void add_sphere_pair(const World& world, Chunk& chunk, int a, int b, int image) 
 void add_body_pair(const World& world, Chunk& chunk, int a, int b, int image) {
     const auto id_a = world.id[static_cast<std::size_t>(a)];
     const auto id_b = world.id[static_cast<std::size_t>(b)];
-    BodyPair pair{a, b, expired, static_cast<int>(chunk.candidates.size()), 0, 0, static_cast<std::int16_t>(image)};
+    ClumpCandidates& candidates = chunk.candidates;
+    BodyPair pair{a, b, expired, candidates.size(), 0, 0, static_cast<std::int16_t>(image)};
     world.kept.of_pair(id_a, id_b, image, [&](const KeptPair& old, bool straight) {
         const int sphere_a = straight ? old.sphere_of_first : old.sphere_of_second;
         const int sphere_b = straight ? old.sphere_of_second : old.sphere_of_first;
-        chunk.candidates.push_back({static_cast<std::int16_t>(sphere_a), static_cast<std::int16_t>(sphere_b), true});
-        chunk.memory.push_back(straight ? old.memory : mirrored(old.memory));
+        candidates.resize(candidates.size() + 1);
+        candidates.set(candidates.size() - 1,
+                       {static_cast<std::int16_t>(sphere_a), static_cast<std::int16_t>(sphere_b)}, true,
+                       straight ? old.memory : mirrored(old.memory));
         ++pair.count;
     });
     pair.capacity = pair.count;
     chunk.body_pairs.push_back(pair);
 }
 
+void add_pair(const World& world, Chunk& chunk, int a, int b, int image) {
+    chunk.partners_after |= chunk_bit(world.chunk_of[static_cast<std::size_t>(b)]);
+    if (world.shape_at(a).single && world.shape_at(b).single)
+        add_sphere_pair(world, chunk, a, b, image);
+    else
+        add_body_pair(world, chunk, a, b, image);
+}
+
+/// A pair belongs to the chunk of the body with the lower slot. Slots are in the cells' order.
 void list_pairs(const World& world, Chunk& chunk) {
-    const std::vector<Vector3d>& centres = world.centres;
     std::array<Cells::Seen, 27> seen{};
     for (int a = chunk.begin; a < chunk.end; ++a) {
-        const Vector3d& centre = centres[static_cast<std::size_t>(a)];
-        const double own_reach = reach_of(world, a);
-        const bool single = world.shape_at(a).single;
-        const int count = world.cells.around(centre, seen);
-        for (int k = 0; k < count; ++k) {
-            const Cells::Seen& cell = seen[static_cast<std::size_t>(k)];
-            const auto& shift = world.images[static_cast<std::size_t>(cell.image)].along;
-            const Vector3d from = centre - Vector3d(shift[0], shift[1], shift[2]);
-            for (const int* b = cell.begin; b != cell.end; ++b) {
-                if (*b <= a)
-                    continue;
-                const double reach = own_reach + reach_of(world, *b);
-                if ((from - centres[static_cast<std::size_t>(*b)]).squaredNorm() >= reach * reach)
-                    continue;
-                chunk.partners_after |= chunk_bit(world.chunk_of[static_cast<std::size_t>(*b)]);
-                if (single && world.shape_at(*b).single)
-                    add_sphere_pair(world, chunk, a, *b, cell.image);
-                else
-                    add_body_pair(world, chunk, a, *b, cell.image);
-            }
+        const Bounds& own = world.bounds[static_cast<std::size_t>(a)];
+        const int rows = world.cells.around(own.centre, seen);
+        for (int row = 0; row < rows; ++row) {
+            const Cells::Seen& cells = seen[static_cast<std::size_t>(row)];
+            const int begin = std::max(cells.begin, a + 1);
+            if (begin >= cells.end)
+                continue;
+            Bounds from = own;
+            for (int k = 0; k < 3; ++k)
+                from.centre[k] -= world.images[static_cast<std::size_t>(cells.image)].along[k];
+            chunk.found.resize(std::max(chunk.found.size(), static_cast<std::size_t>(cells.end - begin) + 8));
+            const int count =
+                world.kernels->near_bodies(world.bounds.data(), begin, cells.end, from, chunk.found.data());
+            for (int k = 0; k < count; ++k)
+                add_pair(world, chunk, a, chunk.found[static_cast<std::size_t>(k)], cells.image);
         }
     }
 }
@@ -191,9 +191,10 @@ void list_walls(const World& world, Chunk& chunk) {
     for (int body = chunk.begin; body < chunk.end; ++body)
         for (std::size_t w = 0; w < world.walls.size(); ++w) {
             const WallState& wall = world.walls[w];
-            const Vector3d centre = world.centres[static_cast<std::size_t>(body)] - wall.pose.translation;
-            wall.surface.primitives_near(wall.pose.rotation.transpose() * centre,
-                                         reach_of(world, body) + world.wall_skin, primitives);
+            const Bounds& bounds = world.bounds[static_cast<std::size_t>(body)];
+            const Vector3d centre = Vector3d(bounds.centre) - wall.pose.translation;
+            wall.surface.primitives_near(wall.pose.rotation.transpose() * centre, bounds.reach + world.wall_skin,
+                                         primitives);
             if (primitives.empty())
                 continue;
             BodyWall near;
@@ -228,10 +229,25 @@ void give_leashes(World& world) {
         travel = -std::min(spare_leash * half + time * travel, longest_leash * half);
 }
 
-void find_centres(World& world) {
-    world.centres.resize(world.id.size());
-    for (int slot = 0; slot < world.bodies(); ++slot)
-        world.centres[static_cast<std::size_t>(slot)] = bounding_centre(world, placement_of(world, slot));
+void find_bounds(World& world) {
+    world.bounds.resize(world.id.size());
+    for (int slot = 0; slot < world.bodies(); ++slot) {
+        Bounds& bounds = world.bounds[static_cast<std::size_t>(slot)];
+        Eigen::Map<Vector3d>{bounds.centre} = bounding_centre(world, placement_of(world, slot));
+        bounds.reach = world.shape_at(slot).bounding_radius - world.travel[static_cast<std::size_t>(slot)];
+    }
+}
+
+/// Cells in which two bodies whose bounds meet are neighbours.
+double cell_width(const World& world) {
+    double reach = 0;
+    double offset = 0;
+    for (const Bounds& bounds : world.bounds)
+        reach = std::max(reach, bounds.reach);
+    for (const ShapeConstants& shape : world.shape_constants)
+        offset = std::max(offset, Vector3d(shape.bounding_centre).norm());
+    // A body is wrapped by its mass centre, so its bounding sphere may stand this far outside the periodic box.
+    return 2 * reach + offset;
 }
 
 } // namespace
@@ -239,24 +255,10 @@ void find_centres(World& world) {
 void rebuild_body_list(World& world) {
     wrap(world);
     world.kept.take(world, world.wraps);
-    double largest = 0;
-    double offset = 0;
-    for (const ShapeConstants& shape : world.shape_constants) {
-        largest = std::max(largest, shape.bounding_radius);
-        offset = std::max(offset, Vector3d(shape.bounding_centre).norm());
-    }
-    // A body is wrapped by its mass centre, so its bounding sphere may stand this far outside the periodic box.
-    const auto cell_width = [&](double leash) { return 2 * (largest + leash) + offset; };
-
-    find_centres(world);
-    if (world.stale || world.rebuilds % rebuilds_per_sort == 0) {
-        world.cells.sort(world.scene.domain, world.centres, cell_width(0.5 * world.skin));
-        sort_slots(world, world.cells.order());
-        find_centres(world);
-    }
     give_leashes(world);
-    const double longest = -*std::min_element(world.travel.begin(), world.travel.end());
-    world.cells.sort(world.scene.domain, world.centres, cell_width(longest));
+    find_bounds(world);
+    world.cells.sort(world.scene.domain, world.bounds, cell_width(world));
+    sort_slots(world, world.cells.order());
     cut_chunks(world);
     for (WallState& wall : world.walls)
         wall.travel = 0;

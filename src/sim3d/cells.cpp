@@ -13,22 +13,22 @@ constexpr double cells_per_body = 4;
 
 } // namespace
 
-void Cells::sort(const scene::Domain& domain, const std::vector<Eigen::Vector3d>& centres, double reach) {
+void Cells::sort(const scene::Domain& domain, const Lines<Bounds>& bodies, double reach) {
     periodic_ = domain.periodic;
     Eigen::Vector3d lo = domain.box.lo;
     Eigen::Vector3d hi = domain.box.hi;
     for (int k = 0; k < 3; ++k) {
-        if (periodic_[static_cast<std::size_t>(k)] || centres.empty())
+        if (periodic_[static_cast<std::size_t>(k)] || bodies.empty())
             continue;
-        lo[k] = hi[k] = centres.front()[k];
-        for (const Eigen::Vector3d& centre : centres) {
-            lo[k] = std::min(lo[k], centre[k]);
-            hi[k] = std::max(hi[k], centre[k]);
+        lo[k] = hi[k] = bodies.front().centre[k];
+        for (const Bounds& body : bodies) {
+            lo[k] = std::min(lo[k], body.centre[k]);
+            hi[k] = std::max(hi[k], body.centre[k]);
         }
     }
     const Eigen::Vector3d length = (hi - lo).cwiseMax(reach);
     double width = reach;
-    const double room = cells_per_body * static_cast<double>(centres.size()) + 64;
+    const double room = cells_per_body * static_cast<double>(bodies.size()) + 64;
     while ((length / width).array().floor().max(1).prod() > room)
         width *= 1.26;
     for (int k = 0; k < 3; ++k) {
@@ -43,19 +43,19 @@ void Cells::sort(const scene::Domain& domain, const std::vector<Eigen::Vector3d>
     });
 
     begin_.assign(static_cast<std::size_t>(count()) + 1, 0);
-    cell_.resize(centres.size());
-    for (std::size_t body = 0; body < centres.size(); ++body) {
-        cell_[body] = cell_of(centres[body]);
+    cell_.resize(bodies.size());
+    for (std::size_t body = 0; body < bodies.size(); ++body) {
+        cell_[body] = cell_of(bodies[body].centre);
         ++begin_[static_cast<std::size_t>(cell_[body]) + 1];
     }
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
     next_ = begin_;
-    order_.resize(centres.size());
-    for (std::size_t body = 0; body < centres.size(); ++body)
+    order_.resize(bodies.size());
+    for (std::size_t body = 0; body < bodies.size(); ++body)
         order_[static_cast<std::size_t>(next_[static_cast<std::size_t>(cell_[body])]++)] = static_cast<int>(body);
 }
 
-std::array<int, 3> Cells::place_of(const Eigen::Vector3d& centre) const {
+std::array<int, 3> Cells::place_of(const double* centre) const {
     std::array<int, 3> place{};
     for (int k = 0; k < 3; ++k) {
         const auto at = static_cast<std::size_t>(k);
@@ -72,21 +72,24 @@ int Cells::index_of(const std::array<int, 3>& place) const {
     return (place[slow] * size_[mid] + place[mid]) * size_[fast] + place[fast];
 }
 
-int Cells::cell_of(const Eigen::Vector3d& centre) const {
+int Cells::cell_of(const double* centre) const {
     return index_of(place_of(centre));
 }
 
-int Cells::around(const Eigen::Vector3d& centre, std::array<Seen, 27>& seen) const {
+int Cells::around(const double* centre, std::array<Seen, 27>& seen) const {
     const std::array<int, 3> home = place_of(centre);
+    const auto [slow, mid, fast] = axis_;
     int n = 0;
     for (int code = 0; code < 27; ++code) {
+        std::array<int, 3> step{};
+        step[static_cast<std::size_t>(slow)] = code / 9 - 1;
+        step[static_cast<std::size_t>(mid)] = code / 3 % 3 - 1;
+        step[static_cast<std::size_t>(fast)] = code % 3 - 1;
         std::array<int, 3> place{};
         std::array<int, 3> wraps{};
         bool exists = true;
-        int rest = code;
         for (std::size_t k = 0; k < 3; ++k) {
-            place[k] = home[k] + rest % 3 - 1;
-            rest /= 3;
+            place[k] = home[k] + step[k];
             if (place[k] >= 0 && place[k] < size_[k])
                 continue;
             exists = exists && periodic_[k];
@@ -96,8 +99,12 @@ int Cells::around(const Eigen::Vector3d& centre, std::array<Seen, 27>& seen) con
         if (!exists)
             continue;
         const auto cell = static_cast<std::size_t>(index_of(place));
-        seen[static_cast<std::size_t>(n++)] = {order_.data() + begin_[cell], order_.data() + begin_[cell + 1],
-                                               image_index(wraps[0], wraps[1], wraps[2])};
+        const Seen here{begin_[cell], begin_[cell + 1], image_index(wraps[0], wraps[1], wraps[2])};
+        if (n > 0 && seen[static_cast<std::size_t>(n - 1)].end == here.begin &&
+            seen[static_cast<std::size_t>(n - 1)].image == here.image)
+            seen[static_cast<std::size_t>(n - 1)].end = here.end;
+        else
+            seen[static_cast<std::size_t>(n++)] = here;
     }
     return n;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scene/scene.h"
+#include "sim3d/kernels.h"
 
 #include <Eigen/Core>
 #include <array>
@@ -12,26 +13,27 @@ namespace tumble::sim3d {
 /// neighbours stand in the 27 cells around. The longest side of the grid is the slowest index.
 class Cells {
 public:
-    /// Sorts anew, in the room of the last time. `centres` in m, wrapped into the periodic box; `reach` m is the
-    /// largest distance of two centres that matters.
-    void sort(const scene::Domain& domain, const std::vector<Eigen::Vector3d>& centres, double reach);
+    /// Sorts anew, in the room of the last time. Centres lie in the periodic box; `reach` m is the largest distance of
+    /// two centres that matters.
+    void sort(const scene::Domain& domain, const Lines<Bounds>& bodies, double reach);
 
-    [[nodiscard]] int cell_of(const Eigen::Vector3d& centre) const;
+    [[nodiscard]] int cell_of(const double* centre) const;
     [[nodiscard]] int count() const { return size_[0] * size_[1] * size_[2]; }
 
-    /// One cell seen from another: where its bodies stand, and through which image of the periodic box.
+    /// Cells in a row, seen from another: the places of their bodies in order(), and through which image of the
+    /// periodic box.
     struct Seen {
-        const int* begin;
-        const int* end;
+        int begin;
+        int end;
         int image; // 0..26, 13 is the box itself
     };
-    /// The cells around the one that holds `centre`, itself included, each image once.
-    int around(const Eigen::Vector3d& centre, std::array<Seen, 27>& seen) const;
+    /// The cells around the one that holds `centre`, itself included, each image once; returns how many rows.
+    int around(const double* centre, std::array<Seen, 27>& seen) const;
     /// Bodies by cell, in cell order and inside a cell in the order given.
     [[nodiscard]] const std::vector<int>& order() const { return order_; }
 
 private:
-    [[nodiscard]] std::array<int, 3> place_of(const Eigen::Vector3d& centre) const;
+    [[nodiscard]] std::array<int, 3> place_of(const double* centre) const;
     [[nodiscard]] int index_of(const std::array<int, 3>& place) const;
 
     std::array<bool, 3> periodic_{};

@@ -33,7 +33,7 @@ void list_near(Chunk& chunk, std::span<const int> found) {
 }
 
 void find_near_spheres(const World& world, Chunk& chunk) {
-    chunk.found.resize(chunk.sphere_pairs.size() + 1);
+    chunk.found.resize(chunk.sphere_pairs.size() + 8);
     // What touched a step ago must stay listed until it is seen apart, however fast it left.
     const double skin = std::max(world.near_skin, world.last_rush);
     const int count = world.kernels->near_spheres(world.motion.data(), chunk.sphere_pairs.data(),

@@ -54,12 +54,11 @@ void KeptMemory::take(const World& world, const std::vector<std::array<int, 3>>&
                 if (near.touching[k] != 0)
                     keep(near.pairs[k].a, near.pairs[k].b, 0, 0, near.pairs[k].image, near.memory[k]);
         for (const BodyPair& pair : chunk.body_pairs)
-            for (int k = pair.begin; k < pair.begin + pair.count; ++k) {
-                const SphereCandidate& candidate = chunk.candidates[static_cast<std::size_t>(k)];
-                if (candidate.touching)
-                    keep(pair.a, pair.b, candidate.a, candidate.b, pair.image,
-                         chunk.memory[static_cast<std::size_t>(k)]);
-            }
+            for (auto k = static_cast<std::size_t>(pair.begin); k < static_cast<std::size_t>(pair.begin + pair.count);
+                 ++k)
+                if (chunk.candidates.touching[k] != 0)
+                    keep(pair.a, pair.b, chunk.candidates.spheres[k].a, chunk.candidates.spheres[k].b, pair.image,
+                         chunk.candidates.memory[k]);
         for (const BodyWall& near : chunk.body_walls)
             for (int k = near.begin; k < near.begin + near.count; ++k) {
                 const WallCandidate& candidate = chunk.wall_candidates[static_cast<std::size_t>(k)];

@@ -45,7 +45,7 @@ struct ShapeConstants {
     double reach; // m, farthest point from the centre of mass
     int material;
     bool single;
-    const double* exposed; // x y z r
+    const double* exposed; // x y z r, 64-byte aligned
     int exposed_count;
     double bounding_centre[3]; // m, principal frame
     double bounding_radius;    // m
@@ -55,6 +55,12 @@ struct ShapeConstants {
 struct alignas(32) MemoryLanes {
     double spring[3];
     double energy;
+};
+
+/// Sphere about a body that it does not leave before its list is made anew.
+struct alignas(32) Bounds {
+    double centre[3]; // m
+    double reach;     // m, radius of the bounding sphere and the body's leash
 };
 
 struct SpherePair {
@@ -70,6 +76,43 @@ struct NearPair {
     int b;
     int image;
     int listed; // index of its SpherePair
+};
+
+/// Where the spheres of a body pair may soon touch: valid until the two odometers together show `expires`.
+struct BodyPair {
+    int a = 0;
+    int b = 0;
+    double expires = 0; // m, on the sum of the two odometers (World::travel)
+    int begin = 0;      // into Chunk::candidates
+    std::int16_t count = 0;
+    std::int16_t capacity = 0;
+    std::int16_t image = 0; // index into World::images: where b stands relative to its own place
+};
+
+/// A sphere of `a` and a sphere of `b` that may soon touch; indices into ShapeConstants::exposed.
+struct SphereCandidate {
+    std::int16_t a = 0;
+    std::int16_t b = 0;
+};
+
+/// Indices of a BodyPair and of a SphereCandidate of its own that touches.
+struct ClumpTouch {
+    int pair;
+    int candidate;
+};
+
+/// A shift of the periodic box, m; the fourth is 0.
+struct alignas(32) Shift {
+    double along[4];
+};
+
+/// What clumps need to be placed in the world.
+struct Placements {
+    const BodyMotion* motion;
+    const BodyTurn* turn;
+    const int* shape;
+    const ShapeConstants* shapes;
+    const Shift* images;
 };
 
 /// A touching pair of clump spheres; d is from b's sphere centre to a's. Rows of four, as the kernels load them.
@@ -97,11 +140,6 @@ struct alignas(32) WallContact {
     int body;
     int candidate;
     int touch;
-};
-
-/// A shift of the periodic box, m; the fourth is 0.
-struct alignas(32) Shift {
-    double along[4];
 };
 
 struct ContactSums {
@@ -189,14 +227,20 @@ struct TouchCounts {
 };
 
 struct Kernels {
-    /// Writes the index of each of `count` pairs whose gap is below `skin` to `found`, which has room for count + 1;
+    /// Writes each slot of begin .. end whose bounds meet a sphere to `found`, which has room for eight more than there
+    /// are slots; returns how many.
+    int (*near_bodies)(const Bounds* bounds, int begin, int end, const Bounds& sphere, int* found);
+    /// Writes the index of each of `count` pairs whose gap is below `skin` to `found`, which has room for count + 8;
     /// returns how many.
     int (*near_spheres)(const BodyMotion* motion, const SpherePair* pairs, int count, const Shift* images, double skin,
                         int* found);
     /// Brings touching[] of `count` pairs up to date. Writes the indices of those that touch to `contacts` and of those
-    /// that ceased to touch to `ended`, each with room for count + 1.
+    /// that ceased to touch to `ended`. touching[] and contacts[] have room for count + 8.
     TouchCounts (*touch_spheres)(const BodyMotion* motion, const NearPair* pairs, int count, const Shift* images,
                                  std::uint8_t* touching, int* contacts, int* ended);
+    /// The same for the candidates of `count` pairs of bodies; touching[] has room for eight more.
+    TouchCounts (*touch_clumps)(const Placements&, const BodyPair* pairs, int count, const SphereCandidate* candidates,
+                                std::uint8_t* touching, ClumpTouch* contacts, int* ended);
     /// `which` lists the `count` pairs that touch; memory is parallel to pairs.
     void (*push_spheres)(PushContext&, const NearPair* pairs, const int* which, int count, MemoryLanes* memory);
     void (*push_bodies)(PushContext&, const BodyContact* contacts, int count, MemoryLanes* memory);

@@ -43,7 +43,8 @@ void move_walls(World& world) {
 void list_neighbours(World& world) {
     world.last_rush = closest_rush(world);
     world.rush += world.last_rush;
-    if (world.step % steps_per_fit == 0 || world.stale)
+    world.flow.spare -= world.books.speed_max * world.dt;
+    if (world.step % steps_per_fit == 0 || world.flow.spare < 0 || world.stale)
         world.flow = fit_mean_flow(world);
     if (world.stale || worn(world))
         rebuild_body_list(world);

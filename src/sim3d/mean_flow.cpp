@@ -50,8 +50,9 @@ MeanFlow fit_mean_flow(const World& world) {
     flow.velocity /= world.bodies();
     if (world.bodies() >= fewest_for_gradient)
         flow.gradient = gradient_of(world, flow);
-    // Where a body may get to, sphere and all, before the next fit.
-    const double margin = 0.5 * world.reach + steps_per_fit * world.books.speed_max * world.dt;
+    // Where a body may get to, sphere and all, before the next fit; bodies at rest may begin to move.
+    flow.spare = 0.25 * world.reach + steps_per_fit * world.books.speed_max * world.dt;
+    const double margin = 0.5 * world.reach + flow.spare;
     flow.box = {lo.array() - margin, hi.array() + margin};
     return flow;
 }

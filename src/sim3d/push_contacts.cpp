@@ -52,7 +52,7 @@ void push_contacts(World& world, Chunk& chunk) {
         if (const auto& contacts = chunk.body_contacts[kind]; !contacts.empty()) {
             prepare_foreign(chunk, context, static_cast<int>(contacts.size()));
             world.kernels->push_bodies(context, contacts.data(), static_cast<int>(contacts.size()),
-                                       chunk.memory.data());
+                                       chunk.candidates.memory.data());
             post(world, chunk, context);
         }
         if (auto& contacts = chunk.wall_contacts[kind]; !contacts.empty()) {

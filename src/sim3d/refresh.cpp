@@ -14,13 +14,25 @@ using Eigen::Vector3d;
 using RowMajor = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
 
 // A range that outgrew its place moves to the end of the pool; the next rebuild starts the pool anew.
-void make_room(Chunk& chunk, BodyPair& pair, int count) {
+void make_room(ClumpCandidates& pool, BodyPair& pair, int count) {
     if (count <= pair.capacity)
         return;
     pair.capacity = static_cast<std::int16_t>(count + 2);
-    pair.begin = static_cast<int>(chunk.candidates.size());
-    chunk.candidates.resize(chunk.candidates.size() + static_cast<std::size_t>(pair.capacity));
-    chunk.memory.resize(chunk.candidates.size());
+    pair.begin = pool.size();
+    pool.resize(pool.size() + pair.capacity);
+}
+
+/// A touching candidate and its memory.
+struct Remembered {
+    SphereCandidate spheres;
+    MemoryLanes memory;
+};
+
+void take_touching(const ClumpCandidates& pool, const BodyPair& pair, std::vector<Remembered>& taken) {
+    taken.clear();
+    for (auto k = static_cast<std::size_t>(pair.begin); k < static_cast<std::size_t>(pair.begin + pair.count); ++k)
+        if (pool.touching[k] != 0)
+            taken.push_back({pool.spheres[k], pool.memory[k]});
 }
 
 } // namespace
@@ -43,24 +55,18 @@ void refresh(const World& world, Chunk& chunk, BodyPair& pair) {
     const int count = apart < scan.far_skin ? run_scan(world, scan, smallest_gap, found) : 0;
     pair.expires = travelled + (count > 0 ? world.sphere_skin : smallest_gap);
 
-    thread_local std::vector<SphereCandidate> old;
-    thread_local std::vector<MemoryLanes> old_memory;
-    old.assign(chunk.candidates.begin() + pair.begin, chunk.candidates.begin() + pair.begin + pair.count);
-    old_memory.assign(chunk.memory.begin() + pair.begin, chunk.memory.begin() + pair.begin + pair.count);
-    make_room(chunk, pair, count);
+    thread_local std::vector<Remembered> before;
+    take_touching(chunk.candidates, pair, before);
+    make_room(chunk.candidates, pair, count);
     pair.count = static_cast<std::int16_t>(count);
     for (int k = 0; k < count; ++k) {
-        SphereCandidate fresh;
-        fresh.a = static_cast<std::int16_t>(found[k] >> 16);
-        fresh.b = static_cast<std::int16_t>(found[k] & 0xffffU);
-        MemoryLanes memory{};
-        for (std::size_t o = 0; o < old.size(); ++o)
-            if (old[o].touching && old[o].a == fresh.a && old[o].b == fresh.b) {
-                fresh.touching = true;
-                memory = old_memory[o];
-            }
-        chunk.candidates[static_cast<std::size_t>(pair.begin + k)] = fresh;
-        chunk.memory[static_cast<std::size_t>(pair.begin + k)] = memory;
+        const SphereCandidate fresh{static_cast<std::int16_t>(found[k] >> 16),
+                                    static_cast<std::int16_t>(found[k] & 0xffffU)};
+        const auto old = std::find_if(before.begin(), before.end(), [&](const Remembered& remembered) {
+            return remembered.spheres.a == fresh.a && remembered.spheres.b == fresh.b;
+        });
+        const bool known = old != before.end();
+        chunk.candidates.set(pair.begin + k, fresh, known, known ? old->memory : MemoryLanes{});
     }
 }
 

@@ -17,14 +17,15 @@ void forget(Chunk& chunk, MemoryLanes& memory) {
     memory = {};
 }
 
-void make_room(std::vector<int>& list, std::size_t entries) {
+template <class Entry> void make_room(std::vector<Entry>& list, std::size_t entries) {
     if (list.size() < entries)
         list.resize(2 * entries);
 }
 
 void touch_spheres(const World& world, Chunk& chunk, NearSpheres& near) {
-    make_room(near.contacts, near.pairs.size() + 1);
-    make_room(chunk.found, near.pairs.size() + 1);
+    make_room(near.contacts, near.pairs.size() + 8);
+    make_room(near.touching, near.pairs.size() + 8);
+    make_room(chunk.found, near.pairs.size());
     const TouchCounts counts = world.kernels->touch_spheres(
         world.motion.data(), near.pairs.data(), static_cast<int>(near.pairs.size()), world.images.data(),
         near.touching.data(), near.contacts.data(), chunk.found.data());
@@ -33,43 +34,24 @@ void touch_spheres(const World& world, Chunk& chunk, NearSpheres& near) {
         forget(chunk, near.memory[static_cast<std::size_t>(chunk.found[static_cast<std::size_t>(k)])]);
 }
 
-/// Appends the pair's touching spheres to `contacts`; returns how many.
-int touch_pair(const World& world, Chunk& chunk, const BodyPair& pair, std::vector<BodyContact>& contacts) {
+BodyContact body_contact(const World& world, const BodyPair& pair, const SphereCandidate& spheres, int candidate) {
     const auto& image = world.images[static_cast<std::size_t>(pair.image)].along;
     const BodyMotion& a = world.motion[static_cast<std::size_t>(pair.a)];
     const BodyMotion& b = world.motion[static_cast<std::size_t>(pair.b)];
-    const ShapeConstants& shape_a = world.shape_at(pair.a);
-    const ShapeConstants& shape_b = world.shape_at(pair.b);
+    const Vector3d arm_a = sphere_arm(world, pair.a, spheres.a);
+    const Vector3d arm_b = sphere_arm(world, pair.b, spheres.b);
     const Vector3d between(a.position[0] - b.position[0] - image[0], a.position[1] - b.position[1] - image[1],
                            a.position[2] - b.position[2] - image[2]);
-    int touching = 0;
-    for (int k = pair.begin; k < pair.begin + pair.count; ++k) {
-        SphereCandidate& candidate = chunk.candidates[static_cast<std::size_t>(k)];
-        const Vector3d arm_a = sphere_arm(world, pair.a, candidate.a);
-        const Vector3d arm_b = sphere_arm(world, pair.b, candidate.b);
-        const Vector3d d = between + arm_a - arm_b;
-        const double radius_a = shape_a.exposed[4 * candidate.a + 3];
-        const double radius_b = shape_b.exposed[4 * candidate.b + 3];
-        const bool now = d.squaredNorm() < (radius_a + radius_b) * (radius_a + radius_b);
-        if (!now) {
-            if (candidate.touching)
-                forget(chunk, chunk.memory[static_cast<std::size_t>(k)]);
-            candidate.touching = false;
-            continue;
-        }
-        candidate.touching = true;
-        ++touching;
-        contacts.push_back({{d.x(), d.y(), d.z()},
-                            1,
-                            {arm_a.x(), arm_a.y(), arm_a.z()},
-                            radius_a,
-                            {arm_b.x(), arm_b.y(), arm_b.z()},
-                            radius_b,
-                            pair.a,
-                            pair.b,
-                            k});
-    }
-    return touching;
+    const Vector3d d = between + arm_a - arm_b;
+    return {{d.x(), d.y(), d.z()},
+            1,
+            {arm_a.x(), arm_a.y(), arm_a.z()},
+            world.shape_at(pair.a).exposed[4 * spheres.a + 3],
+            {arm_b.x(), arm_b.y(), arm_b.z()},
+            world.shape_at(pair.b).exposed[4 * spheres.b + 3],
+            pair.a,
+            pair.b,
+            candidate};
 }
 
 template <class Contact> void share_damping(std::vector<Contact>& contacts, int last) {
@@ -78,17 +60,34 @@ template <class Contact> void share_damping(std::vector<Contact>& contacts, int 
         contact->damping_share = share;
 }
 
-void touch_bodies(const World& world, Chunk& chunk) {
+TouchCounts find_clump_touches(const World& world, Chunk& chunk) {
+    ClumpCandidates& candidates = chunk.candidates;
+    chunk.touches.resize(candidates.spheres.size());
+    make_room(chunk.found, candidates.spheres.size());
+    return world.kernels->touch_clumps(
+        {world.motion.data(), world.turn.data(), world.shape.data(), world.shape_constants.data(), world.images.data()},
+        chunk.body_pairs.data(), static_cast<int>(chunk.body_pairs.size()), candidates.spheres.data(),
+        candidates.touching.data(), chunk.touches.data(), chunk.found.data());
+}
+
+void touch_clumps(const World& world, Chunk& chunk) {
     for (auto& list : chunk.body_contacts)
         list.clear();
-    for (const BodyPair& pair : chunk.body_pairs) {
-        if (pair.count == 0)
-            continue;
-        const int kind = world.kind_of(pair.a, world.shape_at(pair.b).material);
-        auto& contacts = chunk.body_contacts[static_cast<std::size_t>(kind)];
-        const int touching = touch_pair(world, chunk, pair, contacts);
-        if (touching > 1 && world.scene.contact.share_among_body_contacts)
-            share_damping(contacts, touching);
+    const TouchCounts counts = find_clump_touches(world, chunk);
+    for (int k = 0; k < counts.ended; ++k)
+        forget(chunk, chunk.candidates.memory[static_cast<std::size_t>(chunk.found[static_cast<std::size_t>(k)])]);
+    for (int first = 0, next = 0; first < counts.contacts; first = next) {
+        const int listed = chunk.touches[static_cast<std::size_t>(first)].pair;
+        const BodyPair& pair = chunk.body_pairs[static_cast<std::size_t>(listed)];
+        auto& contacts =
+            chunk.body_contacts[static_cast<std::size_t>(world.kind_of(pair.a, world.shape_at(pair.b).material))];
+        for (; next < counts.contacts && chunk.touches[static_cast<std::size_t>(next)].pair == listed; ++next) {
+            const int candidate = chunk.touches[static_cast<std::size_t>(next)].candidate;
+            contacts.push_back(
+                body_contact(world, pair, chunk.candidates.spheres[static_cast<std::size_t>(candidate)], candidate));
+        }
+        if (next - first > 1 && world.scene.contact.share_among_body_contacts)
+            share_damping(contacts, next - first);
     }
 }
 
@@ -213,7 +212,7 @@ void touch_candidates(World& world, Chunk& chunk) {
     chunk.dropped_history = 0;
     for (NearSpheres& near : chunk.near_spheres)
         touch_spheres(world, chunk, near);
-    touch_bodies(world, chunk);
+    touch_clumps(world, chunk);
     touch_walls(world, chunk);
 }
 

@@ -28,7 +28,7 @@ namespace tumble::sim3d {
 struct ShapeData {
     BodyShape shape;
     int material = 0;
-    std::vector<double> exposed; // x y z r of the spheres that can touch anything, principal frame
+    Lines<double> exposed; // x y z r of the spheres that can touch anything, principal frame
 };
 
 /// The smooth velocity field that neighbours share. Lists wear by what bodies do beside it, so a bed that shakes as one
@@ -38,30 +38,13 @@ struct MeanFlow {
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); // m/s, at the centre
     Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero(); // 1/s
     scene::Box box;                                     // m, where bodies are until the next fit
+    double spare = 0;                                   // m, how far they may go until they could leave it
 
     [[nodiscard]] Eigen::Vector3d at(const Eigen::Vector3d& point) const {
         return velocity + gradient * (point - centre);
     }
 };
 constexpr std::int64_t steps_per_fit = 64;
-
-/// Where the spheres of a body pair may soon touch: valid until the two odometers together show `expires`.
-struct BodyPair {
-    int a = 0;
-    int b = 0;
-    double expires = 0; // m, on the sum of the two odometers (World::travel)
-    int begin = 0;      // into Chunk::candidates
-    std::int16_t count = 0;
-    std::int16_t capacity = 0;
-    std::int16_t image = 0; // index into World::images: where b stands relative to its own place
-};
-
-/// A sphere of `a` and a sphere of `b` that may soon touch; indices into ShapeData::exposed.
-struct SphereCandidate {
-    std::int16_t a = 0;
-    std::int16_t b = 0;
-    bool touching = false;
-};
 
 /// A body near a wall, with the wall's primitives in reach.
 struct BodyWall {
@@ -113,20 +96,40 @@ using PhaseSeconds = std::array<double, phase_names.size()>;
 struct NearSpheres {
     std::vector<NearPair> pairs; // in the order of Chunk::sphere_pairs
     std::vector<MemoryLanes> memory;
-    std::vector<std::uint8_t> touching; // 1 or 0
+    std::vector<std::uint8_t> touching; // 1 or 0, of the pairs; longer than they are
     std::vector<int> contacts;          // the first contact_count entries: those of pairs that touch now
     int contact_count = 0;
 
     void clear() {
         pairs.clear();
         memory.clear();
-        touching.clear();
         contact_count = 0;
     }
     void add(const NearPair& pair, std::uint8_t touches, const MemoryLanes& remembered) {
+        if (touching.size() <= pairs.size())
+            touching.resize(2 * pairs.size() + 8);
+        touching[pairs.size()] = touches;
         pairs.push_back(pair);
         memory.push_back(remembered);
-        touching.push_back(touches);
+    }
+};
+
+/// Sphere pairs of clumps that may soon touch; each BodyPair has a range of them.
+struct ClumpCandidates {
+    std::vector<SphereCandidate> spheres;
+    std::vector<MemoryLanes> memory;
+    std::vector<std::uint8_t> touching = std::vector<std::uint8_t>(8); // 1 or 0; the kernels load eight from anywhere
+
+    [[nodiscard]] int size() const { return static_cast<int>(spheres.size()); }
+    void resize(int size) {
+        spheres.resize(static_cast<std::size_t>(size));
+        memory.resize(static_cast<std::size_t>(size));
+        touching.resize(static_cast<std::size_t>(size) + 8);
+    }
+    void set(int at, const SphereCandidate& candidate, bool touches, const MemoryLanes& remembered) {
+        spheres[static_cast<std::size_t>(at)] = candidate;
+        memory[static_cast<std::size_t>(at)] = remembered;
+        touching[static_cast<std::size_t>(at)] = touches ? 1 : 0;
     }
 };
 
@@ -149,8 +152,8 @@ struct Chunk {
     double near_until = 0;                 // m, on World::rush
 
     std::vector<BodyPair> body_pairs;
-    std::vector<SphereCandidate> candidates;
-    std::vector<MemoryLanes> memory; // parallel to candidates
+    ClumpCandidates candidates;
+    std::vector<ClumpTouch> touches; // room for the kernels
 
     std::vector<BodyWall> body_walls;
     std::vector<int> wall_primitives;
@@ -244,7 +247,7 @@ struct World {
     KeptMemory kept;            // room for rebuilds, as are the next two
     Cells cells;
     std::vector<std::array<int, 3>> wraps; // per slot, periods moved back at the rebuild
-    std::vector<Eigen::Vector3d> centres;  // m, of bounding spheres
+    Lines<Bounds> bounds;                  // per slot
     std::int64_t rebuilds = 0;
 
     Ledger ledger;

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <chrono>
 #include <doctest/doctest.h>
+#include <new>
 #include <thread>
 
 using namespace tumble;
@@ -43,6 +44,12 @@ run::FrameSinks slow(Seen& seen, std::int64_t breaks_at = -1) {
     return sinks;
 }
 
+class ThrowingSink final : public run::FrameSink {
+public:
+    Result<Done> take(const run::Shot&) override { throw std::bad_alloc(); }
+    Result<Done> finish() override { throw std::bad_alloc(); }
+};
+
 } // namespace
 
 TEST_CASE("every frame arrives once and in order, and no more than a few wait") {
@@ -76,4 +83,15 @@ TEST_CASE("after a problem frames are dropped, nothing blocks, and the problem c
     CHECK(problems[0].what == "the disk is full");
     CHECK(queue.taken() == 3);
     CHECK(seen.finished);
+}
+
+TEST_CASE("an exception in a sink, as when memory runs out, becomes a problem and ends nothing else") {
+    run::FrameSinks sinks;
+    sinks.push_back(std::make_unique<ThrowingSink>());
+    run::FrameQueue queue(std::move(sinks));
+    queue.push({});
+    const Problems problems = queue.close();
+    REQUIRE(problems.size() == 2);
+    CHECK(problems[0].what == "a frame could not be kept: std::bad_alloc");
+    CHECK(problems[1].what == problems[0].what);
 }

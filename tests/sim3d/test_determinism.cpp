@@ -174,3 +174,27 @@ TEST_CASE("two spheres that touch through both sides of a short period keep thei
     CHECK((often.angular_velocity - seldom.angular_velocity).norm() < 1e-6 * seldom.angular_velocity.norm());
     CHECK(std::abs(often_closure - seldom_closure) < 1e-6); // one spring taken for the other costs 4e-3
 }
+
+TEST_CASE("a body flies and turns by the same bits alone and among others of both kinds, eight of which move at once") {
+    const auto last_state = [](int clumps, int balls) {
+        Sandbox box({"media", 1666, 4.6e6, 0.2887}, {0.5, 0.5}, 1e-5);
+        box.scene.gravity = {0.3, -9.81, 0.1};
+        const int clump = box.body({{{0, 0, 0}, 4e-3}, {{3e-3, 0, 0}, 3e-3}, {{0, 4e-3, 1e-3}, 2e-3}});
+        const int ball = box.ball(2e-3);
+        std::vector<BodyState> bodies{placed(clump, {-1, 0, 0}, {1, 2, 3}, {40, -70, 110})};
+        for (int k = 1; k < clumps; ++k)
+            bodies.push_back(placed(clump, {-1 + 0.1 * k, 0, 0}, {0, 0, 0.1 * k}, {1.0 * k, 0, 5}));
+        for (int k = 0; k < balls; ++k)
+            bodies.push_back(placed(ball, {-1 + 0.1 * k, 1, 0}));
+        box.start(bodies);
+        box.run(200);
+        return box.body_now(0);
+    };
+    const BodyState alone = last_state(1, 0);
+    for (const auto& [clumps, balls] : {std::pair{8, 0}, {11, 0}, {3, 9}}) {
+        const BodyState crowded = last_state(clumps, balls);
+        CHECK(crowded.position == alone.position);
+        CHECK(crowded.orientation.coeffs() == alone.orientation.coeffs());
+        CHECK(crowded.angular_velocity == alone.angular_velocity);
+    }
+}

@@ -197,3 +197,28 @@ TEST_CASE("the books of a damped, sliding impact close, the better the shorter t
     CHECK(coarse < 2e-3);
     CHECK(fine < 0.4 * coarse);
 }
+
+TEST_CASE("without pulling forces a linear impact ends when the force does, as Schwager and Poeschel derive") {
+    const double r = 5e-3;
+    const double k = 1e5;
+    const double mass = ball_mass(r, 2500);
+    for (const double e : {0.7, 0.3}) {
+        CAPTURE(e);
+        const double omega0 = std::sqrt(k / mass);
+        Sandbox box({"glass", 2500, 1e9, 0.2}, {e, 0, k, k}, 0.001 / omega0);
+        box.scene.contact.normal = scene::NormalLaw::linear;
+        box.scene.contact.tangential = scene::TangentialLaw::linear;
+        box.scene.contact.limit_force = true;
+        box.wall(scene::PlaneShape{});
+        box.start({placed(box.ball(r), {0, r + 1e-9, 0}, {0, -1, 0})});
+        box.run(5000);
+        // Granular Matter 9 (2007) 465: x'' + 2 b x' + omega0^2 x = 0 until x'' = 0.
+        const double b = omega0 * -std::log(e) / std::hypot(std::log(e), std::numbers::pi);
+        const double omega = std::sqrt(omega0 * omega0 - b * b);
+        const double predicted =
+            std::exp(-b / omega * (std::numbers::pi - std::atan(2 * b * omega / (omega * omega - b * b))));
+        CHECK(predicted > 1.01 * e);
+        CHECK(box.body_now(0).velocity.y() == doctest::Approx(predicted).epsilon(2e-3));
+        CHECK(std::abs(books_of(*box.world).closure) < 1e-3 * 0.5 * mass);
+    }
+}

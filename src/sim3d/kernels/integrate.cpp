@@ -78,150 +78,193 @@ template <class Real> struct Flight {
     }
 };
 
-/// Eight neighbouring slots that all hold single spheres.
-struct SpherePack {
-    Columns place, velocity, spin, force, torque, orientation;
-    Pack inertia, travel;
+/// A row of four numbers, or eight rows as columns.
+template <class Real> struct Row { Real x, y, z, w; };
 
-    SpherePack(const IntegrateContext& context, int first) {
-        place = gather([&](int k) TUMBLE_INLINE_LAMBDA { return context.motion[first + k].position; });
-        velocity = gather([&](int k) TUMBLE_INLINE_LAMBDA { return context.motion[first + k].velocity; });
-        spin = gather([&](int k) TUMBLE_INLINE_LAMBDA { return context.motion[first + k].spin; });
-        force = gather([&](int k) TUMBLE_INLINE_LAMBDA { return context.load[first + k].force; });
-        torque = gather([&](int k) TUMBLE_INLINE_LAMBDA { return context.load[first + k].torque; });
-        orientation = gather([&](int k) TUMBLE_INLINE_LAMBDA { return context.orientation[first + k].q; });
+template <class Real> TUMBLE_INLINE Vec3<Real> xyz(const Row<Real>& row) {
+    return {row.x, row.y, row.z};
+}
+
+/// One body's slot. `row_of(slot)` points to four numbers of its.
+struct One {
+    using Real = double;
+    int slot;
+
+    template <class RowOf> TUMBLE_INLINE Row<double> load(RowOf&& row_of) const {
+        const double* row = row_of(slot);
+        return {row[0], row[1], row[2], row[3]};
+    }
+    template <class RowOf> TUMBLE_INLINE void store(RowOf&& row_of, const Vec3<double>& v, double w) const {
+        double* row = row_of(slot);
+        row[0] = v.x;
+        row[1] = v.y;
+        row[2] = v.z;
+        row[3] = w;
+    }
+    template <class Value> TUMBLE_INLINE double each(Value&& value) const { return value(slot); }
+    TUMBLE_INLINE double load_line(const double* values) const { return values[slot]; }
+    TUMBLE_INLINE void store_line(double* values, double value) const { values[slot] = value; }
+};
+
+/// Eight neighbouring slots, the same rows in packs.
+struct Eight {
+    using Real = Pack;
+    int first;
+
+    template <class RowOf> TUMBLE_INLINE Row<Pack> load(RowOf&& row_of) const {
+        const Columns c = gather([&](int k) TUMBLE_INLINE_LAMBDA { return row_of(first + k); });
+        return {c.x, c.y, c.z, c.w};
+    }
+    template <class RowOf> TUMBLE_INLINE void store(RowOf&& row_of, const Vec3<Pack>& v, Pack w) const {
+        for_rows({v.x, v.y, v.z, w}, [&](int k, Quad row) TUMBLE_INLINE_LAMBDA { quad_at(row_of(first + k)) = row; });
+    }
+    template <class Value> TUMBLE_INLINE Pack each(Value&& value) const {
+        Pack pack;
         for (int k = 0; k < lanes; ++k)
-            inertia.v[k] = context.shapes[context.shape[first + k]].inertia[0];
-        travel = Pack::load_anywhere(context.travel + first);
+            pack.v[k] = value(first + k);
+        return pack;
+    }
+    TUMBLE_INLINE Pack load_line(const double* values) const { return Pack::load_anywhere(values + first); }
+    TUMBLE_INLINE void store_line(double* values, Pack value) const { value.store_anywhere(values + first); }
+};
+
+/// Row-major rotation matrix.
+template <class Real> struct Rotation {
+    Real r[9];
+
+    TUMBLE_INLINE explicit Rotation(const Quaternion<Real>& q) {
+        const Real one(1.0);
+        const Real two(2.0);
+        r[0] = one - two * (q.y * q.y + q.z * q.z);
+        r[1] = two * (q.x * q.y - q.w * q.z);
+        r[2] = two * (q.x * q.z + q.w * q.y);
+        r[3] = two * (q.x * q.y + q.w * q.z);
+        r[4] = one - two * (q.x * q.x + q.z * q.z);
+        r[5] = two * (q.y * q.z - q.w * q.x);
+        r[6] = two * (q.x * q.z - q.w * q.y);
+        r[7] = two * (q.y * q.z + q.w * q.x);
+        r[8] = one - two * (q.x * q.x + q.y * q.y);
+    }
+    /// From the rows of a BodyTurn.
+    TUMBLE_INLINE Rotation(const Row<Real>& first, const Row<Real>& second, const Row<Real>& third)
+        : r{first.w, second.x, second.y, second.z, second.w, third.x, third.y, third.z, third.w} {}
+
+    /// R I^-1 R^T L: spin of a body with angular momentum L; `per_inertia` is the inverse of the principal inertia.
+    TUMBLE_INLINE Vec3<Real> spin_of(const Vec3<Real>& per_inertia, const Vec3<Real>& momentum) const {
+        const Real x = (r[0] * momentum.x + r[3] * momentum.y + r[6] * momentum.z) * per_inertia.x;
+        const Real y = (r[1] * momentum.x + r[4] * momentum.y + r[7] * momentum.z) * per_inertia.y;
+        const Real z = (r[2] * momentum.x + r[5] * momentum.y + r[8] * momentum.z) * per_inertia.z;
+        return {r[0] * x + r[1] * y + r[2] * z, r[3] * x + r[4] * y + r[5] * z, r[6] * x + r[7] * y + r[8] * z};
     }
 };
 
-TUMBLE_INLINE Vec3<Pack> xyz(const Columns& c) {
-    return {c.x, c.y, c.z};
-}
+/// How a body turns in one step.
+template <class Real> struct Turning {
+    Vec3<Real> spin; // rad/s, after the step's kick
+    Quaternion<Real> q;
+    Real energy; // J, at the step
+    Real spun;   // m/s, what the turning adds to the speed of the farthest sphere
+};
 
-TUMBLE_INLINE void move_spheres(const IntegrateContext& context, int first, Tally<Pack>& tally) {
-    const SpherePack in(context, first);
-    const Pack dt(context.dt);
-    Flight<Pack> flight(context, xyz(in.place), xyz(in.velocity), xyz(in.force), in.velocity.w, in.spin.w, in.travel,
-                        Pack(0.0));
-    const Vec3<Pack> kick = xyz(in.torque) * (dt / in.inertia);
-    const Vec3<Pack> spin = xyz(in.spin) + kick * in.spin.w;
-    const Vec3<Pack> now = spin - kick * Pack(0.5);
-    const Quaternion<Pack> q =
-        turned<Pack>({in.orientation.x, in.orientation.y, in.orientation.z, in.orientation.w}, spin, dt);
-    flight.tally.rotation = Pack(0.5) * in.inertia * dot(now, now);
-    flight.tally.spin_squared = dot(spin, spin);
+template <class Real> struct Torqued {
+    Quaternion<Real> q;
+    Vec3<Real> spin, torque; // rad/s before the step's kick, N m
+    Real share;              // of the kick that is due
+};
 
-    const auto put = [&](const Vec3<Pack>& v, Pack w, auto&& place) TUMBLE_INLINE_LAMBDA {
-        for_rows({v.x, v.y, v.z, w}, [&](int k, Quad row) TUMBLE_INLINE_LAMBDA { quad_at(place(first + k)) = row; });
-    };
-    put(flight.position, in.place.w, [&](int slot) TUMBLE_INLINE_LAMBDA { return context.motion[slot].position; });
-    put(flight.velocity, in.velocity.w, [&](int slot) TUMBLE_INLINE_LAMBDA { return context.motion[slot].velocity; });
-    put(spin, Pack(1.0), [&](int slot) TUMBLE_INLINE_LAMBDA { return context.motion[slot].spin; });
-    put({q.w, q.x, q.y}, q.z, [&](int slot) TUMBLE_INLINE_LAMBDA { return context.orientation[slot].q; });
-    flight.tally.travel.store_anywhere(context.travel + first);
-    tally.add(flight.tally);
-}
-
-using Vec = Vec3<double>;
-
-TUMBLE_INLINE Vec read(const double* from) {
-    return {from[0], from[1], from[2]};
-}
-
-TUMBLE_INLINE void write(double* to, const Vec& v) {
-    to[0] = v.x;
-    to[1] = v.y;
-    to[2] = v.z;
-}
-
-TUMBLE_INLINE void matrix_of(const Quaternion<double>& q, double* r) {
-    r[0] = 1 - 2 * (q.y * q.y + q.z * q.z);
-    r[1] = 2 * (q.x * q.y - q.w * q.z);
-    r[2] = 2 * (q.x * q.z + q.w * q.y);
-    r[3] = 2 * (q.x * q.y + q.w * q.z);
-    r[4] = 1 - 2 * (q.x * q.x + q.z * q.z);
-    r[5] = 2 * (q.y * q.z - q.w * q.x);
-    r[6] = 2 * (q.x * q.z - q.w * q.y);
-    r[7] = 2 * (q.y * q.z + q.w * q.x);
-    r[8] = 1 - 2 * (q.x * q.x + q.y * q.y);
-}
-
-/// R I^-1 R^T L: spin of a body with principal inertia I, rotation R and angular momentum L.
-TUMBLE_INLINE Vec spin_of(const double* r, const double* inertia, const Vec& momentum) {
-    const double x = (r[0] * momentum.x + r[3] * momentum.y + r[6] * momentum.z) / inertia[0];
-    const double y = (r[1] * momentum.x + r[4] * momentum.y + r[7] * momentum.z) / inertia[1];
-    const double z = (r[2] * momentum.x + r[5] * momentum.y + r[8] * momentum.z) / inertia[2];
-    return {r[0] * x + r[1] * y + r[2] * z, r[3] * x + r[4] * y + r[5] * z, r[6] * x + r[7] * y + r[8] * z};
-}
-
-TUMBLE_INLINE double turn_sphere(BodyMotion& motion, BodyOrientation& orientation, const Vec& torque, double inertia,
-                                 double dt) {
-    const Vec kick = torque * (dt / inertia);
-    const Vec next = read(motion.spin) + kick * motion.kick;
-    const Vec now = next - kick * 0.5;
-    write(motion.spin, next);
-    double* q = orientation.q;
-    const auto turned_q = turned<double>({q[0], q[1], q[2], q[3]}, next, dt);
-    q[0] = turned_q.w;
-    q[1] = turned_q.x;
-    q[2] = turned_q.y;
-    q[3] = turned_q.z;
-    return 0.5 * inertia * dot(now, now);
+template <class Slots, class Real = typename Slots::Real>
+TUMBLE_INLINE Turning<Real> turn_spheres(const IntegrateContext& context, Slots slots, const Torqued<Real>& body) {
+    const Real dt(context.dt);
+    const Real inertia =
+        slots.each([&](int slot) TUMBLE_INLINE_LAMBDA { return context.shapes[context.shape[slot]].inertia[0]; });
+    const Vec3<Real> kick = body.torque * (dt / inertia);
+    const Vec3<Real> spin = body.spin + kick * body.share;
+    const Vec3<Real> now = spin - kick * Real(0.5);
+    return {spin, turned<Real>(body.q, spin, dt), Real(0.5) * inertia * dot(now, now), Real(0.0)};
 }
 
 /// Angular momentum is kicked in the world frame, which keeps it to rounding; the orientation follows by the midpoint
-/// rule, with the spin that belongs to the momentum at the orientation of half a step later. Returns the energy of
-/// rotation at the step.
-TUMBLE_INLINE double turn_clump(BodyMotion& motion, BodyOrientation& orientation, BodyTurn& turn, const Vec& torque,
-                                const double* inertia, double dt) {
-    const Vec next = read(turn.momentum) + torque * (dt * motion.kick);
-    const Vec now = next - torque * (0.5 * dt);
-    write(turn.momentum, next);
-    const double energy = 0.5 * dot(now, spin_of(turn.rotation, inertia, now));
-    double* q = orientation.q;
-    const Quaternion<double> before{q[0], q[1], q[2], q[3]};
-    double rotation[9];
-    matrix_of(turned<double>(before, spin_of(turn.rotation, inertia, next), 0.5 * dt), rotation);
-    const Vec spin = spin_of(rotation, inertia, next);
-    const Quaternion<double> after = turned<double>(before, spin, dt);
-    matrix_of(after, turn.rotation);
-    q[0] = after.w;
-    q[1] = after.x;
-    q[2] = after.y;
-    q[3] = after.z;
-    write(motion.spin, spin);
-    return energy;
+/// rule, with the spin that belongs to the momentum at the orientation of half a step later.
+template <class Slots, class Real = typename Slots::Real>
+TUMBLE_INLINE Turning<Real> turn_clumps(const IntegrateContext& context, Slots slots, const Torqued<Real>& body) {
+    static_assert(sizeof(BodyTurn) == 12 * sizeof(double)); // momentum and rotation, as three rows
+    const auto row = [&](int which) TUMBLE_INLINE_LAMBDA {
+        return [&context, which](int slot)
+                   TUMBLE_INLINE_LAMBDA { return reinterpret_cast<double*>(&context.turn[slot]) + 4 * which; };
+    };
+    const auto per_inertia = [&](int axis) TUMBLE_INLINE_LAMBDA {
+        return Real(1.0) / slots.each([&](int slot) TUMBLE_INLINE_LAMBDA {
+            return context.shapes[context.shape[slot]].inertia[axis];
+        });
+    };
+    const Real dt(context.dt);
+    const Row<Real> first = slots.load(row(0));
+    const Rotation<Real> before(first, slots.load(row(1)), slots.load(row(2)));
+    const Vec3<Real> inverse{per_inertia(0), per_inertia(1), per_inertia(2)};
+    const Vec3<Real> momentum = xyz(first) + body.torque * (dt * body.share);
+    const Vec3<Real> now = momentum - body.torque * (Real(0.5) * dt);
+    const Real energy = Real(0.5) * dot(now, before.spin_of(inverse, now));
+    const Rotation<Real> midway(turned<Real>(body.q, before.spin_of(inverse, momentum), Real(0.5) * dt));
+    const Vec3<Real> spin = midway.spin_of(inverse, momentum);
+    const Quaternion<Real> q = turned<Real>(body.q, spin, dt);
+    const Rotation<Real> after(q);
+    slots.store(row(0), momentum, after.r[0]);
+    slots.store(row(1), {after.r[1], after.r[2], after.r[3]}, after.r[4]);
+    slots.store(row(2), {after.r[5], after.r[6], after.r[7]}, after.r[8]);
+    const Real reach =
+        slots.each([&](int slot) TUMBLE_INLINE_LAMBDA { return context.shapes[context.shape[slot]].reach; });
+    return {spin, q, energy, root(dot(spin, spin)) * reach};
 }
 
-TUMBLE_INLINE void move_body(const IntegrateContext& context, int slot, Tally<double>& tally) {
-    BodyMotion& motion = context.motion[slot];
-    const BodyLoad& load = context.load[slot];
-    const ShapeConstants& shape = context.shapes[context.shape[slot]];
-    const Vec torque = read(load.torque);
-    const double rotation =
-        shape.single
-            ? turn_sphere(motion, context.orientation[slot], torque, shape.inertia[0], context.dt)
-            : turn_clump(motion, context.orientation[slot], context.turn[slot], torque, shape.inertia, context.dt);
-    const Vec spin = read(motion.spin);
-    const double spin_squared = dot(spin, spin);
-    Flight<double> flight(context, read(motion.position), read(motion.velocity), read(load.force), motion.mass,
-                          motion.kick, context.travel[slot], shape.single ? 0.0 : root(spin_squared) * shape.reach);
-    flight.tally.rotation = rotation;
-    flight.tally.spin_squared = spin_squared;
-    write(motion.position, flight.position);
-    write(motion.velocity, flight.velocity);
-    motion.kick = 1;
-    context.travel[slot] = flight.tally.travel;
+/// Moves bodies that are all single spheres, or all clumps.
+template <bool single, class Slots, class Real = typename Slots::Real>
+TUMBLE_INLINE void move(const IntegrateContext& context, Slots slots, Tally<Real>& tally) {
+    const auto position = [&](int slot) TUMBLE_INLINE_LAMBDA { return context.motion[slot].position; };
+    const auto velocity = [&](int slot) TUMBLE_INLINE_LAMBDA { return context.motion[slot].velocity; };
+    const auto spin = [&](int slot) TUMBLE_INLINE_LAMBDA { return context.motion[slot].spin; };
+    const auto orientation = [&](int slot) TUMBLE_INLINE_LAMBDA { return context.orientation[slot].q; };
+    const Row<Real> at = slots.load(position);
+    const Row<Real> speed = slots.load(velocity);
+    const Row<Real> turning = slots.load(spin);
+    const Row<Real> q = slots.load(orientation);
+    const Row<Real> force = slots.load([&](int slot) TUMBLE_INLINE_LAMBDA { return context.load[slot].force; });
+    const Row<Real> torque = slots.load([&](int slot) TUMBLE_INLINE_LAMBDA { return context.load[slot].torque; });
+
+    const Torqued<Real> body{{q.x, q.y, q.z, q.w}, xyz(turning), xyz(torque), turning.w};
+    Turning<Real> turned;
+    if constexpr (single)
+        turned = turn_spheres(context, slots, body);
+    else
+        turned = turn_clumps(context, slots, body);
+    Flight<Real> flight(context, xyz(at), xyz(speed), xyz(force), speed.w, turning.w, slots.load_line(context.travel),
+                        turned.spun);
+    flight.tally.rotation = turned.energy;
+    flight.tally.spin_squared = dot(turned.spin, turned.spin);
+
+    slots.store(position, flight.position, at.w);
+    slots.store(velocity, flight.velocity, speed.w);
+    slots.store(spin, turned.spin, Real(1.0));
+    slots.store(orientation, {turned.q.w, turned.q.x, turned.q.y}, turned.q.z);
+    slots.store_line(context.travel, flight.tally.travel);
     tally.add(flight.tally);
 }
 
-TUMBLE_INLINE bool all_single(const IntegrateContext& context, int first) {
-    bool all = true;
+TUMBLE_INLINE bool is_single(const IntegrateContext& context, int slot) {
+    return context.shapes[context.shape[slot]].single;
+}
+
+TUMBLE_INLINE int singles_of_eight(const IntegrateContext& context, int first) {
+    int count = 0;
     for (int k = 0; k < lanes; ++k)
-        all = all && context.shapes[context.shape[first + k]].single;
-    return all;
+        count += is_single(context, first + k);
+    return count;
+}
+
+TUMBLE_INLINE void move_one(const IntegrateContext& context, int slot, Tally<double>& tally) {
+    if (is_single(context, slot))
+        move<true>(context, One{slot}, tally);
+    else
+        move<false>(context, One{slot}, tally);
 }
 
 } // namespace
@@ -231,14 +274,17 @@ IntegrateSums integrate(const IntegrateContext& context) {
     Tally<double> tally;
     int slot = context.begin;
     for (; slot + lanes <= context.end; slot += lanes) {
-        if (all_single(context, slot))
-            move_spheres(context, slot, eights);
+        const int singles = singles_of_eight(context, slot);
+        if (singles == lanes)
+            move<true>(context, Eight{slot}, eights);
+        else if (singles == 0)
+            move<false>(context, Eight{slot}, eights);
         else
             for (int k = 0; k < lanes; ++k)
-                move_body(context, slot + k, tally);
+                move_one(context, slot + k, tally);
     }
     for (; slot < context.end; ++slot)
-        move_body(context, slot, tally);
+        move_one(context, slot, tally);
     tally.add(in_one(eights));
     // A speed that is not a number shows in the sums, one that is absurd in the extremes.
     const bool finite = tally.translation + tally.rotation < 1e300 && tally.speed_squared + tally.spin_squared < 1e30;

@@ -3,8 +3,8 @@
 namespace tumble::sim3d::TUMBLE_ISA {
 
 const Kernels& kernels() {
-    static constexpr Kernels all{near_spheres, touch_spheres, push_spheres, push_bodies,
-                                 push_walls,   integrate,     scan_spheres};
+    static constexpr Kernels all{near_bodies, near_spheres, touch_spheres, touch_clumps, push_spheres,
+                                 push_bodies, push_walls,   integrate,     scan_spheres};
     return all;
 }
 

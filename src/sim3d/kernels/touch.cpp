@@ -1,52 +1,174 @@
+#include "base/vec3.h"
 #include "sim3d/kernels/isa.h"
 
 namespace tumble::sim3d::TUMBLE_ISA {
 
 namespace {
 
+constexpr int lanes = Pack::lanes;
 constexpr int ahead = 24; // which body comes next is known long before the processor could guess it
+constexpr int unshifted = 13;
 
+/// A bit for each of eight pairs whose gap is below `gap`; lanes from n on repeat the last pair.
 template <class Pair>
-TUMBLE_INLINE int closer_than(double gap, const BodyMotion* motion, const Pair& pair, const Shift* images) {
-    const BodyMotion& a = motion[pair.a];
-    const BodyMotion& b = motion[pair.b];
-    const double* shift = images[pair.image].along;
-    const double dx = a.position[0] - b.position[0] - shift[0];
-    const double dy = a.position[1] - b.position[1] - shift[1];
-    const double dz = a.position[2] - b.position[2] - shift[2];
-    const double reach = a.radius + b.radius + gap;
-    return dx * dx + dy * dy + dz * dz < reach * reach;
+TUMBLE_INLINE unsigned closer_than(double gap, const BodyMotion* motion, const Pair* pairs, int n,
+                                   const Shift* images) {
+    const auto pair = [&](int k) TUMBLE_INLINE_LAMBDA -> const Pair& { return pairs[k < n ? k : n - 1]; };
+    const Columns a = gather([&](int k) TUMBLE_INLINE_LAMBDA { return motion[pair(k).a].position; });
+    const Columns b = gather([&](int k) TUMBLE_INLINE_LAMBDA { return motion[pair(k).b].position; });
+    Vec3<Pack> d{a.x - b.x, a.y - b.y, a.z - b.z};
+    bool shifted = false;
+    for (int k = 0; k < lanes; ++k)
+        shifted |= pair(k).image != unshifted;
+    if (shifted) {
+        const Columns shift = gather([&](int k) TUMBLE_INLINE_LAMBDA { return images[pair(k).image].along; });
+        d = d - Vec3<Pack>{shift.x, shift.y, shift.z};
+    }
+    const Pack reach = a.w + b.w + Pack(gap);
+    return bits(dot(d, d) < reach * reach) & ((1U << n) - 1);
+}
+
+/// Appends first + lane for every set bit; room for eight more is needed. Which bits are set is hard to predict: all
+/// eight are written, and the count advances only where it is one.
+TUMBLE_INLINE void append(unsigned set, int first, int* to, int& count) {
+    for (int lane = 0; lane < lanes; ++lane) {
+        to[count] = first + lane;
+        count += static_cast<int>(set >> lane & 1);
+    }
+}
+
+/// Calls pack(first, n) for every eight of `count` pairs, with the second body of the pairs a while ahead fetched.
+template <class Pair, class PackOf>
+TUMBLE_INLINE void by_packs(const BodyMotion* motion, const Pair* pairs, int count, PackOf&& pack) {
+    for (int first = 0; first < count; first += lanes) {
+        for (int k = first + ahead; k < first + ahead + lanes && k < count; ++k)
+            __builtin_prefetch(&motion[pairs[k].b]);
+        pack(first, count - first < lanes ? count - first : lanes);
+    }
+}
+
+/// One bit per byte, each 0 or 1; the lowest n.
+TUMBLE_INLINE unsigned bits_of_bytes(const std::uint8_t* bytes, int n) {
+    std::uint64_t eight = 0;
+    __builtin_memcpy(&eight, bytes, sizeof eight);
+    return static_cast<unsigned>((eight * 0x0102040810204080U) >> 56) & ((1U << n) - 1);
+}
+
+/// The reverse: eight bytes, each 0 or 1.
+TUMBLE_INLINE void bytes_of_bits(unsigned bits, std::uint8_t* bytes) {
+    const std::uint64_t spread = (bits * 0x0101010101010101U) & 0x8040201008040201U;
+    const std::uint64_t eight = (spread + 0x7f7f7f7f7f7f7f7fU) >> 7 & 0x0101010101010101U;
+    __builtin_memcpy(bytes, &eight, sizeof eight);
 }
 
 } // namespace
 
-// Which pairs are found is hard to predict: both always write, and advance only when it counts.
+int near_bodies(const Bounds* bounds, int begin, int end, const Bounds& sphere, int* found) {
+    int count = 0;
+    for (int first = begin; first < end; first += lanes) {
+        const int n = end - first < lanes ? end - first : lanes;
+        const Columns other =
+            gather([&](int k) TUMBLE_INLINE_LAMBDA { return bounds[first + (k < n ? k : n - 1)].centre; });
+        const Vec3<Pack> d{other.x - Pack(sphere.centre[0]), other.y - Pack(sphere.centre[1]),
+                           other.z - Pack(sphere.centre[2])};
+        const Pack reach = other.w + Pack(sphere.reach);
+        append(bits(dot(d, d) < reach * reach) & ((1U << n) - 1), first, found, count);
+    }
+    return count;
+}
 
 int near_spheres(const BodyMotion* motion, const SpherePair* pairs, int count, const Shift* images, double skin,
                  int* found) {
     int n = 0;
-    for (int p = 0; p < count; ++p) {
-        __builtin_prefetch(&motion[pairs[p + ahead < count ? p + ahead : p].b]);
-        found[n] = p;
-        n += closer_than(skin, motion, pairs[p], images);
-    }
+    by_packs(motion, pairs, count, [&](int first, int of_these) TUMBLE_INLINE_LAMBDA {
+        append(closer_than(skin, motion, pairs + first, of_these, images), first, found, n);
+    });
     return n;
 }
 
 TouchCounts touch_spheres(const BodyMotion* motion, const NearPair* pairs, int count, const Shift* images,
                           std::uint8_t* touching, int* contacts, int* ended) {
-    TouchCounts n{0, 0};
-    for (int p = 0; p < count; ++p) {
-        __builtin_prefetch(&motion[pairs[p + ahead < count ? p + ahead : p].b]);
-        const int now = closer_than(0, motion, pairs[p], images);
-        const int was = touching[p];
-        contacts[n.contacts] = p;
-        n.contacts += now;
-        ended[n.ended] = p;
-        n.ended += was & ~now;
-        touching[p] = static_cast<std::uint8_t>(now);
+    TouchCounts counts{0, 0};
+    by_packs(motion, pairs, count, [&](int first, int n) TUMBLE_INLINE_LAMBDA {
+        const unsigned now = closer_than(0, motion, pairs + first, n, images);
+        const unsigned was = bits_of_bytes(touching + first, n);
+        append(now, first, contacts, counts.contacts);
+        for (unsigned parted = was & ~now; parted != 0; parted &= parted - 1)
+            ended[counts.ended++] = first + __builtin_ctz(parted);
+        bytes_of_bits(now, touching + first);
+    });
+    return counts;
+}
+
+namespace {
+
+/// b's spheres seen from a, in a's principal frame.
+struct SeenFrom {
+    double rotation[9]; // row-major
+    double offset[3];   // m, from b's centre of mass to a's
+    const double* spheres_a;
+    const double* spheres_b;
+
+    TUMBLE_INLINE SeenFrom(const Placements& at, const BodyPair& pair) {
+        const BodyMotion& a = at.motion[pair.a];
+        const BodyMotion& b = at.motion[pair.b];
+        const double* to_world_a = at.turn[pair.a].rotation;
+        const double* to_world_b = at.turn[pair.b].rotation;
+        const double* shift = at.images[pair.image].along;
+        double between[3];
+        for (int k = 0; k < 3; ++k)
+            between[k] = a.position[k] - b.position[k] - shift[k];
+        for (int i = 0; i < 3; ++i) {
+            offset[i] = to_world_a[i] * between[0] + to_world_a[3 + i] * between[1] + to_world_a[6 + i] * between[2];
+            for (int j = 0; j < 3; ++j)
+                rotation[3 * i + j] = to_world_a[i] * to_world_b[j] + to_world_a[3 + i] * to_world_b[3 + j] +
+                                      to_world_a[6 + i] * to_world_b[6 + j];
+        }
+        spheres_a = at.shapes[at.shape[pair.a]].exposed;
+        spheres_b = at.shapes[at.shape[pair.b]].exposed;
     }
-    return n;
+
+    /// A bit for each of eight candidates that touches; lanes from n on repeat the last of them.
+    TUMBLE_INLINE unsigned touching(const SphereCandidate* candidates, int n) const {
+        const auto lane = [&](int k) TUMBLE_INLINE_LAMBDA { return candidates[k < n ? k : n - 1]; };
+        const Columns a = gather([&](int k) TUMBLE_INLINE_LAMBDA { return spheres_a + 4 * lane(k).a; });
+        const Columns b = gather([&](int k) TUMBLE_INLINE_LAMBDA { return spheres_b + 4 * lane(k).b; });
+        const double* r = rotation;
+        const Pack dx = Pack(offset[0]) + a.x - (Pack(r[0]) * b.x + Pack(r[1]) * b.y + Pack(r[2]) * b.z);
+        const Pack dy = Pack(offset[1]) + a.y - (Pack(r[3]) * b.x + Pack(r[4]) * b.y + Pack(r[5]) * b.z);
+        const Pack dz = Pack(offset[2]) + a.z - (Pack(r[6]) * b.x + Pack(r[7]) * b.y + Pack(r[8]) * b.z);
+        const Pack reach = a.w + b.w;
+        return bits(dx * dx + dy * dy + dz * dz < reach * reach) & ((1U << n) - 1);
+    }
+};
+
+} // namespace
+
+TouchCounts touch_clumps(const Placements& at, const BodyPair* pairs, int count, const SphereCandidate* candidates,
+                         std::uint8_t* touching, ClumpTouch* contacts, int* ended) {
+    TouchCounts counts{0, 0};
+    for (int p = 0; p < count; ++p) {
+        const BodyPair& pair = pairs[p];
+        if (pair.count == 0)
+            continue;
+        const SeenFrom seen(at, pair);
+        const int end = pair.begin + pair.count;
+        for (int first = pair.begin; first < end; first += Pack::lanes) {
+            const int n = end - first < Pack::lanes ? end - first : Pack::lanes;
+            const unsigned now = seen.touching(candidates + first, n);
+            const unsigned was = bits_of_bytes(touching + first, n);
+            for (unsigned left = now; left != 0; left &= left - 1)
+                contacts[counts.contacts++] = {p, first + __builtin_ctz(left)};
+            for (unsigned changed = now ^ was; changed != 0; changed &= changed - 1) {
+                const int lane = __builtin_ctz(changed);
+                const unsigned touches = now >> lane & 1;
+                ended[counts.ended] = first + lane;
+                counts.ended += touches == 0;
+                touching[first + lane] = static_cast<std::uint8_t>(touches);
+            }
+        }
+    }
+    return counts;
 }
 
 namespace {

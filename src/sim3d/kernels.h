@@ -106,6 +106,9 @@ struct alignas(32) Shift {
     double along[4];
 };
 
+/// The Shift that shifts nothing: both bodies stand in the box itself.
+constexpr int no_image = 13;
+
 /// What clumps need to be placed in the world.
 struct Placements {
     const BodyMotion* motion;

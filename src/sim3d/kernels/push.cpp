@@ -171,12 +171,14 @@ template <class ThisLaw> struct Pusher {
             EightBodies a;
             EightBodies b;
             const Shift* image[lanes];
+            bool shifted = false;
             MemoryLanes* kept[lanes];
             fill_lanes(first, n, [&](int lane, int at) TUMBLE_INLINE_LAMBDA {
                 const NearPair& pair = pairs[which[at]];
                 a[lane] = &context.motion[pair.a];
                 b[lane] = &context.motion[pair.b];
                 image[lane] = &context.images[pair.image];
+                shifted |= pair.image != no_image;
                 kept[lane] = &memory[which[at]];
                 const int next = which[at + ahead < count ? at + ahead : at];
                 fetch_body(context, pairs[next].b);
@@ -184,10 +186,11 @@ template <class ThisLaw> struct Pusher {
             });
             const Columns at_a = gather([&](int k) TUMBLE_INLINE_LAMBDA { return a[k]->position; });
             const Columns at_b = gather([&](int k) TUMBLE_INLINE_LAMBDA { return b[k]->position; });
-            const Columns shift = gather([&](int k) TUMBLE_INLINE_LAMBDA { return image[k]->along; });
+            Vec3<Pack> d = xyz(at_a) - xyz(at_b);
+            if (shifted)
+                d = d - xyz(gather([&](int k) TUMBLE_INLINE_LAMBDA { return image[k]->along; }));
             const Vec3<Pack> none{Pack(0.0), Pack(0.0), Pack(0.0)};
-            const Contacts c =
-                between(xyz(at_a) - xyz(at_b) - xyz(shift), at_a.w, at_b.w, Bodies(a), Bodies(b), none, none);
+            const Contacts c = between(d, at_a.w, at_b.w, Bodies(a), Bodies(b), none, none);
             const auto result = push(context, c, gather([&](int k) TUMBLE_INLINE_LAMBDA { return kept[k]->spring; }));
             sums.add(c, result, live_lanes(n));
             const Pushed pushed(c, result);

@@ -7,7 +7,6 @@ namespace {
 
 constexpr int lanes = Pack::lanes;
 constexpr int ahead = 24; // which body comes next is known long before the processor could guess it
-constexpr int unshifted = 13;
 
 /// A bit for each of eight pairs whose gap is below `gap`; lanes from n on repeat the last pair.
 template <class Pair>
@@ -19,7 +18,7 @@ TUMBLE_INLINE unsigned closer_than(double gap, const BodyMotion* motion, const P
     Vec3<Pack> d{a.x - b.x, a.y - b.y, a.z - b.z};
     bool shifted = false;
     for (int k = 0; k < lanes; ++k)
-        shifted |= pair(k).image != unshifted;
+        shifted |= pair(k).image != no_image;
     if (shifted) {
         const Columns shift = gather([&](int k) TUMBLE_INLINE_LAMBDA { return images[pair(k).image].along; });
         d = d - Vec3<Pack>{shift.x, shift.y, shift.z};

@@ -2,6 +2,7 @@
 #include "base/text.h"
 #include "support/arguments.h"
 #include "support/media.h"
+#include "support/report.h"
 
 #include <fmt/core.h>
 #include <fstream>

@@ -1,4 +1,4 @@
-"""Steps per second, ours and the peer's, in turn on the same core: spheres (LAMMPS), trough (LIGGGHTS)."""
+"""Steps per second, ours and the peer's, in turn on the same core: spheres (LAMMPS), trough (LIGGGHTS); discs alone."""
 
 import json
 import tempfile
@@ -98,6 +98,24 @@ def spheres(repeats=3, steps=3000, core=0, other=1):
             machine.append(both)
     return result("spheres", "body-steps/s", one, "lammps gran/hertz/history", theirs, problems,
                   two_threads=gain([rate for rate, _ in two], [rate for rate, _ in one], machine))
+
+
+def our_discs(threads, steps, cores):
+    ran = programs.run([programs.ours("discs"), f"threads={threads}", f"steps={steps}"], cores)
+    blocks, summary = lines_of(ran)
+    return blocks[-1]["rate"], summary
+
+
+def discs(repeats=3, steps=10000, core=0, other=1):
+    """10,000 discs in dense flow down a slope, one thread and two; no peer here simulates discs."""
+    one, two, problems = [], [], []
+    for _ in range(repeats):
+        for keep, threads, cores in ((one, 1, [core]), (two, 2, [core, other])):
+            got = attempt(problems, our_discs, threads, steps, cores)
+            if got is not None:
+                keep.append(got)
+    return result("discs", "disc-steps/s", one, None, [], problems,
+                  two_threads=gain([rate for rate, _ in two], [rate for rate, _ in one], []))
 
 
 def our_trough(blocks, steps, vibrate_blocks, vibrate_steps, cores, threads=1):

@@ -27,9 +27,4 @@ scene::BodyTemplate read_template(const std::string& name, const std::string& fi
     return body;
 }
 
-void advance_or_refuse(sim3d::World& world, std::int64_t steps) {
-    if (const auto problem = sim3d::advance(world, steps))
-        refuse(to_string(*problem));
-}
-
 } // namespace tumble::bench

@@ -2,7 +2,6 @@
 
 #include "base/problem.h"
 #include "scene/scene.h"
-#include "sim3d/solver.h"
 #include "support/arguments.h"
 
 #include <string>
@@ -24,8 +23,5 @@ template <class T> T value_or_refuse(Result<T> result) {
 
 /// Spheres read from a file of "x y z r" lines, as a body of material 0.
 scene::BodyTemplate read_template(const std::string& name, const std::string& file);
-
-/// `advance` that ends the program when the state stops being sane.
-void advance_or_refuse(sim3d::World& world, std::int64_t steps);
 
 } // namespace tumble::bench

@@ -19,15 +19,24 @@ struct Books {
     double lost_normal_damping = 0;
     double lost_tangential_damping = 0;
     double lost_sliding = 0;
-    double lost_history = 0;       // spring energy that the law drops when it projects, restiffens or forgets a history
-    double wall_work = 0;          // done by walls on bodies
-    double inserted = 0;           // energy that came with inserted bodies
-    double closure = 0;            // left side minus right side
-    double overlap_max = 0;        // m, the deepest contact now
-    double overlap_ratio_max = 0;  // -, deepest now, over the smaller radius
-    double overlap_ratio_peak = 0; // -, the largest overlap_ratio_max of any step so far
-    double speed_max = 0;          // m/s
-    double angular_speed_max = 0;  // rad/s
+    double lost_history = 0; // spring energy that the law drops when it projects, restiffens or forgets a history
+    double lost_global_damping = 0; // by mass-proportional damping of bodies
+    double wall_work = 0;           // done by walls on bodies
+    double inserted = 0;            // energy that came with inserted bodies
+    double closure = 0;             // left side minus right side
+    double overlap_max = 0;         // m, the deepest contact now
+    double overlap_ratio_max = 0;   // -, deepest now, over the smaller radius
+    double overlap_ratio_peak = 0;  // -, the largest overlap_ratio_max of any step so far
+    double speed_max = 0;           // m/s
+    double angular_speed_max = 0;   // rad/s
 };
+
+/// What the balance misses, J: everything there and lost, less everything put in.
+inline double closure_of(const Books& b) {
+    const double held = b.kinetic_translation + b.kinetic_rotation + b.gravity + b.stored_normal + b.stored_tangential;
+    const double lost =
+        b.lost_normal_damping + b.lost_tangential_damping + b.lost_sliding + b.lost_history + b.lost_global_damping;
+    return held + lost - b.inserted - b.wall_work;
+}
 
 } // namespace tumble

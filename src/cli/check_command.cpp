@@ -19,25 +19,29 @@ struct CheckArguments {
 };
 
 std::string bodies_text(const run::SceneCheck& check) {
-    std::vector<std::vector<std::string>> rows{{"body", "wanted", "spheres", "mass", "volume", "material"}};
+    std::vector<std::vector<std::string>> rows{
+        {"body", "wanted", check.dimension == 2 ? "discs" : "spheres", "mass", "volume", "material"}};
     for (const run::BodyCheck& body : check.bodies)
-        rows.push_back({body.name, std::to_string(body.wanted), std::to_string(body.spheres),
+        rows.push_back({body.name, std::to_string(body.wanted), std::to_string(body.parts),
                         format_si(body.mass * 1e3, "g", 4), fmt::format("{:.4g} mm3", body.volume * 1e9),
                         body.material});
     return table(rows);
 }
 
-std::string step_text(const sim3d::TimeStepReport& report) {
+std::string step_text(const scene::TimeStepReport& report) {
     const auto share = [&](double scale) {
         return scale > 0 ? fmt::format("{:.1f} %", 100 * report.step / scale) : "-";
     };
     std::vector<std::vector<std::string>> rows{
         {"time step", format_si(report.step, "s", 4), "", ""},
         {"stable limit", format_si(report.limit, "s", 4), share(report.limit), ""},
-        {"Rayleigh time", format_si(report.rayleigh, "s", 4), share(report.rayleigh), report.rayleigh_of},
-        {"Hertz contact", format_si(report.hertz, "s", 4), share(report.hertz),
-         fmt::format("{} at {:.3g} m/s", report.hertz_of, report.hertz_speed)},
         {"body on contact", format_si(report.body_period, "s", 4), share(report.body_period), report.body_of}};
+    if (report.rayleigh > 0)
+        rows.push_back(
+            {"Rayleigh time", format_si(report.rayleigh, "s", 4), share(report.rayleigh), report.rayleigh_of});
+    if (report.hertz > 0)
+        rows.push_back({"Hertz contact", format_si(report.hertz, "s", 4), share(report.hertz),
+                        fmt::format("{} at {:.3g} m/s", report.hertz_of, report.hertz_speed)});
     if (report.linear_period > 0)
         rows.push_back({"linear contact", format_si(report.linear_period, "s", 4), share(report.linear_period), ""});
     return table(rows);

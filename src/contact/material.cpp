@@ -21,6 +21,13 @@ PairConstants derive(const Material& a, const Material& b, const PairProperties&
     constants.hertz_damping = 2 * std::sqrt(5.0 / 6.0) * constants.damping * std::sqrt(2 * constants.E_eff);
     constants.mindlin_damping = 2 * std::sqrt(5.0 / 6.0) * constants.damping * std::sqrt(8 * constants.G_eff);
     constants.friction = pair.friction;
+    if (pair.contact_time > 0)
+        constants.stiffness_per_mass =
+            (std::numbers::pi * std::numbers::pi + (pair.restitution > 0 ? ln_e * ln_e : 0.0)) /
+            (pair.contact_time * pair.contact_time);
+    constants.stiffness_ratio = pair.stiffness_ratio;
+    constants.damping_time = pair.damping_time;
+    constants.cohesion = pair.cohesion;
     constants.normal_stiffness = pair.normal_stiffness;
     constants.tangential_stiffness = pair.tangential_stiffness;
     return constants;

@@ -18,6 +18,11 @@ struct PairProperties {
     double friction = 0;             // -, Coulomb
     double normal_stiffness = 0;     // N/m, linear spring-dashpot
     double tangential_stiffness = 0; // N/m, linear spring-dashpot
+    // Of discs only.
+    double contact_time = 0;    // s, in place of normal_stiffness
+    double stiffness_ratio = 0; // -, k_s / k_n, in place of tangential_stiffness
+    double damping_time = 0;    // s, dashpot over spring, in place of restitution
+    double cohesion = 0;        // N
 };
 
 /// Effective constants of a pair, derived once and used in every contact of that pair.
@@ -30,9 +35,15 @@ struct PairConstants {
     double friction = 0;             // -
     double normal_stiffness = 0;     // N/m
     double tangential_stiffness = 0; // N/m
+    double stiffness_per_mass = 0;   // 1/s2, k_n over m* where the contact time is given
+    double stiffness_ratio = 0;      // -, k_s over k_n
+    double damping_time = 0;         // s, dashpot over spring
+    double cohesion = 0;             // N
 };
 
-/// Johnson 1985 (E*), Mindlin 1949 (G*), Tsuji et al. 1992 (beta). Restitution 0 gives damping 1.
+/// Johnson 1985 (E*), Mindlin 1949 (G*), Tsuji et al. 1992 (beta). Restitution 0 gives damping 1. A contact that lasts
+/// t_c with restitution e has k = m* (pi^2 + ln^2 e) / t_c^2, the half period of the damped oscillator; at e = 0, which
+/// never parts, the undamped half period counts.
 PairConstants derive(const Material& a, const Material& b, const PairProperties& pair);
 
 } // namespace tumble::contact

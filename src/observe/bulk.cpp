@@ -28,15 +28,19 @@ BulkMotion empty_bulk() {
 }
 
 double circulation_about(const Frame& frame, const Eigen::Vector3d& centre, const Eigen::Vector3d& velocity) {
-    if (frame.layout->periodic[2] || frame.layout->periodic[1])
+    // From the first of these axes to the second: y to z, and in two dimensions x to y.
+    const bool flat = frame.layout->dimension == 2;
+    const int one = flat ? 0 : 1, other = flat ? 1 : 2;
+    if (frame.layout->periodic[static_cast<std::size_t>(one)] ||
+        frame.layout->periodic[static_cast<std::size_t>(other)])
         return nan;
     double momentum = 0;
     double inertia = 0;
     for (std::size_t i = 0; i < frame.bodies(); ++i) {
         const Eigen::Vector3d arm = frame.position[i] - centre;
         const Eigen::Vector3d flow = frame.velocity[i] - velocity;
-        momentum += mass_of(frame, i) * (arm.y() * flow.z() - arm.z() * flow.y());
-        inertia += mass_of(frame, i) * (arm.y() * arm.y() + arm.z() * arm.z());
+        momentum += mass_of(frame, i) * (arm[one] * flow[other] - arm[other] * flow[one]);
+        inertia += mass_of(frame, i) * (arm[one] * arm[one] + arm[other] * arm[other]);
     }
     return inertia > 0 ? momentum / inertia : nan;
 }

@@ -21,7 +21,8 @@ struct BulkMotion {
 
 /// Circulation is the rigid-body part of the flow in the y-z plane: angular momentum of the body centres about the
 /// bulk's centre, x component, over their moment of inertia about the same axis. Positive turns y towards z. Spin of
-/// the bodies themselves is left out. NaN where z is periodic (the plane then has no centre) or all bodies lie on the
+/// the bodies themselves is left out. In two dimensions it is the x-y plane, positive from x towards y, as angles are.
+/// NaN where z is periodic (the plane then has no centre) or all bodies lie on the
 /// axis.
 BulkMotion bulk_motion(const Frame& frame);
 

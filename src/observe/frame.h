@@ -13,7 +13,7 @@
 
 namespace tumble::observe {
 
-/// Spheres of a body template, relative to the body's centre of mass, in its principal frame. Metres.
+/// Spheres or discs of a body template, relative to the body's centre of mass, in its principal frame. Metres.
 struct FrameShape {
     std::string name;
     double mass = 0;                                   // kg
@@ -22,17 +22,20 @@ struct FrameShape {
     std::vector<double> radii;
 };
 
-/// Triangles of a wall in its own frame, metres; a frame's WallPlace puts them into the world.
+/// Triangles of a wall in its own frame, or lines in two dimensions, metres; a frame's WallPlace puts them into the
+/// world.
 struct FrameWall {
     std::string name;
     double opacity = 0.25;
     std::vector<Eigen::Vector3d> vertices;
     std::vector<std::array<int, 3>> triangles;
+    std::vector<std::array<int, 2>> lines{};
 };
 
 /// What does not change between the frames of a run.
 struct FrameLayout {
     std::string title;
+    int dimension = 3; // 2: discs, which lie in the plane z = 0 and turn about z
     std::vector<FrameShape> shapes;
     std::vector<FrameWall> walls;
     Eigen::Vector3d domain_lo = Eigen::Vector3d::Zero(); // m

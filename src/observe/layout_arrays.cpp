@@ -1,6 +1,7 @@
 #include "observe/array_rows.h"
 #include "observe/frame_arrays.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <optional>
 #include <type_traits>
@@ -82,17 +83,22 @@ void read_walls(Taker& taker, const nlohmann::json& head, FrameLayout& layout) {
     const Array& triangles = taker.take("wall_triangles", 1, true);
     const Array& vertex = taker.take("vertex_m", 3, false);
     const Array& triangle = taker.take("triangle", 3, true);
+    const Array& lines = taker.take("wall_lines", 1, true);
+    const Array& line = taker.take("line", 2, true);
     taker.same_rows(opacity, vertices);
     taker.same_rows(opacity, triangles);
+    taker.same_rows(opacity, lines);
     taker.sums_to(vertices, vertex);
     taker.sums_to(triangles, triangle);
+    taker.sums_to(lines, line);
     if (!taker.problems.empty())
         return;
     const std::vector<std::string> names = head_names(head, "wall_names", opacity.rows());
     std::size_t corner = 0;
     std::size_t face = 0;
+    std::size_t edge = 0;
     for (std::size_t i = 0; i < opacity.rows(); ++i) {
-        FrameWall wall{.name = names[i], .opacity = opacity.reals[i], .vertices = {}, .triangles = {}};
+        FrameWall wall{.name = names[i], .opacity = opacity.reals[i], .vertices = {}, .triangles = {}, .lines = {}};
         for (std::int64_t k = 0; k < vertices.integers[i]; ++k, ++corner)
             wall.vertices.push_back(vector_at(vertex, corner));
         for (std::int64_t k = 0; k < triangles.integers[i]; ++k, ++face) {
@@ -107,6 +113,14 @@ void read_walls(Taker& taker, const nlohmann::json& head, FrameLayout& layout) {
             }
             wall.triangles.push_back(corners);
         }
+        for (std::int64_t k = 0; k < lines.integers[i]; ++k, ++edge) {
+            const std::int64_t from = line.integers[2 * edge], to = line.integers[2 * edge + 1];
+            if (std::min(from, to) < 0 || std::max(from, to) >= vertices.integers[i]) {
+                taker.say(fmt::format("line {} of wall '{}' names a point that is not there", k, names[i]));
+                return;
+            }
+            wall.lines.push_back({static_cast<int>(from), static_cast<int>(to)});
+        }
         layout.walls.push_back(std::move(wall));
     }
 }
@@ -120,7 +134,9 @@ ArrayFile to_arrays(const FrameLayout& layout) {
     Array opacity = reals("wall_opacity", 1), vertices = whole("wall_vertices", 1),
           triangles = whole("wall_triangles", 1);
     Array vertex = reals("vertex_m", 3), triangle = whole("triangle", 3);
+    Array lines = whole("wall_lines", 1), line = whole("line", 2);
     nlohmann::json head{{"title", layout.title},
+                        {"dimension", layout.dimension},
                         {"domain_lo_m", three(layout.domain_lo)},
                         {"domain_hi_m", three(layout.domain_hi)},
                         {"periodic", layout.periodic},
@@ -144,10 +160,14 @@ ArrayFile to_arrays(const FrameLayout& layout) {
             push(vertex, one);
         for (const std::array<int, 3>& corners : wall.triangles)
             triangle.integers.insert(triangle.integers.end(), corners.begin(), corners.end());
+        lines.integers.push_back(static_cast<std::int64_t>(wall.lines.size()));
+        for (const std::array<int, 2>& ends : wall.lines)
+            line.integers.insert(line.integers.end(), ends.begin(), ends.end());
     }
     return {.kind = "layout",
             .head = std::move(head),
-            .arrays = {mass, inertia, spheres, centre, radius, opacity, vertices, triangles, vertex, triangle}};
+            .arrays = {mass, inertia, spheres, centre, radius, opacity, vertices, triangles, vertex, triangle, lines,
+                       line}};
 }
 
 Result<FrameLayout> layout_from(const ArrayFile& content) {
@@ -155,6 +175,8 @@ Result<FrameLayout> layout_from(const ArrayFile& content) {
     FrameLayout layout;
     if (content.head.contains("title") && content.head["title"].is_string())
         layout.title = content.head["title"];
+    if (content.head.contains("dimension") && content.head["dimension"] == 2)
+        layout.dimension = 2;
     read_domain(content.head, layout, taker.problems);
     read_shapes(taker, content.head, layout);
     read_walls(taker, content.head, layout);

@@ -32,7 +32,9 @@ std::vector<Measure> shape_of_the_bulk() {
         {"bulk_height", "", "m", "Median height of the free surface above the lowest point of the bulk.",
          [](const Seen& s) { return bulk_height(s.surface); }},
         {"surface_slope", "", "deg",
-         "Angle of the free surface to the horizontal in the y-z plane, positive where it rises with z.",
+         "Angle of the free surface to the horizontal in the y-z plane, positive where it rises with z; in two "
+         "dimensions "
+         "x stands for z.",
          [](const Seen& s) { return surface_slope(s.surface); }},
         {"surface_slope_left", "surface_slopes", "deg", "Slope of the half of the free surface with the smaller z.",
          [](const Seen& s) { return surface_slope_left(s.surface); }},
@@ -44,7 +46,8 @@ std::vector<Measure> shape_of_the_bulk() {
 std::vector<Measure> motion_of_the_bulk() {
     return {
         {"circulation", "", "rad_s",
-         "Rate at which the bulk turns about its centre in the y-z plane, positive from y towards z.",
+         "Rate at which the bulk turns about its centre in the y-z plane, positive from y towards z; in two dimensions "
+         "positive from x towards y.",
          [](const Seen& s) { return s.bulk.circulation; }},
         {"mean_speed", "", "m_s", "Mass-weighted mean speed of the bodies' centres.",
          [](const Seen& s) { return s.bulk.mean_speed; }},
@@ -95,6 +98,9 @@ std::vector<Measure> books_of_the_solver() {
          [](const Seen& s) { return s.books.lost_sliding; }},
         {"lost_history", "energies", "J", "Spring energy that the law dropped so far with its contact histories.",
          [](const Seen& s) { return s.books.lost_history; }},
+        {"lost_global_damping", "energies", "J",
+         "Energy lost so far to the mass-proportional damping of bodies (two dimensions).",
+         [](const Seen& s) { return s.books.lost_global_damping; }},
         {"wall_work", "energies", "J", "Work done so far by walls on bodies.",
          [](const Seen& s) { return s.books.wall_work; }},
         {"inserted_energy", "energies", "J", "Energy that came so far with inserted bodies.",

@@ -87,6 +87,7 @@ std::string spheres_vtp(const Frame& frame) {
 std::string walls_vtp(const Frame& frame) {
     std::vector<float> positions, velocity;
     std::vector<std::int64_t> connectivity, offsets, wall;
+    std::vector<std::int64_t> line_connectivity, line_offsets, line_wall;
     std::int64_t base = 0;
     for (std::size_t w = 0; w < frame.walls.size(); ++w) {
         const FrameWall& surface = frame.layout->walls[w];
@@ -102,14 +103,25 @@ std::string walls_vtp(const Frame& frame) {
             offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
             wall.push_back(static_cast<std::int64_t>(w));
         }
+        for (const std::array<int, 2>& ends : surface.lines) {
+            line_connectivity.insert(line_connectivity.end(), {base + ends[0], base + ends[1]});
+            line_offsets.push_back(static_cast<std::int64_t>(line_connectivity.size()));
+            line_wall.push_back(static_cast<std::int64_t>(w));
+        }
         base += static_cast<std::int64_t>(surface.vertices.size());
     }
+    // Cells are numbered lines first, as VTK has it.
+    wall.insert(wall.begin(), line_wall.begin(), line_wall.end());
+    const std::string lines =
+        line_offsets.empty() ? ""
+                             : fmt::format("<Lines>\n{}{}</Lines>\n", data_array("connectivity", line_connectivity, 1),
+                                           data_array("offsets", line_offsets, 1));
     return poly_data_file(
-        fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" "
-                    "NumberOfPolys=\"{}\">\n"
-                    "<PointData>\n{}</PointData>\n<CellData>\n{}</CellData>\n{}<Polys>\n{}{}</Polys>\n</Piece>\n",
-                    positions.size() / 3, offsets.size(), data_array("velocity_m_s", velocity, 3),
-                    data_array("wall", wall, 1), points(positions), data_array("connectivity", connectivity, 1),
+        fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" "
+                    "NumberOfPolys=\"{}\">\n<PointData>\n{}</PointData>\n<CellData>\n{}</CellData>\n{}{}"
+                    "<Polys>\n{}{}</Polys>\n</Piece>\n",
+                    positions.size() / 3, line_offsets.size(), offsets.size(), data_array("velocity_m_s", velocity, 3),
+                    data_array("wall", wall, 1), points(positions), lines, data_array("connectivity", connectivity, 1),
                     data_array("offsets", offsets, 1)),
         frame.time);
 }

@@ -38,6 +38,11 @@ double strip_width(const Frame& frame) {
     return mass > 0 ? 2 * weighted / mass : 0;
 }
 
+/// The axis across: z, and in two dimensions x.
+Eigen::Index across(const Frame& frame) {
+    return frame.layout->dimension == 2 ? 0 : 2;
+}
+
 /// (z, y) of the tops of all spheres, and the lowest point below them.
 std::vector<Eigen::Vector2d> sphere_tops(const Frame& frame, double& lowest) {
     std::vector<Eigen::Vector2d> tops;
@@ -47,7 +52,7 @@ std::vector<Eigen::Vector2d> sphere_tops(const Frame& frame, double& lowest) {
         const Eigen::Matrix3d turn = frame.orientation[i].toRotationMatrix();
         for (std::size_t k = 0; k < shape.radii.size(); ++k) {
             const double y = frame.position[i].y() + turn.row(1).dot(shape.centres[k]);
-            const double z = frame.position[i].z() + turn.row(2).dot(shape.centres[k]);
+            const double z = frame.position[i][across(frame)] + turn.row(across(frame)).dot(shape.centres[k]);
             tops.emplace_back(z, y + shape.radii[k]);
             lowest = std::min(lowest, y - shape.radii[k]);
         }
@@ -75,7 +80,7 @@ std::vector<Eigen::Vector2d> half_of(const Surface& surface, bool left) {
 Surface free_surface(const Frame& frame) {
     Surface surface;
     const double width = strip_width(frame);
-    if (width <= 0 || frame.layout->periodic[1] || frame.layout->periodic[2])
+    if (width <= 0 || frame.layout->periodic[1] || frame.layout->periodic[static_cast<std::size_t>(across(frame))])
         return surface;
     const std::vector<Eigen::Vector2d> tops = sphere_tops(frame, surface.lowest);
     const auto by_z = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() < b.x(); };

@@ -8,7 +8,7 @@
 
 namespace tumble::observe {
 
-/// The free surface seen along x: the highest point of the bulk in each strip of z.
+/// The free surface seen along x: the highest point of the bulk in each strip of z. In two dimensions x stands for z.
 struct Surface {
     std::vector<Eigen::Vector2d> points; // m, (z, y) of the highest point itself, z increasing; empty strips are absent
     double lowest = 0;                   // m, y of the lowest point of any body

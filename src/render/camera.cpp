@@ -62,7 +62,8 @@ void Camera::enclose(const Eigen::AlignedBox3d& everything) {
         low = std::min(low, distance);
         high = std::max(high, distance);
     }
-    const double slack = 1e-3 * (high - low) + 1e-9;
+    // Flat scenes need some depth too, or single precision runs out of digits.
+    const double slack = std::max(1e-3 * (high - low), 1e-4 * std::abs(high)) + 1e-9;
     nearest = low - slack;
     farthest = high + slack;
     if (perspective) {

@@ -3,6 +3,7 @@
 #include "render/color_range.h"
 #include "render/crevice_shade.h"
 #include "render/depth_pyramid.h"
+#include "render/disc_drawer.h"
 #include "render/gl_context.h"
 #include "render/overlay.h"
 #include "render/quantity.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -26,11 +28,15 @@ constexpr std::size_t worth_culling = 2000;
 constexpr int culling_rounds = 5;
 constexpr double crevice_radius = 0.75; // of a body's
 constexpr double crevice_strength = 0.8;
+// Outlines of discs, pixels at a picture's usual size; on small discs no more than this share of the smallest radius.
+constexpr double disc_line = 1.2;
+constexpr double disc_line_share = 0.25;
 
 /// Everything that holds a name in the GL context, to be dropped as one while the context is current.
 struct Drawers {
     Canvas canvas;
     SphereDrawer spheres;
+    DiscDrawer discs;
     WallDrawer walls;
     CreviceShade crevices;
     std::optional<Overlay> overlay; // its letters depend on the arrangement
@@ -46,7 +52,8 @@ struct Painter::Inside {
     ColorMap map;
     ColorRange range;
     std::vector<std::vector<int>> showing;
-    std::vector<double> reach; // per shape, m: radius about the centre of mass that holds it
+    std::vector<double> reach;  // per shape, m: radius about the centre of mass that holds it
+    std::vector<double> spokes; // per shape, m, in two dimensions
     std::optional<Drawers> drawers;
 
     AlignedBox3d fitted;
@@ -71,8 +78,11 @@ struct Painter::Inside {
 
     void arrange();
     void enclose(const observe::Frame& frame);
-    std::vector<SphereMark> marks_of(const observe::Frame& frame, Legend& legend);
+    std::vector<std::uint32_t> colors_of(const observe::Frame& frame, Legend& legend);
+    void draw_bodies(const observe::Frame& frame, const std::vector<std::uint32_t>& colors);
     void draw_spheres(std::vector<SphereMark> marks);
+    void draw_discs(const observe::Frame& frame, const std::vector<std::uint32_t>& colors);
+    void shade_crevices();
     void resolve(GLbitfield what);
     void write(const observe::Frame& frame, const PlotLine& plot, const Legend& legend);
     [[nodiscard]] Picture read() const;
@@ -92,9 +102,10 @@ static std::optional<Drawers> open_drawers(const scene::Render& settings, const 
         return std::nullopt;
     }
     auto spheres = SphereDrawer::open();
+    auto discs = DiscDrawer::open();
     auto walls = WallDrawer::open(layout, theme, *canvas);
     auto crevices = CreviceShade::open(*canvas);
-    for (const Problems& found : {spheres.problems(), walls.problems(), crevices.problems()}) {
+    for (const Problems& found : {spheres.problems(), discs.problems(), walls.problems(), crevices.problems()}) {
         problems.insert(problems.end(), found.begin(), found.end());
     }
     // Opened again once the arrangement is known; here it shows whether it can be.
@@ -104,13 +115,14 @@ static std::optional<Drawers> open_drawers(const scene::Render& settings, const 
     if (!problems.empty()) {
         return std::nullopt;
     }
-    return Drawers{std::move(*canvas), std::move(*spheres), std::move(*walls), std::move(*crevices), std::nullopt};
+    return Drawers{std::move(*canvas), std::move(*spheres),  std::move(*discs),
+                   std::move(*walls),  std::move(*crevices), std::nullopt};
 }
 
 Result<Painter> Painter::open(const scene::Render& settings, std::shared_ptr<const observe::FrameLayout> layout,
                               const PainterOptions& options) {
     auto theme = find_theme(settings.background);
-    auto quantity = find_quantity(settings.color);
+    auto quantity = find_quantity(settings.color, layout->dimension);
     auto map = find_color_map(settings.colormap, quantity.ok() && quantity->has_sign);
     const auto camera = make_camera(settings, AlignedBox3d(Vector3d::Zero(), Vector3d::Ones()), {0, 0, 100, 100});
     Problems problems;
@@ -139,6 +151,7 @@ Result<Painter> Painter::open(const scene::Render& settings, std::shared_ptr<con
         for (std::size_t s = 0; s < shape.centres.size(); ++s) {
             reach = std::max(reach, shape.centres[s].norm() + shape.radii[s]);
         }
+        inside->spokes.push_back(inside->layout->dimension == 2 ? spoke_length(shape) : 0);
     }
     return Painter(std::move(inside));
 }
@@ -197,7 +210,7 @@ void Painter::Inside::enclose(const observe::Frame& frame) {
     }
 }
 
-std::vector<SphereMark> Painter::Inside::marks_of(const observe::Frame& frame, Legend& legend) {
+std::vector<std::uint32_t> Painter::Inside::colors_of(const observe::Frame& frame, Legend& legend) {
     const std::vector<double> values = values_of(quantity, frame);
     span = range.next(values);
     legend = {quantity.label, quantity.unit, span, map};
@@ -208,7 +221,38 @@ std::vector<SphereMark> Painter::Inside::marks_of(const observe::Frame& frame, L
         legend.below = legend.below || value < span.lo;
         legend.above = legend.above || value > span.hi;
     }
-    return collect_spheres(frame, showing, colors, camera);
+    return colors;
+}
+
+void Painter::Inside::draw_bodies(const observe::Frame& frame, const std::vector<std::uint32_t>& colors) {
+    if (layout->dimension == 2) {
+        draw_discs(frame, colors);
+    } else {
+        draw_spheres(collect_spheres(frame, showing, colors, camera));
+    }
+}
+
+void Painter::Inside::draw_discs(const observe::Frame& frame, const std::vector<std::uint32_t>& colors) {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const observe::FrameShape& shape : layout->shapes) {
+        for (const double radius : shape.radii) {
+            smallest = std::min(smallest, radius);
+        }
+    }
+    const double pixels = smallest * camera.pixels_per_metre(camera.target);
+    const DiscLook look{theme.outline, std::min(disc_line * std::max(1.0, arrangement.unit), disc_line_share * pixels)};
+    glBindFramebuffer(GL_FRAMEBUFFER, drawers->canvas.samples.name());
+    drawers->discs.draw(collect_discs(frame, colors, camera), collect_spokes(frame, spokes, camera), camera,
+                        drawers->canvas.width, drawers->canvas.height, look);
+}
+
+void Painter::Inside::shade_crevices() {
+    if (!options.lighting || reach.empty() || layout->dimension == 2) {
+        return;
+    }
+    resolve(GL_DEPTH_BUFFER_BIT);
+    const double size = *std::max_element(reach.begin(), reach.end());
+    drawers->crevices.draw(drawers->canvas, camera, crevice_radius * size, crevice_strength);
 }
 
 void Painter::Inside::resolve(GLbitfield what) {
@@ -294,7 +338,7 @@ Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
     }
     in.enclose(frame);
     Legend legend;
-    std::vector<SphereMark> marks = in.marks_of(frame, legend);
+    const std::vector<std::uint32_t> colors = in.colors_of(frame, legend);
 
     const Canvas& canvas = in.drawers->canvas;
     glViewport(0, 0, canvas.width, canvas.height);
@@ -304,14 +348,11 @@ Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
     glClearDepth(1);
     glDepthMask(GL_TRUE);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    in.draw_spheres(std::move(marks));
+    in.draw_bodies(frame, colors);
     in.drawers->walls.draw_opaque(frame, in.camera, canvas);
-    if (in.options.lighting && !in.reach.empty()) {
-        in.resolve(GL_DEPTH_BUFFER_BIT);
-        const double size = *std::max_element(in.reach.begin(), in.reach.end());
-        in.drawers->crevices.draw(canvas, in.camera, crevice_radius * size, crevice_strength);
-    }
-    const double line = std::max(1.2, 1.5 * in.arrangement.unit);
+    in.shade_crevices();
+    const double thickness = in.layout->dimension == 2 ? 2.0 : 1.0; // walls are nothing but their lines
+    const double line = thickness * std::max(1.2, 1.5 * in.arrangement.unit);
     in.drawers->walls.draw_translucent(frame, in.camera, canvas, line);
     in.resolve(GL_COLOR_BUFFER_BIT);
     if (in.drawers->overlay) {

@@ -20,9 +20,12 @@ const std::vector<Quantity>& quantities() {
     return all;
 }
 
-Result<Quantity> find_quantity(const std::string& name) {
+Result<Quantity> find_quantity(const std::string& name, int dimension) {
     std::vector<std::string> names;
     for (const Quantity& quantity : quantities()) {
+        if (dimension == 2 && quantity.name == "vz") {
+            continue;
+        }
         if (quantity.name == name) {
             return quantity;
         }

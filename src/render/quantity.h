@@ -21,8 +21,8 @@ struct Quantity {
 /// All that can be shown. A new one is a line here.
 const std::vector<Quantity>& quantities();
 
-/// Problem names the nearest right word.
-Result<Quantity> find_quantity(const std::string& name);
+/// Of those that a scene of that dimension (2 or 3) has. Problem names the nearest right word.
+Result<Quantity> find_quantity(const std::string& name, int dimension = 3);
 
 /// The quantity for every body of a frame, in its unit.
 std::vector<double> values_of(const Quantity& quantity, const observe::Frame& frame);

@@ -14,8 +14,9 @@ struct Theme {
     Eigen::Vector3d faint = Eigen::Vector3d::Ones(); // axes, frames, ticks
     Eigen::Vector3d line = Eigen::Vector3d::Ones();  // the plot's curve
     Eigen::Vector3d wall = Eigen::Vector3d::Ones();
-    Eigen::Vector3d edge = Eigen::Vector3d::Ones(); // walls' edges
-    float rim = 0;                                  // added where a body bends away from the eye
+    Eigen::Vector3d edge = Eigen::Vector3d::Ones();    // walls' edges
+    Eigen::Vector3d outline = Eigen::Vector3d::Zero(); // of discs
+    float rim = 0;                                     // added where a body bends away from the eye
 };
 
 /// "dark" or "white"; Problem for another word.

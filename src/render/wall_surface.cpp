@@ -121,6 +121,14 @@ WallSurface make_wall_surface(const observe::FrameWall& wall) {
     WallSurface surface;
     add_triangles(faces, surface);
     add_edges(faces, surface);
+    for (const std::array<int, 2>& line : wall.lines) {
+        WallSurface::Edge edge;
+        edge.ends = {wall.vertices[static_cast<std::size_t>(line[0])],
+                     wall.vertices[static_cast<std::size_t>(line[1])]};
+        edge.normals = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+        edge.sharp = true;
+        surface.edges.push_back(edge);
+    }
     return surface;
 }
 

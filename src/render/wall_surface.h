@@ -25,7 +25,8 @@ struct WallSurface {
 };
 
 /// Corners closer than 1e-7 of the wall's size count as one, so that a soup of triangles gets smooth normals too.
-/// Triangles without area and indices out of range are left out.
+/// Triangles without area and indices out of range are left out. The lines of a wall in two dimensions become sharp
+/// edges.
 WallSurface make_wall_surface(const observe::FrameWall& wall);
 
 } // namespace tumble::render

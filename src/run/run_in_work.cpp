@@ -5,7 +5,6 @@
 #include "run/fill_plan.h"
 #include "run/picture_sink.h"
 #include "run/run_report.h"
-#include "run/snapshot.h"
 #include "run/state_sinks.h"
 #include "scene/to_toml.h"
 
@@ -27,7 +26,8 @@ std::filesystem::path folder_for(const scene::Scene& scene, const RunOptions& op
 
 double turned_over(const Books& books) {
     return books.kinetic_translation + books.kinetic_rotation + books.stored_normal + books.stored_tangential +
-           books.lost_normal_damping + books.lost_tangential_damping + books.lost_sliding + books.lost_history;
+           books.lost_normal_damping + books.lost_tangential_damping + books.lost_sliding + books.lost_history +
+           books.lost_global_damping;
 }
 
 Problems in_scene(Problems problems, const scene::Scene& scene) {
@@ -43,10 +43,10 @@ void append(Problems& all, const Problems& more) {
 
 } // namespace
 
-RunInWork::RunInWork(const scene::Scene& scene, const RunOptions& options, RunListener& listener, sim3d::WorldPtr world,
-                     FolderInWork folder)
-    : scene_(scene), options_(options), listener_(listener), world_(std::move(world)), folder_(std::move(folder)),
-      layout_(layout_of(scene, sim3d::shapes_of(*world_))), rows_(scene.observe.every, scene.time_step),
+RunInWork::RunInWork(const scene::Scene& scene, const RunOptions& options, RunListener& listener,
+                     SimulationPtr simulation, FolderInWork folder)
+    : scene_(scene), options_(options), listener_(listener), simulation_(std::move(simulation)),
+      folder_(std::move(folder)), layout_(simulation_->layout()), rows_(scene.observe.every, scene.time_step),
       frames_(scene.render.every, scene.time_step), all_steps_(std::llround(scene.duration / scene.time_step)) {
     summary_.state = "running";
     summary_.folder = folder_.paths().root;
@@ -66,17 +66,17 @@ Result<std::unique_ptr<RunInWork>> RunInWork::prepare(const scene::Scene& scene,
         append(problems, check_pictures(scene.render));
     if (!problems.empty())
         return in_scene(problems, scene);
-    Result<sim3d::WorldPtr> world = sim3d::build_world(scene, options.threads);
-    if (!world)
-        return world.problems();
-    const auto bodies = static_cast<std::size_t>(all_bodies_wanted(scene, sim3d::shapes_of(**world)));
+    Result<SimulationPtr> simulation = simulate(scene, options.threads);
+    if (!simulation)
+        return simulation.problems();
+    const auto bodies = static_cast<std::size_t>(all_bodies_wanted(scene, (*simulation)->bodies()));
     const std::int64_t last = std::llround(scene.duration / scene.time_step);
     const auto count = static_cast<std::size_t>(Schedule(scene.render.every, scene.time_step).count(last));
     Result<FolderInWork> folder = FolderInWork::open(folder_for(scene, options), options.overwrite,
                                                      count * observe::frame_bytes(bodies, scene.walls.size()));
     if (!folder)
         return folder.problems();
-    std::unique_ptr<RunInWork> run(new RunInWork(scene, options, listener, std::move(*world), std::move(*folder)));
+    std::unique_ptr<RunInWork> run(new RunInWork(scene, options, listener, std::move(*simulation), std::move(*folder)));
     for (const auto part : {&RunInWork::choose_what_to_see, &RunInWork::write_beginnings})
         if (const Result<Done> done = (run.get()->*part)(); !done)
             return in_scene(done.problems(), scene);
@@ -155,7 +155,7 @@ void RunInWork::step_to_the_end() {
     listener_.started(summary_.folder, progress());
     observe_now();
     while (summary_.state == "running") {
-        const std::int64_t step = sim3d::steps_of(*world_);
+        const std::int64_t step = simulation_->steps();
         if (step >= all_steps_) {
             summary_.state = "finished";
             break;
@@ -166,10 +166,10 @@ void RunInWork::step_to_the_end() {
         }
         const std::int64_t next = std::min({rows_.next(), frames_.next(), all_steps_, step + pace_.stretch()});
         pace_.start();
-        const std::optional<Problem> problem = sim3d::advance(*world_, next - step);
-        const std::int64_t done = sim3d::steps_of(*world_) - step;
+        const std::optional<Problem> problem = simulation_->advance(next - step);
+        const std::int64_t done = simulation_->steps() - step;
         pace_.stop(done);
-        summary_.body_steps += static_cast<double>(done) * static_cast<double>(sim3d::books_of(*world_).bodies);
+        summary_.body_steps += static_cast<double>(done) * static_cast<double>(simulation_->books().bodies);
         if (problem)
             fail({*problem});
         else
@@ -179,16 +179,16 @@ void RunInWork::step_to_the_end() {
 }
 
 void RunInWork::observe_now() {
-    const std::int64_t step = sim3d::steps_of(*world_);
+    const std::int64_t step = simulation_->steps();
     const bool row = rows_.due(step);
     const bool shot = frames_.due(step);
     if (!row && !shot)
         return;
-    observe::Frame frame = snapshot(*world_, layout_);
+    observe::Frame frame = simulation_->frame();
     rows_.pass(row ? step : step - 1);
     frames_.pass(shot ? step : step - 1);
     if (row)
-        if (const Result<Done> added = add_row(frame, sim3d::books_of(*world_)); !added)
+        if (const Result<Done> added = add_row(frame, simulation_->books()); !added)
             fail(added.problems());
     if (shot)
         queue_->push({std::move(frame), shots_++, plot_});
@@ -224,27 +224,27 @@ void RunInWork::warn(std::string sentence) {
 
 Progress RunInWork::progress() const {
     Progress now;
-    now.time = sim3d::time_of(*world_);
+    now.time = simulation_->time();
     now.duration = scene_.duration;
-    now.step = sim3d::steps_of(*world_);
+    now.step = simulation_->steps();
     now.steps = all_steps_;
     now.steps_per_s = pace_.steps_per_s();
     now.left_s = now.steps_per_s > 0 ? static_cast<double>(all_steps_ - now.step) / now.steps_per_s : 0;
-    now.books = sim3d::books_of(*world_);
+    now.books = simulation_->books();
     return now;
 }
 
 void RunInWork::sum_up() {
-    summary_.time = sim3d::time_of(*world_);
-    summary_.steps = sim3d::steps_of(*world_);
-    summary_.books = sim3d::books_of(*world_);
+    summary_.time = simulation_->time();
+    summary_.steps = simulation_->steps();
+    summary_.books = simulation_->books();
     summary_.bodies = summary_.books.bodies;
-    summary_.phases = sim3d::phase_times(*world_);
+    summary_.phases = simulation_->phase_times();
     summary_.stepping_s = pace_.seconds();
     summary_.wall_s = pace_.since_made();
     summary_.frames = queue_->taken();
     summary_.pictures = options_.pictures ? summary_.frames : 0;
-    summary_.unfilled = sim3d::unfilled(*world_);
+    summary_.unfilled = simulation_->unfilled();
     summary_.energy_turnover = std::max(summary_.energy_turnover, turned_over(summary_.books));
     for (const std::string& sentence : summary_.unfilled)
         warn("not all bodies found room: " + sentence);

@@ -7,13 +7,14 @@
 #include "run/run_folder.h"
 #include "run/run_scene.h"
 #include "run/schedule.h"
+#include "run/simulation.h"
 
 #include <memory>
 #include <optional>
 
 namespace tumble::run {
 
-/// A run between its first and its last step: where a world and its observers meet.
+/// A run between its first and its last step: where a simulation and its observers meet.
 class RunInWork {
 public:
     /// Builds the world, opens the folder and writes all that can be known before the first step. Problems as those of
@@ -29,7 +30,7 @@ public:
     RunSummary finish();
 
 private:
-    RunInWork(const scene::Scene& scene, const RunOptions& options, RunListener& listener, sim3d::WorldPtr world,
+    RunInWork(const scene::Scene& scene, const RunOptions& options, RunListener& listener, SimulationPtr simulation,
               FolderInWork folder);
 
     Result<Done> choose_what_to_see();
@@ -47,7 +48,7 @@ private:
     const scene::Scene& scene_;
     const RunOptions& options_;
     RunListener& listener_;
-    sim3d::WorldPtr world_;
+    SimulationPtr simulation_;
     FolderInWork folder_;
     std::shared_ptr<const observe::FrameLayout> layout_;
     std::vector<observe::Measure> measures_;

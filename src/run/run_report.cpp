@@ -70,7 +70,7 @@ nlohmann::ordered_json to_json(const RunSummary& summary) {
     json["steps_per_s"] = number(stepping > 0 ? static_cast<double>(summary.steps) / stepping : 0);
     json["body_steps_per_s"] = number(stepping > 0 ? summary.body_steps / stepping : 0);
     nlohmann::ordered_json phases = nlohmann::ordered_json::object();
-    for (const sim3d::PhaseTime& phase : summary.phases)
+    for (const PhaseTime& phase : summary.phases)
         phases[phase.name] = number(phase.seconds);
     phases["around the steps"] = number(summary.wall_s - stepping);
     json["phases_s"] = phases;

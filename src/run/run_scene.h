@@ -1,9 +1,9 @@
 #pragma once
 
 #include "base/books.h"
+#include "base/phases.h"
 #include "base/problem.h"
 #include "scene/scene.h"
-#include "sim3d/solver.h"
 
 #include <atomic>
 #include <cstdint>
@@ -66,7 +66,7 @@ struct RunSummary {
     double wall_s = 0;     // s, all
     double stepping_s = 0; // s, inside the solver
     double body_steps = 0; // bodies times steps, summed as bodies came in
-    std::vector<sim3d::PhaseTime> phases;
+    std::vector<PhaseTime> phases;
     Books books;                  // at the end
     double energy_turnover = 0;   // J, what closure is to be compared with
     double overlap_ratio_max = 0; // over all steps

@@ -4,7 +4,6 @@
 #include "observe/measures.h"
 #include "run/fill_plan.h"
 #include "run/schedule.h"
-#include "sim3d/solver.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,28 +18,21 @@ namespace {
 // contacts of a dense bed.
 constexpr double clump_rate = 1.0e6;
 constexpr double sphere_rate = 3.0e6;
+constexpr double disc_rate = 1.0e7; // discs, those of clumps too
 constexpr double bytes_per_body = 2500;
 constexpr double bytes_per_sphere = 60;
 constexpr double bytes_of_program = 2e7;
 
-void check_bodies(const scene::Scene& scene, const std::vector<sim3d::BodyShape>& shapes, SceneCheck& check) {
-    const std::vector<std::int64_t> wanted = bodies_wanted(scene, shapes);
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
-        const auto material = static_cast<std::size_t>(scene.bodies[i].material);
-        BodyCheck body{shapes[i].name,
-                       scene.materials[material].name,
-                       shapes[i].spheres.size(),
-                       shapes[i].volume,
-                       shapes[i].mass,
-                       shapes[i].inertia,
-                       shapes[i].bounding_radius,
-                       0};
+void check_bodies(const scene::Scene& scene, const std::vector<SimulatedBody>& bodies, SceneCheck& check) {
+    const std::vector<std::int64_t> wanted = bodies_wanted(scene, bodies);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        BodyCheck body{bodies[i], scene.materials[static_cast<std::size_t>(scene.bodies[i].material)].name, 0};
         for (std::size_t f = 0; f < scene.fills.size(); ++f)
             if (static_cast<std::size_t>(scene.fills[f].body) == i)
                 body.wanted += wanted[f];
         check.wanted += body.wanted;
         check.mass += body.mass * static_cast<double>(body.wanted);
-        check.spheres += body.spheres * static_cast<std::size_t>(body.wanted);
+        check.parts += body.parts * static_cast<std::size_t>(body.wanted);
         check.bodies.push_back(std::move(body));
     }
 }
@@ -51,15 +43,17 @@ void check_cost(const scene::Scene& scene, std::size_t columns, SceneCheck& chec
     check.frames = Schedule(scene.render.every, scene.time_step).count(check.steps);
     const auto bodies = static_cast<double>(check.wanted);
     check.memory_bytes =
-        bytes_of_program + bodies * bytes_per_body + static_cast<double>(check.spheres) * bytes_per_sphere;
+        bytes_of_program + bodies * bytes_per_body + static_cast<double>(check.parts) * bytes_per_sphere;
     constexpr double bytes_per_cell = 20;
     check.disk_bytes =
         static_cast<double>(check.frames) *
             static_cast<double>(observe::frame_bytes(static_cast<std::size_t>(check.wanted), scene.walls.size())) +
         static_cast<double>(check.rows) * bytes_per_cell * static_cast<double>(columns + 1);
     check.body_steps = bodies * static_cast<double>(check.steps);
-    const bool clumps = check.spheres > static_cast<std::size_t>(check.wanted);
-    check.assumed_rate = clumps ? clump_rate : sphere_rate;
+    const bool clumps = check.parts > static_cast<std::size_t>(check.wanted);
+    check.assumed_rate = scene.dimension == 2 ? disc_rate * bodies / std::max(bodies, static_cast<double>(check.parts))
+                         : clumps             ? clump_rate
+                                              : sphere_rate;
     check.hours = check.body_steps / check.assumed_rate / 3600;
 }
 
@@ -82,7 +76,7 @@ void look_for_oddities(const scene::Scene& scene, SceneCheck& check) {
         say(fmt::format("{} of {} bodies stand at the start; the others come later", check.placed, check.wanted));
 }
 
-nlohmann::ordered_json to_json(const sim3d::TimeStepReport& report) {
+nlohmann::ordered_json to_json(const scene::TimeStepReport& report) {
     return {{"step_s", report.step},
             {"limit_s", report.limit},
             {"stable", report.stable()},
@@ -103,18 +97,18 @@ Result<SceneCheck> check_scene(const scene::Scene& scene, int threads) {
     Problems problems = measures.problems();
     for (Problem& problem : problems)
         problem.file = scene.file.string();
-    const Result<sim3d::WorldPtr> world = sim3d::build_world(scene, threads);
-    const Problems more = world.problems();
+    const Result<SimulationPtr> simulation = simulate(scene, threads);
+    const Problems more = simulation.problems();
     problems.insert(problems.end(), more.begin(), more.end());
     if (!problems.empty())
         return problems;
-    const std::vector<sim3d::BodyShape>& shapes = sim3d::shapes_of(**world);
     SceneCheck check;
-    check_bodies(scene, shapes, check);
-    check.placed = static_cast<std::int64_t>(sim3d::bodies_of(**world).size());
+    check.dimension = scene.dimension;
+    check_bodies(scene, (*simulation)->bodies(), check);
+    check.placed = static_cast<std::int64_t>((*simulation)->frame().bodies());
     for (const scene::Wall& wall : scene.walls)
         check.walls.push_back(wall.name);
-    check.time_step = sim3d::time_step_report(scene, shapes);
+    check.time_step = (*simulation)->time_step();
     check_cost(scene, measures->size(), check);
     look_for_oddities(scene, check);
     return check;
@@ -125,17 +119,18 @@ nlohmann::ordered_json to_json(const SceneCheck& check) {
     for (const BodyCheck& body : check.bodies)
         bodies.push_back({{"name", body.name},
                           {"material", body.material},
-                          {"spheres", body.spheres},
+                          {check.dimension == 2 ? "discs" : "spheres", body.parts},
                           {"volume_m3", body.volume},
                           {"mass_kg", body.mass},
                           {"inertia_kg_m2", {body.inertia.x(), body.inertia.y(), body.inertia.z()}},
                           {"bounding_radius_m", body.bounding_radius},
                           {"wanted", body.wanted}});
-    return {{"bodies", bodies},
+    return {{"dimension", check.dimension},
+            {"bodies", bodies},
             {"wanted", check.wanted},
             {"placed", check.placed},
             {"mass_kg", check.mass},
-            {"spheres", check.spheres},
+            {check.dimension == 2 ? "discs" : "spheres", check.parts},
             {"walls", check.walls},
             {"time_step", to_json(check.time_step)},
             {"steps", check.steps},

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/problem.h"
+#include "run/simulation.h"
 #include "scene/scene.h"
-#include "sim3d/time_step.h"
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
@@ -12,26 +12,21 @@
 namespace tumble::run {
 
 /// One body template and how many of it a scene asks for.
-struct BodyCheck {
-    std::string name;
+struct BodyCheck : SimulatedBody {
     std::string material;
-    std::size_t spheres = 0;
-    double volume = 0;          // m3, of the union
-    double mass = 0;            // kg
-    Eigen::Vector3d inertia;    // kg m2, principal
-    double bounding_radius = 0; // m
     std::int64_t wanted = 0;
 };
 
 /// What a scene means before anything runs.
 struct SceneCheck {
+    int dimension = 3;
     std::vector<BodyCheck> bodies;
     std::int64_t wanted = 0; // bodies in all
     std::int64_t placed = 0; // of them at the start
     double mass = 0;         // kg, of all wanted
-    std::size_t spheres = 0; // of all wanted
+    std::size_t parts = 0;   // spheres or discs of all wanted
     std::vector<std::string> walls;
-    sim3d::TimeStepReport time_step;
+    scene::TimeStepReport time_step;
     std::int64_t steps = 0;
     std::int64_t rows = 0;
     std::int64_t frames = 0;

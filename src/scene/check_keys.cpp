@@ -45,7 +45,7 @@ public:
 
     void table(const Node& node, const KeyTable& spec, const std::string& path) {
         const Table& entries = *node.as<Table>();
-        const std::string kind = kind_word(entries, spec);
+        const std::string kind = kind_word(entries, spec, report_.dimension);
         const auto inside = tables_in(spec);
         std::set<std::string> misspelt; // what unknown keys were meant to be: they are not missing as well
         for (const Entry& entry : entries.entries) {
@@ -54,8 +54,10 @@ public:
                                           [&](const KeyTable* t) { return last_name(*t) == entry.name; });
             if (sub != inside.end())
                 sub_table(entry.node, **sub, key_path);
-            else if (const Key* key = find_key(spec, entry.name))
+            else if (const Key* key = find_key(spec, entry.name, report_.dimension))
                 known_key(entry, *key, spec, kind, path);
+            else if (find_key(spec, entry.name))
+                misplaced_key(entry, path);
             else
                 misspelt.insert(unknown_key(entry, spec, kind, path));
         }
@@ -101,6 +103,15 @@ private:
         report_.distrust(node);
     }
 
+    void misplaced_key(const Entry& entry, const std::string& path) {
+        const int other = report_.dimension == 2 ? 3 : 2;
+        report_.add(entry.place, join(path, entry.name),
+                    fmt::format("'{}' belongs to scenes of dimension {}, and this one has {}", entry.name, other,
+                                report_.dimension),
+                    fmt::format("remove it, or write dimension = {} at the top", other));
+        report_.distrust(entry.node);
+    }
+
     void known_key(const Entry& entry, const Key& key, const KeyTable& spec, const std::string& kind,
                    const std::string& path) {
         if (!kind.empty() && !belongs(key, kind)) {
@@ -118,15 +129,15 @@ private:
                             const std::string& path) {
         std::vector<std::string> candidates;
         for (const Key& key : spec.keys)
-            if (belongs(key, kind))
+            if (belongs(key, kind) && belongs_in(key, report_.dimension))
                 candidates.push_back(key.name);
         for (const KeyTable* sub : tables_in(spec))
             candidates.push_back(last_name(*sub));
         const auto nearest = nearest_word(entry.name, candidates);
-        const Key* meant = nearest ? find_key(spec, *nearest) : nullptr;
+        const Key* meant = nearest ? find_key(spec, *nearest, report_.dimension) : nullptr;
         std::string fix;
         if (meant)
-            fix = fmt::format("did you mean '{}'?  {}", *nearest, describe(*meant));
+            fix = fmt::format("did you mean '{}'?  {}", *nearest, describe(*meant, report_.dimension));
         else if (nearest)
             fix = fmt::format("did you mean '{}'?", *nearest);
         else
@@ -142,7 +153,7 @@ private:
         std::map<std::string, std::vector<const Key*>> groups;
         for (const Key& key : spec.keys) {
             // Without its kind nobody knows what else the table needs.
-            if (!belongs(key, kind) || (kind.empty() && !key.only_for.empty()))
+            if (!belongs_in(key, report_.dimension) || !belongs(key, kind) || (kind.empty() && !key.only_for.empty()))
                 continue;
             if (!key.one_of.empty())
                 groups[key.one_of].push_back(&key);
@@ -150,7 +161,7 @@ private:
             if (key.required && !implied && !entries.find(key.name) && !misspelt.count(key.name))
                 report_.add(node.place, join(path, key.name),
                             fmt::format("{} has no '{}'", name_of_table(spec, path), key.name),
-                            fmt::format("add {}: {}", key.name, describe(key)));
+                            fmt::format("add {}: {}", key.name, describe(key, report_.dimension)));
         }
         for (const auto& [group, keys] : groups)
             if (std::none_of(keys.begin(), keys.end(), [&](const Key* key) { return misspelt.count(key->name); }))
@@ -169,7 +180,7 @@ private:
         if (given.empty() && names.size() == 1)
             report_.add(node.place, join(path, names[0]),
                         fmt::format("{} has no '{}'", name_of_table(spec, path), names[0]),
-                        fmt::format("add {}: {}", names[0], describe(*keys[0])));
+                        fmt::format("add {}: {}", names[0], describe(*keys[0], report_.dimension)));
         else if (given.empty())
             report_.add(node.place, path,
                         fmt::format("{} has none of {}", name_of_table(spec, path), fmt::join(names, ", ")),
@@ -187,14 +198,21 @@ private:
 
 } // namespace
 
-std::string kind_word(const Table& entries, const KeyTable& table) {
+int dimension_of(const Node& root) {
+    const Table* entries = root.as<Table>();
+    const Entry* entry = entries ? entries->find("dimension") : nullptr;
+    const auto* number = entry ? entry->node.as<std::int64_t>() : nullptr;
+    return number && *number == 2 ? 2 : 3;
+}
+
+std::string kind_word(const Table& entries, const KeyTable& table, int dimension) {
     if (table.kind_key.empty())
         return "";
     const Entry* entry = entries.find(table.kind_key);
     if (!entry)
-        return table.path == "wall" && entries.find("stl") ? "mesh" : "";
+        return table.path == "wall" && dimension == 3 && entries.find("stl") ? "mesh" : "";
     const std::string* word = entry->node.as<std::string>();
-    const Key& key = *find_key(table, table.kind_key);
+    const Key& key = *find_key(table, table.kind_key, dimension);
     return word && std::find(key.words.begin(), key.words.end(), *word) != key.words.end() ? *word : "";
 }
 
@@ -221,6 +239,7 @@ std::string name_of_table(const KeyTable& table, const std::string& path) {
 }
 
 void check_keys(const Node& root, Report& report) {
+    report.dimension = dimension_of(root);
     KeyCheck(report).table(root, *find_table(""), "");
 }
 

@@ -8,6 +8,9 @@
 
 namespace tumble::scene {
 
+/// 2 where the scene says so, else 3.
+int dimension_of(const Node& root);
+
 /// Holds the typed scene against the list of keys: unknown names, wrong types, values out of range, what is missing or
 /// given twice. Values that fail are distrusted; what refers to what is checked later, by who resolves it.
 void check_keys(const Node& root, Report& report);
@@ -17,7 +20,7 @@ bool check_value(const Node& node, const Key& key, const std::string& path, Repo
 
 /// The word that `table.kind_key` has in these entries; a wall with `stl` is a mesh without saying so. Empty when the
 /// table has no kinds or the word is missing or unknown.
-std::string kind_word(const Table& entries, const KeyTable& table);
+std::string kind_word(const Table& entries, const KeyTable& table, int dimension);
 
 /// Whether the key belongs to entries of that kind.
 bool belongs(const Key& key, const std::string& kind);

@@ -30,7 +30,7 @@ public:
         case KeyType::number:
             return number(node, key_.limits);
         case KeyType::vector:
-            return numbers(node, 3);
+            return numbers(node, static_cast<std::size_t>(report_.dimension));
         case KeyType::span:
             return span(node);
         case KeyType::rows:
@@ -41,7 +41,7 @@ public:
 
 private:
     bool refuse(const Node& at, std::string what) {
-        report_.add(at.place, path_, std::move(what), "write " + describe(key_));
+        report_.add(at.place, path_, std::move(what), "write " + describe(key_, report_.dimension));
         return false;
     }
 
@@ -66,7 +66,7 @@ private:
         std::string fix = did_you_mean(word, key_.words);
         fix += fix.empty() ? "" : "  ";
         report_.add(node.place, path_, fmt::format("'{}' cannot be \"{}\"", key_.name, excerpt(word)),
-                    fix + "write " + describe(key_));
+                    fix + "write " + describe(key_, report_.dimension));
         return false;
     }
 
@@ -136,12 +136,13 @@ private:
     }
 
     bool row(const Node& node) {
-        const Array* four = node.as<Array>();
-        if (four->items.size() != 4)
-            return refuse(node, fmt::format("a row of '{}' has {} of 4 numbers", key_.name, four->items.size()));
+        const Array* line = node.as<Array>();
+        if (line->items.size() != key_.columns)
+            return refuse(
+                node, fmt::format("a row of '{}' has {} of {} numbers", key_.name, line->items.size(), key_.columns));
         bool right = true;
-        for (std::size_t i = 0; i < 4; ++i)
-            right = number(four->items[i], i == 3 ? key_.limits : Limits{}) && right;
+        for (std::size_t i = 0; i < key_.columns; ++i)
+            right = number(line->items[i], i + 1 == key_.columns ? key_.limits : Limits{}) && right;
         return right;
     }
 

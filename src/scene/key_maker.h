@@ -50,6 +50,16 @@ public:
         return with([&](Key& k) { k.words = std::move(allowed); });
     }
 
+    KeyMaker columns(std::size_t count) const {
+        return with([&](Key& k) { k.columns = count; });
+    }
+    KeyMaker in_2d() const {
+        return with([](Key& k) { k.in = Dimensions::two; });
+    }
+    KeyMaker in_3d() const {
+        return with([](Key& k) { k.in = Dimensions::three; });
+    }
+
 private:
     template <class Change> KeyMaker with(Change change) const {
         KeyMaker copy = *this;
@@ -82,6 +92,9 @@ inline KeyMaker number(std::string name, std::string unit, Limits limits, std::s
 }
 inline KeyMaker vector(std::string name, std::string unit, Limits limits, std::string sentence) {
     return {std::move(name), KeyType::vector, std::move(unit), limits, std::move(sentence)};
+}
+inline KeyMaker rows(std::string name, std::string unit, std::size_t columns, Limits limits, std::string sentence) {
+    return KeyMaker(std::move(name), KeyType::rows, std::move(unit), limits, std::move(sentence)).columns(columns);
 }
 
 /// The parts of the list, one file each.

@@ -4,6 +4,7 @@
 #include "scene/key_maker.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,7 +19,8 @@ std::string quoted(const std::vector<std::string>& words) {
     return list;
 }
 
-std::string noun(const Key& key) {
+std::string noun(const Key& key, int dimension) {
+    constexpr std::array<const char*, 5> counts{"no", "one", "two", "three", "four"};
     switch (key.type) {
     case KeyType::text:
         return "text";
@@ -35,11 +37,11 @@ std::string noun(const Key& key) {
     case KeyType::number:
         return key.unit.empty() ? "a number without unit" : "a number";
     case KeyType::vector:
-        return "a list of three numbers [x, y, z]";
+        return dimension == 2 ? "a list of two numbers [x, y]" : "a list of three numbers [x, y, z]";
     case KeyType::span:
         return "a list of two numbers [low, high]";
     case KeyType::rows:
-        return "a list of rows of four numbers";
+        return fmt::format("a list of rows of {} numbers", counts[key.columns]);
     }
     return "";
 }
@@ -68,6 +70,16 @@ const Key* find_key(const KeyTable& table, std::string_view name) {
     return found == table.keys.end() ? nullptr : &*found;
 }
 
+const Key* find_key(const KeyTable& table, std::string_view name, int dimension) {
+    const auto found = std::find_if(table.keys.begin(), table.keys.end(),
+                                    [&](const Key& k) { return k.name == name && belongs_in(k, dimension); });
+    return found == table.keys.end() ? nullptr : &*found;
+}
+
+bool belongs_in(const Key& key, int dimension) {
+    return key.in == Dimensions::both || (key.in == Dimensions::two) == (dimension == 2);
+}
+
 std::string plain(double value) {
     return std::abs(value) < 1e9 && value == std::floor(value) ? fmt::format("{:.0f}", value) : shortest(value);
 }
@@ -86,13 +98,18 @@ std::string describe(const Limits& limits) {
 }
 
 std::string describe(const Key& key) {
-    std::string text = noun(key);
+    return describe(key, key.in == Dimensions::two ? 2 : 3);
+}
+
+std::string describe(const Key& key, int dimension) {
+    constexpr std::array<const char*, 5> places{"", "first", "second", "third", "fourth"};
+    std::string text = noun(key, dimension);
     if (!key.unit.empty())
         text += " in " + key.unit;
     const std::string range = describe(key.limits);
     if (range.empty())
         return text;
-    return text + (key.type == KeyType::rows ? ", the fourth " : ", ") + range;
+    return text + ", " + (key.type == KeyType::rows ? fmt::format("the {} ", places[key.columns]) : "") + range;
 }
 
 std::string describe(const KeyDefault& standard) {

@@ -19,10 +19,14 @@ enum class KeyType {
     flag,    // true or false
     integer, // a whole number
     number,
-    vector, // [x, y, z]
+    vector, // [x, y, z]; [x, y] in two dimensions
     span,   // [low, high]
-    rows    // a list of lists of four numbers; limits are those of the fourth
+    rows    // a list of lists of `columns` numbers; limits are those of the last
 };
+
+/// The scenes that a key belongs to. Where the two kinds of scene take something different under one name, the list has
+/// the key twice, once for each.
+enum class Dimensions { both, two, three };
 
 /// What a number may be, as typed. Infinite bounds are not said.
 struct Limits {
@@ -49,6 +53,8 @@ struct Key {
     KeyDefault standard;
     bool required = false;
     std::vector<std::string> words;
+    std::size_t columns = 4; // of rows
+    Dimensions in = Dimensions::both;
     std::vector<std::string> only_for; // values of the table's `kind_key` that this key belongs to; empty: all
     std::string one_of;                // of the keys with the same word here exactly one must be given
     std::string sentence;
@@ -77,12 +83,17 @@ const std::vector<KeyTable>& scene_keys();
 const KeyTable* find_table(std::string_view path);
 /// The key of that name, or nullptr.
 const Key* find_key(const KeyTable& table, std::string_view name);
+/// Of the keys of that name the one for scenes of that dimension (2 or 3), or nullptr.
+const Key* find_key(const KeyTable& table, std::string_view name, int dimension);
+bool belongs_in(const Key& key, int dimension);
 
 /// A number for a sentence: "100000" where shortest() would say "1e+05".
 std::string plain(double value);
 
 /// "number in kg/m3, above 0, at most 30000", "one of "hertz", "linear"".
 std::string describe(const Key& key);
+/// The same as a scene of that dimension (2 or 3) takes it.
+std::string describe(const Key& key, int dimension);
 /// The range alone: "above 0, at most 30000"; empty when anything goes.
 std::string describe(const Limits& limits);
 /// The default as TOML; empty when there is none.

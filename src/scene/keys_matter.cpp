@@ -1,5 +1,7 @@
 #include "scene/key_maker.h"
 
+#include <numbers>
+
 namespace tumble::scene {
 namespace {
 
@@ -10,11 +12,44 @@ KeyTable material() {
         number("density_kg_m3", "kg/m3", above(0, 30000), "Mass of the solid material per volume.").must(),
         number("youngs_modulus_Pa", "Pa", above(0, 1e21),
                "Young's modulus; below 1e6 Pa (rubber) only with `allow_soft = true`.")
+            .in_3d()
             .must(),
-        number("poisson_ratio", "", from(0, 0.5), "Poisson's ratio.").must(),
+        number("youngs_modulus_Pa", "Pa", above(0, 1e21),
+               "Young's modulus, needed by `normal = \"hertz\"`; below 1e6 Pa (rubber) only with `allow_soft = true`.")
+            .in_2d(),
+        number("poisson_ratio", "", from(0, 0.5), "Poisson's ratio.").in_3d().must(),
+        number("poisson_ratio", "", from(0, 0.5), "Poisson's ratio, needed by `normal = \"hertz\"`.").in_2d(),
         flag("allow_soft", "True: a Young's modulus below 1e6 Pa is meant; grains will sink into each other."),
     };
     return table;
+}
+
+/// What the law of Cundall and Strack takes beside restitution and friction; src/contact/cundall_strack.h.
+std::vector<Key> linear_law_of_discs() {
+    return {
+        number("contact_damping_s", "s", from(0, 1e3),
+               "Stiffness-proportional damping in place of `restitution`, beta of Cundall and Strack: each dashpot is "
+               "beta times its spring.")
+            .in_2d()
+            .one_of("damping"),
+        number("friction_angle_deg", "deg", from(0, 84), "The angle whose tangent is `friction`.")
+            .si(std::numbers::pi / 180)
+            .in_2d()
+            .one_of("friction"),
+        number("cohesion_N", "N", from(0, 1e9), "Shear force that a contact bears without normal force.")
+            .in_2d()
+            .otherwise(0.0),
+        number("normal_stiffness_N_per_m", "N/m", above(0, 1e15),
+               "Spring k_n of `normal = \"linear\"`, which needs it or `contact_time_s`.")
+            .in_2d(),
+        number("contact_time_s", "s", above(0, 1e3),
+               "How long a normal impact lasts: k_n follows for each contact from it, `restitution` and the masses.")
+            .in_2d(),
+        number("tangential_stiffness_N_per_m", "N/m", above(0, 1e15),
+               "Spring k_s of `tangential = \"linear\"`, which needs it or `stiffness_ratio`.")
+            .in_2d(),
+        number("stiffness_ratio", "", above(0, 100), "k_s over k_n.").in_2d(),
+    };
 }
 
 KeyTable pair() {
@@ -22,33 +57,52 @@ KeyTable pair() {
     table.sentence = "What two materials do to each other; also of one with itself, `[pair.media-media]`. Every two "
                      "materials that can meet need one.";
     table.keys = {
-        number("restitution", "", from(0, 1), "Speed after a normal impact over the speed before.").must(),
-        number("friction", "", from(0, 10), "Coulomb's coefficient of friction.").must(),
-        number("normal_stiffness_N_per_m", "N/m", above(0, 1e15), "Spring of `normal = \"linear\"`, required by it."),
+        number("restitution", "", from(0, 1), "Speed after a normal impact over the speed before.").in_3d().must(),
+        number("restitution", "", from(0, 1), "Speed after a normal impact over the speed before.")
+            .in_2d()
+            .one_of("damping"),
+        number("friction", "", from(0, 10), "Coulomb's coefficient of friction.").in_3d().must(),
+        number("friction", "", from(0, 10), "Coulomb's coefficient of friction.").in_2d().one_of("friction"),
+        number("normal_stiffness_N_per_m", "N/m", above(0, 1e15), "Spring of `normal = \"linear\"`, required by it.")
+            .in_3d(),
         number("tangential_stiffness_N_per_m", "N/m", above(0, 1e15),
-               "Spring of `tangential = \"linear\"`, required by it."),
+               "Spring of `tangential = \"linear\"`, required by it.")
+            .in_3d(),
     };
+    for (const Key& key : linear_law_of_discs())
+        table.keys.push_back(key);
     return table;
 }
 
 KeyTable body() {
     KeyTable table{.path = "body", .head = "[body.NAME]", .repeat = Repeat::named};
-    table.sentence = "A rigid body: one sphere, or a clump of spheres that may overlap.";
+    table.sentence = "A rigid body: one sphere or disc, or a clump of them that may overlap.";
     table.keys = {
         file("clump",
              "Spheres of the body: CSV with the head `x,y,z,radius`, or LIGGGHTS' lines `x y z r`; metres times "
              "`scale`.")
+            .in_3d()
             .one_of("shape"),
-        number("radius_m", "m", above(0, 100), "Radius of a body of one sphere.").one_of("shape"),
+        file("clump", "Discs of the body: CSV with the head `x,y,radius`, or lines `x y r`; metres times `scale`.")
+            .in_2d()
+            .one_of("shape"),
+        number("radius_m", "m", above(0, 100), "Radius of a body of one sphere or disc.").one_of("shape"),
         number("radius_mm", "mm", above(0, 1e5), "The same in millimetres.").si(1e-3).one_of("shape"),
-        KeyMaker("spheres_m", KeyType::rows, "m", above(0, 100), "The spheres written out: [[x, y, z, radius], ...].")
+        rows("spheres_m", "m", 4, above(0, 100), "The spheres written out: [[x, y, z, radius], ...].")
+            .in_3d()
             .one_of("shape"),
-        number("scale", "", above(0, 1e6), "Size factor of `clump` and `spheres_m`.").otherwise(1.0),
+        rows("discs_m", "m", 3, above(0, 100), "The discs written out: [[x, y, radius], ...].").in_2d().one_of("shape"),
+        number("scale", "", above(0, 1e6), "Size factor of `clump`, `spheres_m` and `discs_m`.").otherwise(1.0),
         text("material", "Name of its material.").must(),
-        number("mass_kg", "kg", above(0, 1e6), "Mass; without it density times the volume of the spheres' union."),
+        number("mass_kg", "kg", above(0, 1e6),
+               "Mass; without it density times the volume of the union of the spheres or discs."),
         vector("inertia_kg_m2", "kg m2", above(0, 1e9),
                "Moments of inertia about the principal axes that lie nearest to the written x, y and z axes; without "
-               "them those of the union."),
+               "them those of the union.")
+            .in_3d(),
+        number("inertia_kg_m2", "kg m2", above(0, 1e9),
+               "Moment of inertia about the centre of mass, across the plane; without it that of the union.")
+            .in_2d(),
     };
     return table;
 }
@@ -71,7 +125,12 @@ KeyTable fill() {
         vector("velocity_m_s", "m/s", from(-1e4, 1e4), "Velocity at the start.")
             .otherwise(std::vector<double>{0, 0, 0}),
         vector("angular_velocity_rad_s", "rad/s", from(-1e6, 1e6), "Angular velocity at the start.")
+            .in_3d()
             .otherwise(std::vector<double>{0, 0, 0}),
+        number("angular_velocity_rad_s", "rad/s", from(-1e6, 1e6),
+               "Angular velocity at the start, counter-clockwise where positive.")
+            .in_2d()
+            .otherwise(0.0),
         number("start_s", "s", from(0, 1e6), "When bodies begin to appear.").otherwise(0.0),
         number("until_s", "s", from(0, 1e6),
                "When the last try is made; without it all must fit at `start_s`. Each try puts in what fits, the next "

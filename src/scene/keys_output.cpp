@@ -21,13 +21,20 @@ KeyTable render() {
         word("camera", {"front", "top", "side", "free"},
              "front looks along x at the trough's cross-section, top down on it, side across it; free is placed by "
              "`eye_m` and `target_m`.")
+            .in_3d()
             .otherwise(std::string("front")),
         word("projection", {"orthographic", "perspective"}, "Parallel or with vanishing points.")
+            .in_3d()
             .otherwise(std::string("orthographic")),
-        vector("eye_m", "m", from(-1e4, 1e4), "Where a free camera stands.").otherwise(std::vector<double>{0, 0, 0}),
-        vector("target_m", "m", from(-1e4, 1e4), "What a free camera looks at.")
+        vector("eye_m", "m", from(-1e4, 1e4), "Where a free camera stands.")
+            .in_3d()
             .otherwise(std::vector<double>{0, 0, 0}),
-        number("field_of_view_deg", "deg", from(1, 170), "Opening of a perspective camera, vertical.").otherwise(35.0),
+        vector("target_m", "m", from(-1e4, 1e4), "What a free camera looks at.")
+            .in_3d()
+            .otherwise(std::vector<double>{0, 0, 0}),
+        number("field_of_view_deg", "deg", from(1, 170), "Opening of a perspective camera, vertical.")
+            .in_3d()
+            .otherwise(35.0),
         vector("view_lo_m", "m", from(-1e4, 1e4),
                "Lowest corner of what must be in the picture; without it all walls "
                "and bodies."),

@@ -8,6 +8,29 @@ namespace {
 constexpr double radians_per_degree = std::numbers::pi / 180;
 constexpr double radians_per_second_per_rpm = 2 * std::numbers::pi / 60;
 
+std::vector<Key> lines_in_the_plane() {
+    return {
+        vector("from_m", "m", from(-1e4, 1e4), "One end.").only_for({"segment"}).in_2d().must(),
+        vector("to_m", "m", from(-1e4, 1e4), "The other end.").only_for({"segment"}).in_2d().must(),
+        rows("points_m", "m", 2, from(-1e4, 1e4), "Its corners: [[x, y], ...], two or more.")
+            .only_for({"polyline"})
+            .in_2d()
+            .must(),
+        flag("closed", "True: the last point is joined to the first.").only_for({"polyline"}).in_2d(),
+        vector("centre_m", "m", from(-1e4, 1e4), "Centre of the circle.").only_for({"arc"}).in_2d().must(),
+        number("from_deg", "deg", from(-360, 360), "Where it begins, counter-clockwise from the x axis.")
+            .si(radians_per_degree)
+            .only_for({"arc"})
+            .in_2d()
+            .otherwise(0.0),
+        number("sweep_deg", "deg", above(0, 360), "How far it goes counter-clockwise; 360: the whole circle.")
+            .si(radians_per_degree)
+            .only_for({"arc"})
+            .in_2d()
+            .otherwise(360.0),
+    };
+}
+
 KeyTable wall() {
     KeyTable table{.path = "wall", .head = "[[wall]]", .repeat = Repeat::many, .kind_key = "shape"};
     table.sentence = "A surface that bodies cannot pass.";
@@ -17,32 +40,54 @@ KeyTable wall() {
              "plane: unbounded, one-sided. box: touched from inside. cylinder: lateral surface without lids. disc: a "
              "thin round plate. trough: a U along x, half a cylinder below straight sides. mesh: triangles of an STL "
              "file. May be left out when `stl` is given.")
+            .in_3d()
+            .must(),
+        word("shape", {"segment", "arc", "polyline", "box", "trough"},
+             "segment: a straight line between two points. arc: a circle or a part of one. polyline: straight lines "
+             "from "
+             "point to point. box: four sides. trough: a U, an arc below straight sides, about x = 0. All are touched "
+             "from both sides.")
+            .in_2d()
             .must(),
         text("material", "Name of its material.").must(),
-        number("opacity", "", from(0, 1), "How solid it looks in pictures; 0 is invisible.").otherwise(0.25),
+        number("opacity", "", from(0, 1), "How solid it looks in pictures; 0 is invisible.").in_3d().otherwise(0.25),
 
-        vector("point_m", "m", from(-1e4, 1e4), "Any point of the plane.").only_for({"plane"}).must(),
+        vector("point_m", "m", from(-1e4, 1e4), "Any point of the plane.").only_for({"plane"}).in_3d().must(),
         vector("normal", "", from(-1e6, 1e6), "Direction away from the surface, towards the bodies; any length.")
             .only_for({"plane", "disc"})
+            .in_3d()
             .otherwise(std::vector<double>{0, 1, 0}),
         vector("lo_m", "m", from(-1e4, 1e4), "Lowest corner.").only_for({"box"}).must(),
         vector("hi_m", "m", from(-1e4, 1e4), "Highest corner.").only_for({"box"}).must(),
         words("open", {"-x", "+x", "-y", "+y", "-z", "+z"}, "Faces that are left out.")
             .only_for({"box"})
+            .in_3d()
+            .otherwise(std::vector<std::string>{}),
+        words("open", {"-x", "+x", "-y", "+y"}, "Sides that are left out.")
+            .only_for({"box"})
+            .in_2d()
             .otherwise(std::vector<std::string>{}),
         vector("base_m", "m", from(-1e4, 1e4), "Centre of the end that `axis` starts at.")
             .only_for({"cylinder"})
+            .in_3d()
             .must(),
         vector("axis", "", from(-1e6, 1e6), "Direction of the axis; any length.")
             .only_for({"cylinder"})
+            .in_3d()
             .otherwise(std::vector<double>{0, 1, 0}),
-        number("length_m", "m", above(0, 1e4), "Length along the axis.").only_for({"cylinder"}).must(),
-        vector("centre_m", "m", from(-1e4, 1e4), "Centre of the plate.").only_for({"disc"}).must(),
+        number("length_m", "m", above(0, 1e4), "Length along the axis.").only_for({"cylinder"}).in_3d().must(),
+        vector("centre_m", "m", from(-1e4, 1e4), "Centre of the plate.").only_for({"disc"}).in_3d().must(),
         number("radius_m", "m", above(0, 1e4), "Radius; of the trough: of its bottom.")
             .only_for({"cylinder", "disc", "trough"})
+            .in_3d()
+            .must(),
+        number("radius_m", "m", above(0, 1e4), "Radius; of the trough: of its bottom.")
+            .only_for({"arc", "trough"})
+            .in_2d()
             .must(),
         number("hole_radius_m", "m", from(0, 1e4), "Radius of a round hole in the middle; 0: none.")
             .only_for({"disc"})
+            .in_3d()
             .otherwise(0.0),
         number("floor_m", "m", from(-1e4, 1e4), "Height (y) of its lowest line.").only_for({"trough"}).must(),
         number("rim_m", "m", from(-1e4, 1e4), "Height (y) of its rim.").only_for({"trough"}).must(),
@@ -53,13 +98,17 @@ KeyTable wall() {
         number("x_lo_m", "m", from(-1e4, 1e4),
                "Where drawing and export begin it; contact has no end along x. "
                "Without it the domain's end.")
-            .only_for({"trough"}),
-        number("x_hi_m", "m", from(-1e4, 1e4), "Where drawing and export end it.").only_for({"trough"}),
-        file("stl", "Triangles, ASCII or binary STL.").only_for({"mesh"}).must(),
+            .only_for({"trough"})
+            .in_3d(),
+        number("x_hi_m", "m", from(-1e4, 1e4), "Where drawing and export end it.").only_for({"trough"}).in_3d(),
+        file("stl", "Triangles, ASCII or binary STL.").only_for({"mesh"}).in_3d().must(),
         number("scale", "", above(0, 1e6), "Metres per unit of the STL file: 0.001 for millimetres.")
             .only_for({"mesh"})
+            .in_3d()
             .otherwise(1.0),
     };
+    for (const Key& key : lines_in_the_plane())
+        table.keys.push_back(key);
     return table;
 }
 
@@ -71,12 +120,14 @@ KeyTable motion() {
     table.keys = {
         word("kind", {"harmonic", "harmonics", "rotation", "rocking", "linear", "table"},
              "harmonic: a (sin(2 pi f (t - start) + phase) - sin(phase)) along an axis. harmonics: many of them, one a "
-             "line of a file. rotation: constant speed about an axis. rocking: a harmonic angle about an axis. linear: "
-             "constant velocity. table: a measured displacement.")
+             "line of a file. rotation: constant speed about an axis (2D: about a point, counter-clockwise where "
+             "positive). rocking: a harmonic angle about it. linear: constant velocity. table: a measured "
+             "displacement.")
             .must(),
         number("start_s", "s", from(0, 1e6), "When it begins; time inside the motion counts from here.").otherwise(0.0),
         number("stop_s", "s", above(0, 1e6), "When it ends; without it never."),
-        word("axis", {"x", "y", "z"}, "Direction of the displacement.").only_for({"harmonic"}).must(),
+        word("axis", {"x", "y", "z"}, "Direction of the displacement.").only_for({"harmonic"}).in_3d().must(),
+        word("axis", {"x", "y"}, "Direction of the displacement.").only_for({"harmonic"}).in_2d().must(),
         number("amplitude_m", "m", from(0, 100), "Largest displacement.").only_for({"harmonic"}).must(),
         number("amplitude_deg", "deg", from(0, 360), "Largest angle.")
             .si(radians_per_degree)
@@ -92,6 +143,7 @@ KeyTable motion() {
             .must(),
         vector("about", "", from(-1e6, 1e6), "Direction of the axis, right-handed; any length.")
             .only_for({"rotation", "rocking"})
+            .in_3d()
             .must(),
         number("speed_rpm", "rpm", from(-1e5, 1e5), "Turns per minute.")
             .si(radians_per_second_per_rpm)
@@ -101,13 +153,17 @@ KeyTable motion() {
             .only_for({"rotation"})
             .one_of("speed"),
         vector("velocity_m_s", "m/s", from(-1e3, 1e3), "Velocity.").only_for({"linear"}).must(),
-        KeyMaker("rows", KeyType::rows, "s, m, m, m", {},
-                 "The table written out: [[t, x, y, z], ...], time from 0, rising.")
+        rows("rows", "s, m, m, m", 4, {}, "The table written out: [[t, x, y, z], ...], time from 0, rising.")
             .only_for({"table"})
+            .in_3d()
+            .one_of("table"),
+        rows("rows", "s, m, m", 3, {}, "The table written out: [[t, x, y], ...], time from 0, rising.")
+            .only_for({"table"})
+            .in_2d()
             .one_of("table"),
         file("file",
              "harmonics: CSV with the head `axis,amplitude,period` and, if phases are known, `phase_deg`; metres "
-             "and seconds. table: CSV with the head `t_s,x_m,y_m,z_m`.")
+             "and seconds. table: CSV with the head `t_s,x_m,y_m,z_m`, without `z_m` in two dimensions.")
             .only_for({"harmonics", "table"})
             .one_of("table"),
     };

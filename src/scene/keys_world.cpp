@@ -10,6 +10,9 @@ KeyTable top_level() {
         text("title", "What the run is called in pictures and reports.").otherwise(std::string()),
         text("claim", "What this scene shows, and where the number comes from.").otherwise(std::string()),
         integer("dimension", from(2, 3), "How many directions bodies move in.").otherwise(std::int64_t{3}),
+        number("depth_m", "m", above(0, 1e4), "Length of discs and walls across the plane: masses are kg and forces N.")
+            .in_2d()
+            .must(),
         number("duration_s", "s", above(0, 1e6), "Simulated time from start to end.").must(),
         number("time_step_s", "s", above(0, 1), "Length of one step; `tumble check` says what is stable.").must(),
         flag("allow_large_step", "Run even when the step is above the stable limit."),
@@ -33,6 +36,10 @@ KeyTable domain() {
         vector("lo_m", "m", from(-1e4, 1e4), "Lowest corner.").must(),
         vector("hi_m", "m", from(-1e4, 1e4), "Highest corner.").must(),
         words("periodic", {"x", "y", "z"}, "Directions in which what leaves at one end enters at the other.")
+            .in_3d()
+            .otherwise(std::vector<std::string>{}),
+        words("periodic", {"x", "y"}, "Directions in which what leaves at one end enters at the other.")
+            .in_2d()
             .otherwise(std::vector<std::string>{}),
     };
     return table;
@@ -40,16 +47,31 @@ KeyTable domain() {
 
 KeyTable contact() {
     KeyTable table{.path = "contact", .head = "[contact]"};
-    table.sentence = "The laws that push touching spheres apart.";
+    table.sentence = "The laws that push touching spheres or discs apart.";
     table.keys = {
         word("normal", {"hertz", "linear"},
              "Normal force: \"hertz\" from Young's modulus, or \"linear\" spring-dashpot from a stiffness.")
+            .in_3d()
             .otherwise(std::string("hertz")),
+        word("normal", {"linear", "hertz"},
+             "Normal force: \"linear\" spring and dashpot of Cundall and Strack, or \"hertz\" between spheres of the "
+             "discs' radii.")
+            .in_2d()
+            .otherwise(std::string("linear")),
         word("tangential", {"mindlin", "linear", "none"},
              "Tangential force with history; \"mindlin\" goes with \"hertz\", \"linear\" takes its own stiffness.")
+            .in_3d()
             .otherwise(std::string("mindlin")),
+        word("tangential", {"linear", "mindlin", "none"},
+             "Tangential force with history; \"linear\" goes with \"linear\", \"mindlin\" with \"hertz\".")
+            .in_2d()
+            .otherwise(std::string("linear")),
         flag("limit_force", "True: the normal force never pulls at the end of a rebound."),
-        flag("share_among_body_contacts", "True: the contacts of one body pair act together as one spring."),
+        flag("share_among_body_contacts", "True: the contacts of one body pair act together as one spring.").in_3d(),
+        number("global_damping_per_s", "1/s", from(0, 1e6),
+               "Mass-proportional damping of every body's motion, alpha of Cundall and Strack: a force -alpha m v.")
+            .in_2d()
+            .otherwise(0.0),
     };
     return table;
 }

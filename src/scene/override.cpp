@@ -1,6 +1,7 @@
 #include "scene/override.h"
 
 #include "base/text.h"
+#include "scene/check_keys.h"
 #include "scene/keys.h"
 #include "scene/nesting.h"
 #include "scene/read_toml.h"
@@ -43,7 +44,7 @@ Result<Node> parse_value(const std::string& value, const Place& place) {
 
 class Walk {
 public:
-    Walk(const std::string& key, const Place& place) : key_(key), place_(place) {}
+    Walk(const std::string& key, const Place& place, int dimension) : key_(key), place_(place), dimension_(dimension) {}
 
     /// The node at the path, made on the way; nullptr with a problem otherwise.
     Node* find(Node& root) {
@@ -86,13 +87,15 @@ private:
     /// What the list of keys has for a value that is not written: a vector whose second member is set alone keeps the
     /// others. Everything else begins as an empty table.
     Node default_of(const std::string& part) {
-        const Key* key = find_key(*find_table(table_), part);
+        const Key* key = find_key(*find_table(table_), part, dimension_);
         const auto* numbers = key ? std::get_if<std::vector<double>>(&key->standard) : nullptr;
         if (!numbers)
             return {place_, Table{}};
         Array array;
-        for (const double number : *numbers)
-            array.items.push_back({place_, number});
+        const std::size_t count =
+            key->type == KeyType::vector ? static_cast<std::size_t>(dimension_) : numbers->size();
+        for (std::size_t i = 0; i < count; ++i)
+            array.items.push_back({place_, (*numbers)[i]});
         return {place_, array};
     }
 
@@ -118,6 +121,7 @@ private:
 
     const std::string& key_;
     const Place& place_;
+    int dimension_;
     std::string path_;
     std::string table_; // path in the list of keys, without names and numbers
     Problems problems_;
@@ -139,7 +143,7 @@ Problems apply(const Override& set, Node& root) {
     auto value = parse_value(set.text.substr(equals + 1), place);
     if (!value)
         return value.problems();
-    Walk walk(key, place);
+    Walk walk(key, place, dimension_of(root));
     Node* target = walk.find(root);
     if (!target)
         return walk.problems();

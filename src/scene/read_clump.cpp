@@ -17,10 +17,14 @@ constexpr std::size_t most_problems = 20;
 constexpr double farthest = 100; // m; a body larger than a house is a file in millimetres
 constexpr const char* form =
     "write each sphere as x,y,z,radius below a head of these words, or as x y z radius; metres";
+constexpr const char* flat_form = "write each disc as x,y,radius below a head of these words, or as x y radius; metres";
 
 class ClumpReader {
 public:
-    explicit ClumpReader(const std::string& source) : source_(source) {}
+    ClumpReader(const std::string& source, int dimension)
+        : source_(source), heads_(dimension == 2 ? std::vector<std::string_view>{"x", "y", "radius"}
+                                                 : std::vector<std::string_view>{"x", "y", "z", "radius"}),
+          part_(dimension == 2 ? "disc" : "sphere"), form_(dimension == 2 ? flat_form : form) {}
 
     Result<std::vector<Sphere>> read(std::string_view text) {
         Lines lines(text);
@@ -42,40 +46,40 @@ public:
                                line.number,
                                1,
                                "",
-                               fmt::format("more than {} spheres", most_spheres),
-                               "use fewer, larger spheres"};
+                               fmt::format("more than {} {}s", most_spheres, part_),
+                               fmt::format("use fewer, larger {}s", part_)};
         }
         if (!problems_.empty())
             return problems_;
         if (spheres_.empty())
-            return Problem{source_, 0, 0, "", "there is no sphere in this file", form};
+            return Problem{source_, 0, 0, "", fmt::format("there is no {} in this file", part_), form_};
         return spheres_;
     }
 
 private:
     void refuse(int line, int column, std::string what) {
-        problems_.push_back({source_, line, column, "", std::move(what), form});
+        problems_.push_back({source_, line, column, "", std::move(what), form_});
     }
 
-    /// Four words; a wrong or lacking head is met as numbers that cannot be read.
-    static bool is_head(std::string_view content) {
+    /// The words of the head; a wrong or lacking head is met as numbers that cannot be read.
+    [[nodiscard]] bool is_head(std::string_view content) const {
         const auto fields = comma_fields(content);
-        constexpr std::array<std::string_view, 4> head{"x", "y", "z", "radius"};
-        if (fields.size() != head.size())
+        if (fields.size() != heads_.size())
             return false;
-        for (std::size_t i = 0; i < head.size(); ++i)
-            if (fields[i].text != head[i])
+        for (std::size_t i = 0; i < heads_.size(); ++i)
+            if (fields[i].text != heads_[i])
                 return false;
         return true;
     }
 
     void sphere(std::string_view content, int line) {
         const auto fields = commas_ ? comma_fields(content) : blank_fields(content);
-        if (fields.size() != 4)
-            return refuse(line, 1, fmt::format("{} values where a sphere has 4", fields.size()));
+        const std::size_t count = heads_.size();
+        if (fields.size() != count)
+            return refuse(line, 1, fmt::format("{} values where a {} has {}", fields.size(), part_, count));
         std::array<double, 4> values{};
         bool right = true;
-        for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t i = 0; i < count; ++i) {
             const auto value = parse_number(fields[i].text);
             if (!value || !(std::abs(*value) <= farthest)) {
                 refuse(line, fields[i].column,
@@ -85,15 +89,19 @@ private:
             } else
                 values[i] = *value;
         }
-        if (right && !(values[3] > 0)) {
-            refuse(line, fields[3].column, fmt::format("the radius {} is not above 0", plain(values[3])));
+        const double radius = values[count - 1];
+        if (right && !(radius > 0)) {
+            refuse(line, fields[count - 1].column, fmt::format("the radius {} is not above 0", plain(radius)));
             right = false;
         }
         if (right)
-            spheres_.push_back({{values[0], values[1], values[2]}, values[3]});
+            spheres_.push_back({{values[0], values[1], count == 4 ? values[2] : 0.0}, radius});
     }
 
     const std::string& source_;
+    std::vector<std::string_view> heads_;
+    const char* part_;
+    const char* form_;
     bool commas_ = false;
     std::vector<Sphere> spheres_;
     Problems problems_;
@@ -101,15 +109,15 @@ private:
 
 } // namespace
 
-Result<std::vector<Sphere>> parse_clump(std::string_view text, const std::string& source) {
-    return ClumpReader(source).read(text);
+Result<std::vector<Sphere>> parse_clump(std::string_view text, const std::string& source, int dimension) {
+    return ClumpReader(source, dimension).read(text);
 }
 
-Result<std::vector<Sphere>> read_clump(const std::filesystem::path& file) {
+Result<std::vector<Sphere>> read_clump(const std::filesystem::path& file, int dimension) {
     const auto text = read_file(file, largest_clump_file);
     if (!text)
         return text.problems();
-    return parse_clump(*text, file.string());
+    return parse_clump(*text, file.string(), dimension);
 }
 
 } // namespace tumble::scene

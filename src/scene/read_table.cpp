@@ -22,6 +22,8 @@ constexpr double longest_time = 1e6; // s
 constexpr double farthest = 100;     // m
 constexpr const char* table_form =
     "write the head t_s,x_m,y_m,z_m and rows of time (s, from 0, rising) and displacement (m)";
+constexpr const char* flat_table_form =
+    "write the head t_s,x_m,y_m and rows of time (s, from 0, rising) and displacement (m)";
 constexpr const char* harmonics_form =
     "write the head axis,amplitude,period (and phase_deg) and rows such as y,0.002,0.04";
 
@@ -93,18 +95,22 @@ std::vector<RowFault> time_faults(const std::vector<double>& time) {
     return faults;
 }
 
-Result<MotionTable> parse_motion_table(std::string_view text, const std::string& source) {
-    const auto table = table_with(text, source, {"t_s", "x_m", "y_m", "z_m"}, 0, table_form);
+Result<MotionTable> parse_motion_table(std::string_view text, const std::string& source, int dimension) {
+    const char* const form = dimension == 2 ? flat_table_form : table_form;
+    std::vector<std::string> heads{"t_s", "x_m", "y_m", "z_m"};
+    heads.resize(static_cast<std::size_t>(dimension) + 1);
+    const auto table = table_with(text, source, heads, 0, form);
     if (!table)
         return table.problems();
     if (table->rows() == 0)
-        return Problem{source, 0, 0, "", "there is no row below the head", table_form};
-    Columns columns(*table, table_form);
+        return Problem{source, 0, 0, "", "there is no row below the head", form};
+    Columns columns(*table, form);
     MotionTable motion;
     motion.time = columns.read("t_s", 0, longest_time);
     std::array<std::vector<double>, 3> along;
-    for (std::size_t k = 0; k < 3; ++k)
-        along[k] = columns.read(std::array{"x_m", "y_m", "z_m"}[k], -farthest, farthest);
+    along.fill(std::vector<double>(table->rows(), 0.0));
+    for (std::size_t k = 0; k + 1 < heads.size(); ++k)
+        along[k] = columns.read(heads[k + 1], -farthest, farthest);
     if (!columns.problems().empty())
         return columns.problems();
     for (const RowFault& fault : time_faults(motion.time))
@@ -144,11 +150,11 @@ Result<std::vector<Harmonic>> parse_harmonics(std::string_view text, const std::
     return harmonics;
 }
 
-Result<MotionTable> read_motion_table(const std::filesystem::path& file) {
+Result<MotionTable> read_motion_table(const std::filesystem::path& file, int dimension) {
     const auto text = read_file(file, limits.bytes);
     if (!text)
         return text.problems();
-    return parse_motion_table(*text, file.string());
+    return parse_motion_table(*text, file.string(), dimension);
 }
 
 Result<std::vector<Harmonic>> read_harmonics(const std::filesystem::path& file) {

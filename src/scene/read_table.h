@@ -12,8 +12,9 @@ namespace tumble::scene {
 
 /// A measured displacement: CSV with the head "t_s,x_m,y_m,z_m", time starting at 0 and rising, two rows or more.
 /// '#' begins a comment. The activity of the table is left at its default. Problems at line and column; at most 20.
-Result<MotionTable> parse_motion_table(std::string_view text, const std::string& source);
-Result<MotionTable> read_motion_table(const std::filesystem::path& file);
+/// In two dimensions the head is "t_s,x_m,y_m".
+Result<MotionTable> parse_motion_table(std::string_view text, const std::string& source, int dimension = 3);
+Result<MotionTable> read_motion_table(const std::filesystem::path& file, int dimension = 3);
 
 /// What keeps these times from being those of a motion, and at which row (from 0); empty when nothing does.
 struct RowFault {

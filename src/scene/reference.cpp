@@ -17,6 +17,10 @@ is stale and how to write it anew.
 A scene is a TOML file. Units stand in the names of keys. Relative file names start at the scene's folder. An unknown key
 is an error; all problems of a file are reported at once. y is up.
 
+With `dimension = 2` bodies are discs in the plane of x and y: points and vectors have two numbers, [x, y]. Keys marked 2D
+or 3D in the second column belong to scenes of that dimension alone; a name that stands there twice means something else in
+each.
+
 Any key can be set on the command line, with the same checks: `--set time_step_s=1e-6`,
 `--set material.media.density_kg_m3=1500`, `--set fill.0.count=200`, `--set wall.trough.motion.0.amplitude_m=0.001`.
 Members of `[[fill]]` and `[[wall.motion]]` go by their number from 0, members of `[[wall]]` by name or number.
@@ -39,7 +43,9 @@ std::string default_of(const Key& key) {
 }
 
 std::string row(const Key& key, const KeyTable& table) {
-    std::string text = fmt::format("| `{}` | {} | {} |", key.name, bar_escaped(describe(key)), default_of(key));
+    const char* const in = key.in == Dimensions::two ? "2D" : key.in == Dimensions::three ? "3D" : "";
+    std::string text =
+        fmt::format("| `{}` | {} | {} | {} |", key.name, in, bar_escaped(describe(key)), default_of(key));
     if (!table.kind_key.empty())
         text += fmt::format(" {} |", fmt::join(key.only_for, ", "));
     return text + " " + bar_escaped(key.sentence) + " |\n";
@@ -56,7 +62,7 @@ std::string groups(const KeyTable& table) {
         std::vector<std::string> names;
         for (const Key& other : table.keys)
             if (other.one_of == key.one_of)
-                names.push_back("`" + other.name + "`");
+                names.push_back("`" + other.name + (other.in == key.in ? "`" : "` (2D)"));
         text += fmt::format("Give exactly one of {}.\n", fmt::join(names, ", "));
     }
     return text.empty() ? "" : "\n" + text;
@@ -67,10 +73,11 @@ std::string section(const KeyTable& table) {
                                    table.sentence, table.required && !table.head.empty() ? " Required." : "");
     text += groups(table);
     if (table.kind_key.empty())
-        text += "\n| key | takes | default | meaning |\n| --- | --- | --- | --- |\n";
+        text += "\n| key | in | takes | default | meaning |\n| --- | --- | --- | --- | --- |\n";
     else
-        text += fmt::format("\n| key | takes | default | only for `{}` | meaning |\n| --- | --- | --- | --- | --- |\n",
-                            table.kind_key);
+        text += fmt::format(
+            "\n| key | in | takes | default | only for `{}` | meaning |\n| --- | --- | --- | --- | --- | --- |\n",
+            table.kind_key);
     for (const Key& key : table.keys)
         text += row(key, table);
     return text;

@@ -10,6 +10,8 @@ namespace tumble::scene {
 /// Everything found wrong so far, and which values are not worth a second complaint.
 class Report {
 public:
+    int dimension = 3; // of the scene, 2 or 3: which keys there are and how many numbers a point has
+
     void add(const Place& place, std::string key, std::string what, std::string fix) {
         problems_.push_back(problem_at(place, std::move(key), std::move(what), std::move(fix)));
     }

@@ -44,8 +44,16 @@ bool has_volume(const Box& box);
 /// loads to the same bits; y, with a problem reported, when it has no length.
 Vector3d direction_of(const View& view, const std::string& key, const Resolving& to);
 
-/// "x, y, z" of a point in metres, for sentences.
-std::string in_words(const Eigen::Vector3d& point);
+/// "[x, y, z]" of a point in metres, for sentences; "[x, y]" in two dimensions.
+std::string in_words(const Eigen::Vector3d& point, const Resolving& to);
+
+/// A box from two corner keys; in two dimensions it reaches half the depth to either side.
+Box box_of(const View& view, const std::string& lo, const std::string& hi, const Resolving& to);
+
+/// A wall's outline in a scene of two dimensions.
+Outline resolve_outline(const View& view, const Resolving& to);
+/// What keeps the outline from being a wall in its domain, reported at the wall.
+void check_outline(const View& view, const Outline& outline, const Resolving& to);
 
 /// The motion of a wall from its [[wall.motion]] tables.
 WallMotion resolve_motion(const View& wall, const Resolving& to);

@@ -14,8 +14,9 @@ std::vector<Sphere> resolve_spheres(const View& view, const Resolving& to) {
     std::vector<Sphere> spheres;
     if (view.given("radius_m") || view.given("radius_mm"))
         return {{Vector3d::Zero(), view.number(view.given("radius_m") ? "radius_m" : "radius_mm")}};
+    const int dimension = to.scene.dimension;
     if (view.given("clump")) {
-        auto read = read_clump(to.file(view.text("clump")));
+        auto read = read_clump(to.file(view.text("clump")), dimension);
         if (read)
             spheres = std::move(*read);
         else if (const Problems problems = read.problems(); problems.front().line == 0)
@@ -24,11 +25,16 @@ std::vector<Sphere> resolve_spheres(const View& view, const Resolving& to) {
         else
             to.report.add(problems);
     }
-    const std::vector<double> numbers = view.numbers("spheres_m");
-    if (numbers.size() / 4 > most_spheres)
-        to.refuse(view, "spheres_m", fmt::format("more than {} spheres", most_spheres), "use fewer, larger spheres");
-    for (std::size_t i = 0; i + 3 < numbers.size(); i += 4)
-        spheres.push_back({{numbers[i], numbers[i + 1], numbers[i + 2]}, numbers[i + 3]});
+    const char* const written = dimension == 2 ? "discs_m" : "spheres_m";
+    const char* const parts = dimension == 2 ? "discs" : "spheres";
+    const auto columns = static_cast<std::size_t>(dimension) + 1;
+    const std::vector<double> numbers = view.numbers(written);
+    if (numbers.size() / columns > most_spheres)
+        to.refuse(view, written, fmt::format("more than {} {}", most_spheres, parts),
+                  fmt::format("use fewer, larger {}", parts));
+    for (std::size_t i = 0; i + columns <= numbers.size(); i += columns)
+        spheres.push_back(
+            {{numbers[i], numbers[i + 1], dimension == 2 ? 0.0 : numbers[i + 2]}, numbers[i + columns - 1]});
     const double scale = view.number("scale");
     for (Sphere& sphere : spheres) {
         sphere.centre *= scale;
@@ -67,18 +73,18 @@ void check_region(const View& view, const Fill& fill, const Resolving& to) {
     if (!view.given("region_lo_m") || !view.given("region_hi_m"))
         return;
     if (!has_volume(fill.region)) {
-        to.refuse(
-            view, "region_hi_m",
-            fmt::format("the region from {} to {} has no volume", in_words(fill.region.lo), in_words(fill.region.hi)),
-            "each value of region_hi_m must be above that of region_lo_m");
+        to.refuse(view, "region_hi_m",
+                  fmt::format("the region from {} to {} has no volume", in_words(fill.region.lo, to),
+                              in_words(fill.region.hi, to)),
+                  "each value of region_hi_m must be above that of region_lo_m");
         return;
     }
     const Box& domain = to.scene.domain.box;
     for (const char* key : {"region_lo_m", "region_hi_m"})
         if (has_volume(domain) && !inside(view.vector(key), domain))
             to.refuse(view, key,
-                      fmt::format("the corner {} lies outside the domain from {} to {}", in_words(view.vector(key)),
-                                  in_words(domain.lo), in_words(domain.hi)),
+                      fmt::format("the corner {} lies outside the domain from {} to {}", in_words(view.vector(key), to),
+                                  in_words(domain.lo, to), in_words(domain.hi, to)),
                       "move it inside, or enlarge the domain");
 }
 
@@ -88,8 +94,8 @@ void check_position(const View& view, const Fill& fill, const Resolving& to) {
     const Box& domain = to.scene.domain.box;
     if (has_volume(domain) && !inside(*fill.position, domain))
         to.refuse(view, "position_m",
-                  fmt::format("{} lies outside the domain from {} to {}", in_words(*fill.position), in_words(domain.lo),
-                              in_words(domain.hi)),
+                  fmt::format("{} lies outside the domain from {} to {}", in_words(*fill.position, to),
+                              in_words(domain.lo, to), in_words(domain.hi, to)),
                   "move it inside, or enlarge the domain");
     if (view.given("count") && *fill.count != 1)
         to.refuse(view, "count", fmt::format("{} bodies cannot all be at one position", *fill.count),
@@ -114,12 +120,14 @@ void resolve_bodies(const View& root, const Resolving& to) {
         body.spheres = resolve_spheres(view, to);
         if (view.given("mass_kg"))
             body.mass = view.number("mass_kg");
-        if (view.given("inertia_kg_m2")) {
+        if (view.given("inertia_kg_m2") && to.scene.dimension == 2)
+            body.principal_inertia = Vector3d::Constant(view.number("inertia_kg_m2"));
+        else if (view.given("inertia_kg_m2")) {
             const Vector3d i = view.vector("inertia_kg_m2");
             body.principal_inertia = i;
             // The two smaller moments of any real body sum to more than the largest.
             if (2 * i.maxCoeff() > i.sum() * (1 + 1e-9))
-                to.refuse(view, "inertia_kg_m2", fmt::format("no body has the moments {}", in_words(i)),
+                to.refuse(view, "inertia_kg_m2", fmt::format("no body has the moments {}", in_words(i, to)),
                           "the largest cannot exceed the sum of the other two");
         }
         to.scene.bodies.push_back(std::move(body));
@@ -141,12 +149,14 @@ void resolve_fills(const View& root, const Resolving& to) {
             fill.count = view.integer("count");
         if (view.given("mass_kg"))
             fill.mass = view.number("mass_kg");
-        fill.region = {view.vector("region_lo_m"), view.vector("region_hi_m")};
+        fill.region = box_of(view, "region_lo_m", "region_hi_m", to);
         if (view.given("position_m"))
             fill.position = view.vector("position_m");
         fill.orientation = view.text("orientation") == "as_written" ? Orientation::as_written : Orientation::random;
         fill.velocity = view.vector("velocity_m_s");
-        fill.angular_velocity = view.vector("angular_velocity_rad_s");
+        fill.angular_velocity = to.scene.dimension == 2
+                                    ? Vector3d(view.number("angular_velocity_rad_s") * Vector3d::UnitZ())
+                                    : view.vector("angular_velocity_rad_s");
         fill.start = view.number("start_s");
         fill.until = view.given("until_s") ? view.number("until_s") : fill.start;
         fill.every = view.number("every_s");

@@ -3,6 +3,7 @@
 #include "scene/resolve.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <map>
@@ -40,6 +41,41 @@ std::string suggest_material(const std::string& name, const Scene& scene) {
     return meant.empty() ? fmt::format("the materials are {}", fmt::join(names, ", ")) : meant;
 }
 
+/// One of two keys, and not both; neither only when no law asks for it.
+void check_either(const View& view, const Resolving& to, const std::string& one, const std::string& other,
+                  const std::string& needed_by) {
+    if (view.written(one) && view.written(other))
+        to.refuse(view, other, fmt::format("{} has '{}' and '{}'", view.title(), one, other), "give one of them");
+    else if (!needed_by.empty() && !view.written(one) && !view.written(other))
+        to.refuse(view, one,
+                  fmt::format("{} has neither '{}' nor '{}', and {} needs one", view.title(), one, other, needed_by),
+                  "add one of them");
+}
+
+/// The linear law's keys in two dimensions; docs/theory-2d.md.
+void resolve_disc_pair(const View& view, const Resolving& to, contact::PairProperties& pair) {
+    const ContactLaws& laws = to.scene.contact;
+    if (view.given("contact_damping_s"))
+        pair.restitution = 1;
+    pair.contact_time = view.number("contact_time_s");
+    pair.stiffness_ratio = view.number("stiffness_ratio");
+    pair.damping_time = view.number("contact_damping_s");
+    pair.cohesion = view.number("cohesion_N");
+    check_either(view, to, "normal_stiffness_N_per_m", "contact_time_s",
+                 laws.normal == NormalLaw::linear ? "normal = \"linear\"" : "");
+    check_either(view, to, "tangential_stiffness_N_per_m", "stiffness_ratio",
+                 laws.tangential == TangentialLaw::linear ? "tangential = \"linear\"" : "");
+    if (view.written("contact_damping_s") && view.written("contact_time_s"))
+        to.refuse(view, "contact_time_s", "'contact_time_s' follows from restitution, not from 'contact_damping_s'",
+                  "give normal_stiffness_N_per_m, or restitution in place of contact_damping_s");
+    if (laws.normal == NormalLaw::linear)
+        return;
+    for (const char* key : {"contact_damping_s", "cohesion_N"})
+        if (view.written(key))
+            to.refuse(view, key, fmt::format("'{}' belongs to the linear law", key),
+                      "remove it, or write normal = \"linear\" in [contact]");
+}
+
 void resolve_pair(const NamedView& named, const Resolving& to, std::map<std::pair<int, int>, std::string>& seen) {
     Scene& scene = to.scene;
     const View& view = named.view;
@@ -68,14 +104,18 @@ void resolve_pair(const NamedView& named, const Resolving& to, std::map<std::pai
 
     contact::PairProperties pair;
     pair.restitution = view.number("restitution");
-    pair.friction = view.number("friction");
+    pair.friction =
+        view.given("friction_angle_deg") ? std::tan(view.number("friction_angle_deg")) : view.number("friction");
     pair.normal_stiffness = view.number("normal_stiffness_N_per_m");
     pair.tangential_stiffness = view.number("tangential_stiffness_N_per_m");
-    if (scene.contact.normal == NormalLaw::linear && !view.written("normal_stiffness_N_per_m"))
+    if (scene.dimension == 2)
+        resolve_disc_pair(view, to, pair);
+    else if (scene.contact.normal == NormalLaw::linear && !view.written("normal_stiffness_N_per_m"))
         to.refuse(view, "normal_stiffness_N_per_m",
                   fmt::format("{} has no 'normal_stiffness_N_per_m', which normal = \"linear\" needs", view.title()),
                   "add it, a number in N/m above 0");
-    if (scene.contact.tangential == TangentialLaw::linear && !view.written("tangential_stiffness_N_per_m"))
+    if (scene.dimension == 3 && scene.contact.tangential == TangentialLaw::linear &&
+        !view.written("tangential_stiffness_N_per_m"))
         to.refuse(
             view, "tangential_stiffness_N_per_m",
             fmt::format("{} has no 'tangential_stiffness_N_per_m', which tangential = \"linear\" needs", view.title()),
@@ -140,6 +180,12 @@ void resolve_materials(const View& root, const Resolving& to) {
         material.density = view.number("density_kg_m3");
         material.youngs_modulus = view.number("youngs_modulus_Pa");
         material.poisson_ratio = view.number("poisson_ratio");
+        if (scene.dimension == 2 && scene.contact.normal == NormalLaw::hertz)
+            for (const char* key : {"youngs_modulus_Pa", "poisson_ratio"})
+                if (!view.written(key))
+                    to.refuse(view, key,
+                              fmt::format("{} has no '{}', which normal = \"hertz\" needs", view.title(), key),
+                              fmt::format("add {}", key));
         if (view.given("youngs_modulus_Pa") && material.youngs_modulus < softest_usual && !view.flag("allow_soft"))
             to.refuse(view, "youngs_modulus_Pa",
                       fmt::format("{} Pa is softer than rubber, grains will sink into each other",

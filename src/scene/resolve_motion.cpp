@@ -39,6 +39,11 @@ void add_harmonics(const View& view, const Active& active, const Resolving& to, 
     if (view.kind() == "harmonics") {
         auto all = read<std::vector<Harmonic>>(view, to, read_harmonics);
         for (Harmonic& one : all.value_or(std::vector<Harmonic>{})) {
+            if (one.axis >= to.scene.dimension) {
+                to.refuse(view, "file", "there is a harmonic along z in it, in a scene of two dimensions",
+                          "name the axes x and y in the file");
+                return;
+            }
             one.active = active;
             motion.harmonics.push_back(one);
         }
@@ -54,16 +59,19 @@ void add_harmonics(const View& view, const Active& active, const Resolving& to, 
 }
 
 void add_table(const View& view, const Active& active, const Resolving& to, WallMotion& motion) {
-    MotionTable table = read<MotionTable>(view, to, read_motion_table).value_or(MotionTable{});
+    const bool flat = to.scene.dimension == 2;
+    const auto of_dimension = [&](const std::filesystem::path& file) { return read_motion_table(file, flat ? 2 : 3); };
+    MotionTable table = read<MotionTable>(view, to, of_dimension).value_or(MotionTable{});
     const std::vector<double> rows = view.numbers("rows");
-    for (std::size_t i = 0; i + 3 < rows.size(); i += 4) {
+    const std::size_t columns = flat ? 3 : 4;
+    for (std::size_t i = 0; i + columns <= rows.size(); i += columns) {
         table.time.push_back(rows[i]);
-        table.displacement.emplace_back(rows[i + 1], rows[i + 2], rows[i + 3]);
+        table.displacement.emplace_back(rows[i + 1], rows[i + 2], flat ? 0.0 : rows[i + 3]);
     }
     if (view.given("rows"))
         for (const RowFault& fault : time_faults(table.time))
             to.refuse(view, "rows", fmt::format("row {}: {}", fault.row + 1, fault.what),
-                      "write [t, x, y, z] in each row, time from 0, rising");
+                      fmt::format("write {} in each row, time from 0, rising", flat ? "[t, x, y]" : "[t, x, y, z]"));
     table.active = active;
     motion.tables.push_back(std::move(table));
 }
@@ -72,6 +80,9 @@ void add_table(const View& view, const Active& active, const Resolving& to, Wall
 
 WallMotion resolve_motion(const View& wall, const Resolving& to) {
     WallMotion motion;
+    const auto axis_of = [&](const View& view) {
+        return to.scene.dimension == 2 ? Vector3d(Vector3d::UnitZ()) : direction_of(view, "about", to);
+    };
     for (const NamedView& named : wall.children("motion")) {
         const View& view = named.view;
         const std::string kind = view.kind();
@@ -79,12 +90,11 @@ WallMotion resolve_motion(const View& wall, const Resolving& to) {
         if (kind == "harmonic" || kind == "harmonics")
             add_harmonics(view, active, to, motion);
         else if (kind == "rotation")
-            motion.rotations.push_back({active, view.vector("centre_m"), direction_of(view, "about", to),
+            motion.rotations.push_back({active, view.vector("centre_m"), axis_of(view),
                                         view.number(view.given("speed_rpm") ? "speed_rpm" : "speed_rad_s")});
         else if (kind == "rocking")
-            motion.rockings.push_back({active, view.vector("centre_m"), direction_of(view, "about", to),
-                                       view.number("amplitude_deg"), view.number("frequency_Hz"),
-                                       view.number("phase_deg")});
+            motion.rockings.push_back({active, view.vector("centre_m"), axis_of(view), view.number("amplitude_deg"),
+                                       view.number("frequency_Hz"), view.number("phase_deg")});
         else if (kind == "linear")
             motion.linears.push_back({active, view.vector("velocity_m_s")});
         else if (kind == "table")

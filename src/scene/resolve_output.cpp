@@ -5,13 +5,13 @@ namespace {
 
 void resolve_render(const View& view, const Resolving& to) {
     Render& render = to.scene.render;
-    render.camera = view.text("camera");
+    render.camera = to.scene.dimension == 2 ? "side" : view.text("camera"); // along -z: x to the right, y up
     render.projection = view.text("projection");
     render.eye = view.vector("eye_m");
     render.target = view.vector("target_m");
     render.field_of_view_deg = view.number("field_of_view_deg");
     if (view.given("view_lo_m") && view.given("view_hi_m")) {
-        render.view = Box{view.vector("view_lo_m"), view.vector("view_hi_m")};
+        render.view = box_of(view, "view_lo_m", "view_hi_m", to);
         if (!has_volume(*render.view))
             to.refuse(view, "view_hi_m", "the view has no volume",
                       "each value of view_hi_m must be above that of view_lo_m");

@@ -17,11 +17,12 @@ PlaneShape plane(const View& view, const Resolving& to) {
 
 BoxShape box(const View& view, const Resolving& to) {
     BoxShape shape;
-    shape.box = {view.vector("lo_m"), view.vector("hi_m")};
+    shape.box = box_of(view, "lo_m", "hi_m", to);
     if (view.given("lo_m") && view.given("hi_m") && !has_volume(shape.box))
-        to.refuse(view, "hi_m",
-                  fmt::format("the box from {} to {} has no volume", in_words(shape.box.lo), in_words(shape.box.hi)),
-                  "each value of hi_m must be above that of lo_m");
+        to.refuse(
+            view, "hi_m",
+            fmt::format("the box from {} to {} has no volume", in_words(shape.box.lo, to), in_words(shape.box.hi, to)),
+            "each value of hi_m must be above that of lo_m");
     for (const std::string& face : view.words("open"))
         shape.open[static_cast<std::size_t>(2 * (face[1] - 'x') + (face[0] == '+'))] = true;
     return shape;
@@ -165,7 +166,7 @@ void check_place(const NamedView& wall, const WallShape& shape, const Resolving&
     if (!in_domain(shape, domain))
         to.report.add(view.place(), view.path(), fmt::format("wall '{}' lies outside the domain", view.text("name")),
                       fmt::format("no body can ever touch it: move it into {} to {}, or enlarge the domain",
-                                  in_words(domain.lo), in_words(domain.hi)));
+                                  in_words(domain.lo, to), in_words(domain.hi, to)));
     else if (const std::string face = lost_face(shape, domain); !face.empty())
         to.report.add(view.place(), view.path(),
                       fmt::format("face {} of wall '{}' lies outside the domain", face, view.text("name")),
@@ -188,9 +189,14 @@ void resolve_walls(const View& root, const Resolving& to) {
                       "give each its own name");
         wall.material = material_of(view, to).value_or(0);
         wall.opacity = view.number("opacity");
-        wall.shape = resolve_shape(view, to);
         wall.motion = resolve_motion(view, to);
-        check_place(named, wall.shape, to);
+        if (to.scene.dimension == 2) {
+            wall.outline = resolve_outline(view, to);
+            check_outline(view, wall.outline, to);
+        } else {
+            wall.shape = resolve_shape(view, to);
+            check_place(named, wall.shape, to);
+        }
         to.scene.walls.push_back(std::move(wall));
     }
 }

@@ -27,7 +27,18 @@ Vector3d direction_of(const View& view, const std::string& key, const Resolving&
     return Vector3d::UnitY();
 }
 
-std::string in_words(const Eigen::Vector3d& point) {
+Box box_of(const View& view, const std::string& lo, const std::string& hi, const Resolving& to) {
+    Box box{view.vector(lo), view.vector(hi)};
+    if (to.scene.dimension == 2) {
+        box.lo.z() = -to.scene.depth / 2;
+        box.hi.z() = to.scene.depth / 2;
+    }
+    return box;
+}
+
+std::string in_words(const Eigen::Vector3d& point, const Resolving& to) {
+    if (to.scene.dimension == 2)
+        return fmt::format("[{}, {}]", plain(point.x()), plain(point.y()));
     return fmt::format("[{}, {}, {}]", plain(point.x()), plain(point.y()), plain(point.z()));
 }
 
@@ -40,9 +51,8 @@ void resolve_top(const View& root, const Resolving& to) {
         scene.title = scene.file.stem().string();
     scene.claim = root.text("claim");
     scene.dimension = static_cast<int>(root.integer("dimension"));
-    if (root.given("dimension") && scene.dimension == 2)
-        to.refuse(root, "dimension", "scenes in two dimensions cannot be run yet",
-                  "write dimension = 3, or remove the key; spheres with all centres in one plane move like discs");
+    if (scene.dimension == 2)
+        scene.depth = root.given("depth_m") ? root.number("depth_m") : 1.0;
     scene.duration = root.number("duration_s");
     scene.time_step = root.number("time_step_s");
     if (root.given("duration_s") && root.given("time_step_s") && scene.time_step > scene.duration)
@@ -58,14 +68,14 @@ void resolve_top(const View& root, const Resolving& to) {
 
 void resolve_domain(const View& view, const Resolving& to) {
     Domain& domain = to.scene.domain;
-    domain.box = {view.vector("lo_m"), view.vector("hi_m")};
+    domain.box = box_of(view, "lo_m", "hi_m", to);
     for (const std::string& axis : view.words("periodic"))
         domain.periodic[static_cast<std::size_t>(axis[0] - 'x')] = true;
     if (view.given("lo_m") && view.given("hi_m") && !has_volume(domain.box))
-        to.refuse(
-            view, "hi_m",
-            fmt::format("the domain from {} to {} has no volume", in_words(domain.box.lo), in_words(domain.box.hi)),
-            "each value of hi_m must be above that of lo_m");
+        to.refuse(view, "hi_m",
+                  fmt::format("the domain from {} to {} has no volume", in_words(domain.box.lo, to),
+                              in_words(domain.box.hi, to)),
+                  "each value of hi_m must be above that of lo_m");
 }
 
 void resolve_contact(const View& view, const Resolving& to) {
@@ -78,10 +88,15 @@ void resolve_contact(const View& view, const Resolving& to) {
                                                : TangentialLaw::mindlin;
     laws.limit_force = view.flag("limit_force");
     laws.share_among_body_contacts = view.flag("share_among_body_contacts");
+    laws.global_damping = view.number("global_damping_per_s");
     if (laws.normal == NormalLaw::linear && laws.tangential == TangentialLaw::mindlin)
         to.refuse(view, view.written("tangential") ? "tangential" : "normal",
                   "normal = \"linear\" does not go with tangential = \"mindlin\", whose stiffness is Hertz'",
                   "write tangential = \"linear\" or \"none\", or normal = \"hertz\"");
+    if (to.scene.dimension == 2 && laws.normal == NormalLaw::hertz && laws.tangential == TangentialLaw::linear)
+        to.refuse(view, view.written("tangential") ? "tangential" : "normal",
+                  "in two dimensions normal = \"hertz\" does not go with tangential = \"linear\"",
+                  "write tangential = \"mindlin\" or \"none\", or normal = \"linear\"");
 }
 
 } // namespace

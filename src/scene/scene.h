@@ -15,7 +15,8 @@
 #include <vector>
 
 /// What is wanted, resolved: SI units, defaults filled, every reference an index, every file read. Only src/scene sees
-/// TOML; everything else works from these plain values.
+/// TOML; everything else works from these plain values. A scene of two dimensions lies in the plane z = 0: its points
+/// have z = 0, its boxes reach half the depth to either side, and what turns turns about z.
 namespace tumble::scene {
 
 using Eigen::Vector3d;
@@ -36,6 +37,7 @@ struct ContactLaws {
     TangentialLaw tangential = TangentialLaw::mindlin;
     bool limit_force = false;               // true: the normal force never pulls at the end of a rebound
     bool share_among_body_contacts = false; // true: n contacts of one body pair act together as one (docs/bodies.md)
+    double global_damping = 0;              // 1/s, mass-proportional; two dimensions only
 };
 
 struct Sphere {
@@ -43,7 +45,8 @@ struct Sphere {
     double radius = 0;                  // m
 };
 
-/// A rigid set of spheres. Mass comes from density and the union's volume unless given.
+/// A rigid set of spheres, or of discs in two dimensions. Mass comes from density and the union's volume unless given.
+/// In two dimensions the third moment of inertia is the one that counts.
 struct BodyTemplate {
     std::string name;
     std::vector<Sphere> spheres;
@@ -108,11 +111,29 @@ struct MeshShape {
     double scale = 1;                               // metres per unit of the file, already applied
 };
 
+struct SegmentShape {
+    Eigen::Vector2d from = Eigen::Vector2d::Zero(); // m
+    Eigen::Vector2d to = Eigen::Vector2d::Zero();   // m
+};
+struct ArcShape {
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero(); // m
+    double radius = 0;                                // m
+    double start = 0;                                 // rad, counter-clockwise from x
+    double sweep = 0;                                 // rad, 2 pi: the whole circle
+};
+struct PolylineShape {
+    std::vector<Eigen::Vector2d> points; // m
+    bool closed = false;
+};
+/// A wall in two dimensions, touched from both sides. The box is its four sides, the trough its profile with x for z.
+using Outline = std::variant<SegmentShape, ArcShape, PolylineShape, BoxShape, TroughShape>;
+
 using WallShape = std::variant<PlaneShape, BoxShape, CylinderShape, DiscShape, TroughShape, MeshShape>;
 
 struct Wall {
     std::string name;
-    WallShape shape;
+    WallShape shape; // in three dimensions
+    Outline outline; // in two
     int material = 0;
     WallMotion motion;
     double opacity = 0.25; // 0..1, for drawing
@@ -147,6 +168,7 @@ struct Scene {
     std::string title;
     std::string claim;
     int dimension = 3;
+    double depth = 0;     // m, of discs and walls; two dimensions only
     double duration = 0;  // s
     double time_step = 0; // s
     std::uint64_t seed = 1;

@@ -13,6 +13,8 @@ void write_world(const Scene& scene, TomlWriter& to) {
     to.text("title", scene.title);
     to.text("claim", scene.claim);
     to.integer("dimension", scene.dimension);
+    if (scene.dimension == 2)
+        to.number("depth_m", scene.depth);
     to.number("duration_s", scene.duration);
     to.number("time_step_s", scene.time_step);
     to.flag("allow_large_step", scene.allow_large_step);
@@ -35,13 +37,26 @@ void write_world(const Scene& scene, TomlWriter& to) {
                           : scene.contact.tangential == TangentialLaw::linear ? "linear"
                                                                               : "mindlin");
     to.flag("limit_force", scene.contact.limit_force);
-    to.flag("share_among_body_contacts", scene.contact.share_among_body_contacts);
+    if (scene.dimension == 2)
+        to.number("global_damping_per_s", scene.contact.global_damping);
+    else
+        to.flag("share_among_body_contacts", scene.contact.share_among_body_contacts);
+}
+
+void write_disc_pair(const contact::PairProperties& pair, TomlWriter& to) {
+    if (pair.contact_time > 0)
+        to.number("contact_time_s", pair.contact_time);
+    if (pair.stiffness_ratio > 0)
+        to.number("stiffness_ratio", pair.stiffness_ratio);
+    to.number("cohesion_N", pair.cohesion);
 }
 
 void write_materials(const Scene& scene, TomlWriter& to) {
     for (const contact::Material& material : scene.materials) {
         to.table("material", fmt::format("[material.{}]", TomlWriter::name(material.name)));
         to.number("density_kg_m3", material.density);
+        if (material.youngs_modulus == 0) // not given in two dimensions
+            continue;
         to.number("youngs_modulus_Pa", material.youngs_modulus);
         to.number("poisson_ratio", material.poisson_ratio);
         to.flag("allow_soft", material.youngs_modulus < 1e6);
@@ -50,10 +65,18 @@ void write_materials(const Scene& scene, TomlWriter& to) {
     for (int a = 0; a < n; ++a)
         for (int b = a; b < n; ++b) {
             const contact::PairProperties& pair = scene.pair(a, b);
+            const bool springless = pair.normal_stiffness == 0 && pair.contact_time == 0;
+            if (scene.contact.normal == NormalLaw::linear && springless)
+                continue; // a pair that never meets was not given
             const auto name = [&](int i) { return scene.materials[static_cast<std::size_t>(i)].name; };
             to.table("pair", fmt::format("[pair.{}]", TomlWriter::name(name(a) + "-" + name(b))));
-            to.number("restitution", pair.restitution);
+            if (pair.damping_time > 0)
+                to.number("contact_damping_s", pair.damping_time);
+            else
+                to.number("restitution", pair.restitution);
             to.number("friction", pair.friction);
+            if (scene.dimension == 2)
+                write_disc_pair(pair, to);
             if (pair.normal_stiffness > 0)
                 to.number("normal_stiffness_N_per_m", pair.normal_stiffness);
             if (pair.tangential_stiffness > 0)
@@ -67,12 +90,18 @@ void write_bodies(const Scene& scene, TomlWriter& to) {
         to.text("material", scene.materials[static_cast<std::size_t>(body.material)].name);
         if (body.mass)
             to.number("mass_kg", *body.mass);
-        if (body.principal_inertia)
+        const bool flat = scene.dimension == 2;
+        if (body.principal_inertia && flat)
+            to.number("inertia_kg_m2", body.principal_inertia->z());
+        else if (body.principal_inertia)
             to.vector("inertia_kg_m2", *body.principal_inertia);
         std::vector<std::array<double, 4>> rows;
         for (const Sphere& sphere : body.spheres)
-            rows.push_back({sphere.centre.x(), sphere.centre.y(), sphere.centre.z(), sphere.radius});
-        to.rows("spheres_m", rows);
+            if (flat)
+                rows.push_back({sphere.centre.x(), sphere.centre.y(), sphere.radius, 0});
+            else
+                rows.push_back({sphere.centre.x(), sphere.centre.y(), sphere.centre.z(), sphere.radius});
+        to.rows(flat ? "discs_m" : "spheres_m", rows, flat ? 3 : 4);
     }
     for (const Fill& fill : scene.fills) {
         to.table("fill", "[[fill]]");
@@ -89,7 +118,10 @@ void write_bodies(const Scene& scene, TomlWriter& to) {
         }
         to.text("orientation", fill.orientation == Orientation::as_written ? "as_written" : "random");
         to.vector("velocity_m_s", fill.velocity);
-        to.vector("angular_velocity_rad_s", fill.angular_velocity);
+        if (scene.dimension == 2)
+            to.number("angular_velocity_rad_s", fill.angular_velocity.z());
+        else
+            to.vector("angular_velocity_rad_s", fill.angular_velocity);
         to.number("start_s", fill.start);
         to.number("until_s", fill.until);
         to.number("every_s", fill.every);
@@ -98,6 +130,28 @@ void write_bodies(const Scene& scene, TomlWriter& to) {
 
 struct ShapeWriter {
     TomlWriter& to;
+    int dimension;
+
+    void operator()(const SegmentShape& segment) const {
+        to.text("shape", "segment");
+        to.vector("from_m", in_space(segment.from));
+        to.vector("to_m", in_space(segment.to));
+    }
+    void operator()(const ArcShape& arc) const {
+        to.text("shape", "arc");
+        to.vector("centre_m", in_space(arc.centre));
+        to.number("radius_m", arc.radius);
+        to.number("from_deg", arc.start);
+        to.number("sweep_deg", arc.sweep);
+    }
+    void operator()(const PolylineShape& line) const {
+        to.text("shape", "polyline");
+        std::vector<std::array<double, 4>> rows;
+        for (const Eigen::Vector2d& point : line.points)
+            rows.push_back({point.x(), point.y(), 0, 0});
+        to.rows("points_m", rows, 2);
+        to.flag("closed", line.closed);
+    }
 
     void operator()(const PlaneShape& plane) const {
         to.text("shape", "plane");
@@ -109,7 +163,7 @@ struct ShapeWriter {
         to.vector("lo_m", box.box.lo);
         to.vector("hi_m", box.box.hi);
         std::vector<std::string> open;
-        for (std::size_t face = 0; face < 6; ++face)
+        for (std::size_t face = 0; face < 2 * static_cast<std::size_t>(dimension); ++face)
             if (box.open[face])
                 open.push_back(fmt::format("{}{}", "-+"[face % 2], "xyz"[face / 2]));
         to.words("open", open);
@@ -134,6 +188,8 @@ struct ShapeWriter {
         to.number("floor_m", trough.floor);
         to.number("rim_m", trough.rim);
         to.number("flare_deg", trough.flare);
+        if (dimension == 2)
+            return;
         to.number("x_lo_m", trough.x_lo);
         to.number("x_hi_m", trough.x_hi);
     }
@@ -144,6 +200,9 @@ struct ShapeWriter {
         to.text("stl", (error ? mesh.file : path).string());
         to.number("scale", mesh.scale);
     }
+
+private:
+    static Vector3d in_space(const Eigen::Vector2d& point) { return {point.x(), point.y(), 0}; }
 };
 
 void begin_motion(TomlWriter& to, const char* kind, const Active& active) {
@@ -154,24 +213,26 @@ void begin_motion(TomlWriter& to, const char* kind, const Active& active) {
         to.number("stop_s", active.stop);
 }
 
-void write_turns(const WallMotion& motion, TomlWriter& to) {
+void write_turns(const WallMotion& motion, int dimension, TomlWriter& to) {
     for (const Rotation& part : motion.rotations) {
         begin_motion(to, "rotation", part.active);
         to.vector("centre_m", part.centre);
-        to.vector("about", part.axis);
+        if (dimension == 3)
+            to.vector("about", part.axis);
         to.number("speed_rad_s", part.angular_velocity);
     }
     for (const Rocking& part : motion.rockings) {
         begin_motion(to, "rocking", part.active);
         to.vector("centre_m", part.centre);
-        to.vector("about", part.axis);
+        if (dimension == 3)
+            to.vector("about", part.axis);
         to.number("amplitude_deg", part.amplitude);
         to.number("frequency_Hz", part.frequency);
         to.number("phase_deg", part.phase);
     }
 }
 
-void write_motion(const WallMotion& motion, TomlWriter& to) {
+void write_motion(const WallMotion& motion, int dimension, TomlWriter& to) {
     for (const Harmonic& part : motion.harmonics) {
         begin_motion(to, "harmonic", part.active);
         to.text("axis", std::string(1, "xyz"[part.axis]));
@@ -179,7 +240,7 @@ void write_motion(const WallMotion& motion, TomlWriter& to) {
         to.number("frequency_Hz", part.frequency);
         to.number("phase_deg", part.phase);
     }
-    write_turns(motion, to);
+    write_turns(motion, dimension, to);
     for (const Linear& part : motion.linears) {
         begin_motion(to, "linear", part.active);
         to.vector("velocity_m_s", part.velocity);
@@ -190,7 +251,7 @@ void write_motion(const WallMotion& motion, TomlWriter& to) {
         for (std::size_t i = 0; i < part.time.size(); ++i)
             rows.push_back(
                 {part.time[i], part.displacement[i].x(), part.displacement[i].y(), part.displacement[i].z()});
-        to.rows("rows", rows);
+        to.rows("rows", rows, static_cast<std::size_t>(dimension) + 1);
     }
 }
 
@@ -200,11 +261,13 @@ void write_output(const Scene& scene, TomlWriter& to) {
     to.words("measures", scene.observe.measures);
     const Render& render = scene.render;
     to.table("render", "[render]");
-    to.text("camera", render.camera);
-    to.text("projection", render.projection);
-    to.vector("eye_m", render.eye);
-    to.vector("target_m", render.target);
-    to.number("field_of_view_deg", render.field_of_view_deg);
+    if (scene.dimension == 3) {
+        to.text("camera", render.camera);
+        to.text("projection", render.projection);
+        to.vector("eye_m", render.eye);
+        to.vector("target_m", render.target);
+        to.number("field_of_view_deg", render.field_of_view_deg);
+    }
     if (render.view) {
         to.vector("view_lo_m", render.view->lo);
         to.vector("view_hi_m", render.view->hi);
@@ -225,7 +288,7 @@ void write_output(const Scene& scene, TomlWriter& to) {
 } // namespace
 
 std::string to_toml(const Scene& scene) {
-    TomlWriter to;
+    TomlWriter to(scene.dimension);
     write_world(scene, to);
     write_materials(scene, to);
     write_bodies(scene, to);
@@ -233,9 +296,13 @@ std::string to_toml(const Scene& scene) {
         to.table("wall", "[[wall]]");
         to.text("name", wall.name);
         to.text("material", scene.materials[static_cast<std::size_t>(wall.material)].name);
-        to.number("opacity", wall.opacity);
-        std::visit(ShapeWriter{to}, wall.shape);
-        write_motion(wall.motion, to);
+        if (scene.dimension == 2) {
+            std::visit(ShapeWriter{to, 2}, wall.outline);
+        } else {
+            to.number("opacity", wall.opacity);
+            std::visit(ShapeWriter{to, 3}, wall.shape);
+        }
+        write_motion(wall.motion, scene.dimension, to);
     }
     write_output(scene, to);
     return to.result();

@@ -71,14 +71,18 @@ void TomlWriter::table(std::string_view path, const std::string& head) {
 }
 
 const Key& TomlWriter::key(const std::string& name) const {
-    const Key* found = find_key(*table_, name);
+    const Key* found = find_key(*table_, name, dimension_);
     if (!found)
         throw std::logic_error("no key '" + name + "' in the list for '" + table_->path + "'");
     return *found;
 }
 
 void TomlWriter::line(const std::string& name, const std::string& value) {
-    if (!key(name).required && describe(key(name).standard) == value)
+    const auto* numbers = std::get_if<std::vector<double>>(&key(name).standard);
+    const std::string standard = numbers && key(name).type == KeyType::vector
+                                     ? list(numbers->data(), static_cast<std::size_t>(dimension_))
+                                     : describe(key(name).standard);
+    if (!key(name).required && standard == value)
         return;
     toml_ += name + " = " + value + "\n";
 }
@@ -88,7 +92,7 @@ void TomlWriter::number(const std::string& name, double si) {
 }
 
 void TomlWriter::vector(const std::string& name, const Eigen::Vector3d& value) {
-    line(name, list(value.data(), 3));
+    line(name, list(value.data(), static_cast<std::size_t>(dimension_)));
 }
 
 void TomlWriter::span(const std::string& name, double lo, double hi) {
@@ -115,10 +119,10 @@ void TomlWriter::words(const std::string& name, const std::vector<std::string>& 
     line(name, text + "]");
 }
 
-void TomlWriter::rows(const std::string& name, const std::vector<std::array<double, 4>>& value) {
+void TomlWriter::rows(const std::string& name, const std::vector<std::array<double, 4>>& value, std::size_t columns) {
     std::string text = "[\n";
     for (const auto& row : value)
-        text += "    " + list(row.data(), 4) + ",\n";
+        text += "    " + list(row.data(), columns) + ",\n";
     line(name, text + "]");
 }
 

@@ -12,6 +12,9 @@ namespace tumble::scene {
 /// their default are left out.
 class TomlWriter {
 public:
+    /// `dimension` of the scene, 2 or 3: how many numbers of a vector are written, and which keys there are.
+    explicit TomlWriter(int dimension = 3) : dimension_(dimension) {}
+
     /// Begins a table: `path` finds its keys in the list, `head` is the line to write ("" at the top).
     void table(std::string_view path, const std::string& head);
 
@@ -23,8 +26,8 @@ public:
     void flag(const std::string& name, bool value);
     void text(const std::string& name, std::string_view value);
     void words(const std::string& name, const std::vector<std::string>& value);
-    /// Rows of four, one a line.
-    void rows(const std::string& name, const std::vector<std::array<double, 4>>& value);
+    /// Rows, one a line, each of its first `columns` numbers.
+    void rows(const std::string& name, const std::vector<std::array<double, 4>>& value, std::size_t columns = 4);
 
     [[nodiscard]] const std::string& result() const { return toml_; }
 
@@ -37,6 +40,7 @@ private:
     void line(const std::string& name, const std::string& value);
     [[nodiscard]] const struct Key& key(const std::string& name) const;
 
+    int dimension_;
     const struct KeyTable* table_ = nullptr;
     std::string toml_;
 };

@@ -45,7 +45,10 @@ std::string View::path_of(const std::string& name) const {
 }
 
 const Key& View::key(const std::string& name) const {
-    const Key* found = find_key(*keys_, name);
+    // A key of scenes of the other dimension is never given and has its default.
+    const Key* found = find_key(*keys_, name, report_->dimension);
+    if (!found)
+        found = find_key(*keys_, name);
     if (!found)
         throw std::logic_error("no key '" + name + "' in the list for '" + keys_->path + "'");
     return *found;
@@ -66,6 +69,8 @@ bool View::written(const std::string& name) const {
 bool View::whole() const {
     const std::string chosen = kind();
     for (const Key& one : keys_->keys) {
+        if (!belongs_in(one, report_->dimension))
+            continue;
         const bool needed = one.required && belongs(one, chosen) && one.name != keys_->kind_key;
         if ((written(one.name) && !given(one.name)) || (needed && !written(one.name)))
             return false;
@@ -124,12 +129,15 @@ std::vector<double> View::numbers(const std::string& name) const {
 
 Eigen::Vector3d View::vector(const std::string& name) const {
     const auto all = numbers(name);
-    return all.size() == 3 ? Eigen::Vector3d(all[0], all[1], all[2]) : Eigen::Vector3d::Zero();
+    const auto wanted = static_cast<std::size_t>(report_->dimension);
+    if (all.size() < wanted)
+        return Eigen::Vector3d::Zero();
+    return {all[0], all[1], wanted == 3 ? all[2] : 0.0};
 }
 
 std::string View::kind() const {
     const Table* table = node_ ? node_->as<Table>() : nullptr;
-    return table ? kind_word(*table, *keys_) : "";
+    return table ? kind_word(*table, *keys_, report_->dimension) : "";
 }
 
 View View::child(const std::string& name) const {

@@ -41,6 +41,7 @@ public:
     [[nodiscard]] bool flag(const std::string& name) const;
     [[nodiscard]] std::string text(const std::string& name) const;
     [[nodiscard]] std::vector<std::string> words(const std::string& name) const;
+    /// z is 0 in a scene of two dimensions.
     [[nodiscard]] Eigen::Vector3d vector(const std::string& name) const;
     /// The numbers of a list, of lists inside it one after the other.
     [[nodiscard]] std::vector<double> numbers(const std::string& name) const;

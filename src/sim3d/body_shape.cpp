@@ -1,6 +1,6 @@
 #include "sim3d/body_shape.h"
 
-#include "sim3d/angle_cover.h"
+#include "base/angle_cover.h"
 #include "sim3d/union_moments.h"
 
 #include <Eigen/Eigenvalues>

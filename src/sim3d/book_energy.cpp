@@ -24,12 +24,6 @@ ContactSums add(const World& world) {
     return total;
 }
 
-double closure_of(const Books& b) {
-    const double held = b.kinetic_translation + b.kinetic_rotation + b.gravity + b.stored_normal + b.stored_tangential;
-    const double lost = b.lost_normal_damping + b.lost_tangential_damping + b.lost_sliding + b.lost_history;
-    return held + lost - b.inserted - b.wall_work;
-}
-
 } // namespace
 
 void book_energy(World& world) {

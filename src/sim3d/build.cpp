@@ -170,7 +170,7 @@ Problems check_law(const World& world) {
 }
 
 Problems check_step(const World& world) {
-    const TimeStepReport report = time_step_report(world.scene, world.plain_shapes);
+    const scene::TimeStepReport report = time_step_report(world.scene, world.plain_shapes);
     if (report.stable() || world.scene.allow_large_step)
         return {};
     return {scene_problem(

@@ -1,13 +1,11 @@
 #pragma once
 
+#include "base/lines.h"
 #include "contact/material.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <new>
 #include <string_view>
-#include <vector>
 
 /// The loops that take the time. kernel_*.cpp are built once per instruction set; everything they see is a plain
 /// pointer or number, so that no template of the standard library is built for a set the machine may lack.
@@ -258,16 +256,5 @@ struct Kernels {
 const Kernels& choose_kernels();
 /// By name ("baseline", "x86-64-v3", "x86-64-v4"), or null when this build or this processor lacks it.
 const Kernels* kernels_named(std::string_view name);
-
-/// Array of 64-byte aligned lines.
-template <class T> struct LineAllocator {
-    using value_type = T;
-    LineAllocator() = default;
-    template <class U> LineAllocator(const LineAllocator<U>&) {}
-    T* allocate(std::size_t n) { return static_cast<T*>(::operator new (n * sizeof(T), std::align_val_t{64})); }
-    void deallocate(T* p, std::size_t) { ::operator delete (p, std::align_val_t{64}); }
-    friend bool operator==(const LineAllocator&, const LineAllocator&) { return true; }
-};
-template <class T> using Lines = std::vector<T, LineAllocator<T>>;
 
 } // namespace tumble::sim3d

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/books.h"
+#include "base/phases.h"
 #include "base/problem.h"
 #include "scene/motion.h"
 #include "scene/scene.h"
@@ -73,10 +74,6 @@ std::vector<scene::WallPose> walls_of(const World& world);
 std::vector<std::string> unfilled(const World& world);
 
 /// Seconds spent per phase since the world was built, summed over threads, in the order of the step's verbs.
-struct PhaseTime {
-    std::string name;
-    double seconds = 0;
-};
 std::vector<PhaseTime> phase_times(const World& world);
 
 } // namespace tumble::sim3d

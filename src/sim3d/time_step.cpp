@@ -1,14 +1,9 @@
 #include "sim3d/time_step.h"
 
-#include "contact/material.h"
-#include "scene/motion.h"
-
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
-#include <numbers>
 
 namespace tumble::sim3d {
 
@@ -17,29 +12,10 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-/// Contacts that one body is taken to have at once, sharing one impact between them. docs/bodies.md
-constexpr double contacts_at_once = 4;
-/// Overlap beyond this share of the smaller radius is not asked to be stable: a run stops long before.
-constexpr double overlap_most = 0.5;
-/// Impacts are taken at least this fast, m/s: a scene at rest still is poured, pushed or stirred.
-constexpr double speed_least = 0.1;
-
-/// One side of a contact: a body at its outermost sphere, or a wall.
-struct Side {
-    std::string name;
-    int material = 0;
-    double mass = std::numeric_limits<double>::infinity();   // kg
-    double radius = std::numeric_limits<double>::infinity(); // m, of the largest sphere
-    double push_mobility = 0; // 1/kg, motion of the contact point per impulse along a sphere's normal, the largest
-    double full_mobility = 0; // 1/kg, the same for any direction
-};
-
 /// 1/m + the largest eigenvalue of [c] I^-1 [c]^T for impulses through sphere centres c; for any direction at the
 /// sphere's surface the norm of [c + r n] is bounded by those of [c] and [r n].
-Side side_of(const BodyShape& shape, int material) {
-    Side side;
+scene::ContactSide side_of(const BodyShape& shape, int material) {
+    scene::ContactSide side;
     side.name = "body " + shape.name;
     side.material = material;
     side.mass = shape.mass;
@@ -62,152 +38,19 @@ Side side_of(const BodyShape& shape, int material) {
     return side;
 }
 
-struct Contact {
-    contact::PairConstants pair;
-    bool rubs = false;       // tangential forces act
-    double mass = 0;         // kg, m* of the two bodies
-    double radius = 0;       // m, R*
-    double radius_small = 0; // m
-    double mobility = 0;     // 1/kg, of both sides together
-    std::string name;
-};
-
-Contact contact_of(const scene::Scene& scene, const Side& a, const Side& b) {
-    const auto material = [&](const Side& side) { return scene.materials[static_cast<std::size_t>(side.material)]; };
-    Contact contact;
-    contact.pair = contact::derive(material(a), material(b), scene.pair(a.material, b.material));
-    contact.rubs = scene.contact.tangential != scene::TangentialLaw::none && contact.pair.friction > 0;
-    contact.mass = 1 / (1 / a.mass + 1 / b.mass);
-    contact.radius = 1 / (1 / a.radius + 1 / b.radius);
-    contact.radius_small = std::min(a.radius, b.radius);
-    contact.mobility = contact.rubs ? a.full_mobility + b.full_mobility : a.push_mobility + b.push_mobility;
-    contact.name = fmt::format("{} on {} (R* = {:.3g} mm)", a.name, b.name, 1e3 * contact.radius);
-    return contact;
-}
-
-/// Tangent stiffness of one contact, N/m: of Hertz at the overlap of an impact at `speed` that all contacts at once
-/// share (Johnson 1985, 11.22, with as many times the stiffness), or the linear law's.
-double stiffness_of(const Contact& contact, const scene::ContactLaws& laws, double speed) {
-    const double energy = 15 * contact.mass * speed * speed;
-    const double hardness = 16 * contacts_at_once * contact.pair.E_eff * std::sqrt(contact.radius);
-    const double overlap = std::min(overlap_most * contact.radius_small, std::pow(energy / hardness, 0.4));
-    const double reach = std::sqrt(contact.radius * overlap);
-    double stiffness =
-        laws.normal == scene::NormalLaw::linear ? contact.pair.normal_stiffness : 2 * contact.pair.E_eff * reach;
-    if (contact.rubs)
-        stiffness =
-            std::max(stiffness, laws.tangential == scene::TangentialLaw::linear ? contact.pair.tangential_stiffness
-                                                                                : 8 * contact.pair.G_eff * reach);
-    return stiffness;
-}
-
-/// The stable step of leapfrog with damping from the half step before: with W = omega dt the amplification's roots
-/// leave the unit circle at W^2 + 4 zeta W = 4, so dt < 2/omega (sqrt(1 + zeta^2) - zeta).
-double stable_step(const Contact& contact, const scene::ContactLaws& laws, double period) {
-    const double hertz_factor = laws.normal == scene::NormalLaw::linear ? 1.0 : std::sqrt(5.0 / 6);
-    const double zeta =
-        hertz_factor * contact.pair.damping * std::sqrt(contacts_at_once * contact.mass * contact.mobility);
-    return period / pi * (std::sqrt(1 + zeta * zeta) - zeta);
-}
-
-double height_along(const Vector3d& up, const scene::Box& box, bool top) {
-    double height = 0;
-    for (int axis = 0; axis < 3; ++axis)
-        height += (up[axis] > 0) == top ? up[axis] * box.hi[axis] : up[axis] * box.lo[axis];
-    return height;
-}
-
-/// The fall from each fill's top to the domain's bottom on top of its own velocity, plus the fastest wall; or two fills
-/// thrown at each other.
-double impact_speed(const scene::Scene& scene) {
-    const double g = scene.gravity.norm();
-    const Vector3d up = g > 0 ? Vector3d(-scene.gravity / g) : Vector3d::Zero();
-    const double bottom = height_along(up, scene.domain.box, false);
-    double fall = 0, meeting = 0;
-    for (const scene::Fill& fill : scene.fills) {
-        const double top = fill.position ? up.dot(*fill.position) : height_along(up, fill.region, true);
-        fall = std::max(fall, std::sqrt(fill.velocity.squaredNorm() + 2 * g * std::max(0.0, top - bottom)));
-        for (const scene::Fill& other : scene.fills)
-            meeting = std::max(meeting, (fill.velocity - other.velocity).norm());
-    }
-    if (scene.fills.empty())
-        fall = std::sqrt(2 * g * (height_along(up, scene.domain.box, true) - bottom));
-    const Vector3d middle = (scene.domain.box.lo + scene.domain.box.hi) / 2;
-    const double reach = (scene.domain.box.hi - scene.domain.box.lo).norm() / 2;
-    double wall_speed = 0;
-    for (const scene::Wall& wall : scene.walls)
-        wall_speed = std::max(wall_speed, scene::speed_bound(wall.motion, middle, reach));
-    return std::max({fall + wall_speed, meeting, speed_least});
-}
-
-void keep_smallest(double& time, double candidate) {
-    if (candidate < time || time == 0)
-        time = candidate;
-}
-
-void keep_smallest(double& time, std::string& of, double candidate, const std::string& name) {
-    if (candidate < time || time == 0) {
-        time = candidate;
-        of = name;
-    }
-}
-
-void add_rayleigh(TimeStepReport& report, const BodyShape& shape, const contact::Material& material) {
-    const double shear_modulus = material.youngs_modulus / (2 * (1 + material.poisson_ratio));
-    for (std::size_t i = 0; i < shape.spheres.size(); ++i) {
-        const double radius = shape.spheres[i].radius;
-        const double time =
-            pi * radius * std::sqrt(material.density / shear_modulus) / (0.1631 * material.poisson_ratio + 0.8766);
-        // Twins of the smallest sphere may differ in the last bit.
-        if (report.rayleigh == 0 || time < report.rayleigh * (1 - 1e-12)) {
-            report.rayleigh = time;
-            report.rayleigh_of = fmt::format("body {}, sphere {} (r = {:.4g} mm)", shape.name, i + 1, 1e3 * radius);
-        }
-    }
-}
-
-void add_contact(TimeStepReport& report, const scene::Scene& scene, const Contact& contact) {
-    const bool linear = scene.contact.normal == scene::NormalLaw::linear;
-    if (linear)
-        keep_smallest(report.linear_period, pi * std::sqrt(contact.mass / contact.pair.normal_stiffness));
-    else
-        keep_smallest(report.hertz, report.hertz_of,
-                      2.87 *
-                          std::pow(contact.mass * contact.mass /
-                                       (contact.radius * contact.pair.E_eff * contact.pair.E_eff * report.hertz_speed),
-                                   0.2),
-                      contact.name);
-    const double stiffness = contacts_at_once * stiffness_of(contact, scene.contact, report.hertz_speed);
-    const double period = 2 * pi / std::sqrt(stiffness * contact.mobility);
-    keep_smallest(report.body_period, report.body_of, period, contact.name);
-    keep_smallest(report.limit, stable_step(contact, scene.contact, period));
-}
-
 } // namespace
 
-TimeStepReport time_step_report(const scene::Scene& scene, const std::vector<BodyShape>& shapes) {
-    TimeStepReport report;
-    report.step = scene.time_step;
-    report.hertz_speed = impact_speed(scene);
-    std::vector<Side> bodies;
+scene::TimeStepReport time_step_report(const scene::Scene& scene, const std::vector<BodyShape>& shapes) {
+    std::vector<scene::ContactSide> bodies;
+    std::vector<scene::NamedRadius> parts;
     for (std::size_t i = 0; i < shapes.size(); ++i) {
         const int material = scene.bodies[i].material;
-        add_rayleigh(report, shapes[i], scene.materials[static_cast<std::size_t>(material)]);
         bodies.push_back(side_of(shapes[i], material));
+        for (std::size_t s = 0; s < shapes[i].spheres.size(); ++s)
+            parts.push_back(
+                {fmt::format("body {}, sphere {}", shapes[i].name, s + 1), shapes[i].spheres[s].radius, material});
     }
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        for (std::size_t j = i; j < bodies.size(); ++j)
-            add_contact(report, scene, contact_of(scene, bodies[i], bodies[j]));
-        for (const scene::Wall& wall : scene.walls) {
-            Side side;
-            side.name = "wall " + wall.name;
-            side.material = wall.material;
-            add_contact(report, scene, contact_of(scene, bodies[i], side));
-        }
-    }
-    if (bodies.empty())
-        report.limit = std::numeric_limits<double>::infinity();
-    return report;
+    return scene::time_step_report(scene, bodies, parts);
 }
 
 } // namespace tumble::sim3d

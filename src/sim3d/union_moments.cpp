@@ -1,6 +1,6 @@
 #include "sim3d/union_moments.h"
 
-#include "sim3d/angle_cover.h"
+#include "base/disc_union.h"
 
 #include <algorithm>
 #include <array>
@@ -17,61 +17,6 @@ namespace {
 
 /// 1, x, y, z, xx, yy, zz, xy, yz, zx.
 using Moments = Eigen::Matrix<double, 10, 1>;
-
-struct Disc {
-    double x = 0;
-    double z = 0;
-    double radius = 0;
-    int sphere = 0;
-};
-
-/// Adds the integrals of 1, x, z, xx, zz, xz over what one arc of a disc's outline encloses with the origin's axes.
-/// Green: area = 1/2 of x dz - z dx; x = 1/2 of x^2 dz; z = -1/2 of z^2 dx; xx = 1/3 of x^3 dz; zz = -1/3 of z^3 dx;
-/// xz = 1/2 of x^2 z dz, each along the outline counter-clockwise from x to z.
-void add_arc(const Disc& disc, double from, double to, std::array<double, 6>& sums) {
-    const double x = disc.x, z = disc.z, r = disc.radius;
-    const double s0 = std::sin(from), s1 = std::sin(to), c0 = std::cos(from), c1 = std::cos(to);
-    const double width = to - from;
-    const auto cube = [](double v) { return v * v * v; };
-    const auto fourth = [](double v) { return v * v * v * v; };
-    // Integrals of cos^n, sin^n and sin cos^n over the arc.
-    const double cos_1 = s1 - s0, sin_1 = c0 - c1;
-    const double cos_2 = (width + s1 * c1 - s0 * c0) / 2, sin_2 = width - cos_2;
-    const double cos_3 = cos_1 - (cube(s1) - cube(s0)) / 3, sin_3 = sin_1 - (cube(c0) - cube(c1)) / 3;
-    const double cos_4 = (cube(c1) * s1 - cube(c0) * s0 + 3 * cos_2) / 4;
-    const double sin_4 = (-cube(s1) * c1 + cube(s0) * c0 + 3 * sin_2) / 4;
-    const double sin_cos_1 = (s1 * s1 - s0 * s0) / 2;
-    const double sin_cos_2 = (cube(c0) - cube(c1)) / 3;
-    const double sin_cos_3 = (fourth(c0) - fourth(c1)) / 4;
-
-    sums[0] += r * (x * cos_1 + z * sin_1 + r * width) / 2;
-    sums[1] += r * (x * x * cos_1 + 2 * x * r * cos_2 + r * r * cos_3) / 2;
-    sums[2] += r * (z * z * sin_1 + 2 * z * r * sin_2 + r * r * sin_3) / 2;
-    sums[3] += r * (cube(x) * cos_1 + 3 * x * x * r * cos_2 + 3 * x * r * r * cos_3 + cube(r) * cos_4) / 3;
-    sums[4] += r * (cube(z) * sin_1 + 3 * z * z * r * sin_2 + 3 * z * r * r * sin_3 + cube(r) * sin_4) / 3;
-    sums[5] += r *
-               (z * (x * x * cos_1 + 2 * x * r * cos_2 + r * r * cos_3) +
-                r * (x * x * sin_cos_1 + 2 * x * r * sin_cos_2 + r * r * sin_cos_3)) /
-               2;
-}
-
-/// Hides on `disc` what lies inside `other`; false when nothing of it is left.
-bool hide_inside(const Disc& disc, const Disc& other, AngleCover& cover) {
-    const double dx = other.x - disc.x, dz = other.z - disc.z;
-    const double apart = std::hypot(dx, dz);
-    // Two equal discs would hide each other; the first of them stays.
-    const bool same = apart + std::abs(other.radius - disc.radius) < 1e-13 * disc.radius;
-    if (same)
-        return disc.sphere < other.sphere;
-    if (apart + disc.radius <= other.radius)
-        return false;
-    if (apart >= disc.radius + other.radius || apart + other.radius <= disc.radius)
-        return true;
-    const double cosine =
-        (apart * apart + disc.radius * disc.radius - other.radius * other.radius) / (2 * apart * disc.radius);
-    cover.hide(std::atan2(dz, dx), std::acos(std::clamp(cosine, -1.0, 1.0)));
-    return true;
-}
 
 class Slicer {
 public:
@@ -92,7 +37,7 @@ public:
             const double square = sphere.radius * sphere.radius - (y - sphere.centre.y()) * (y - sphere.centre.y());
             discs_[i] = {sphere.centre.x(), sphere.centre.z(), square > 0 ? std::sqrt(square) : 0, static_cast<int>(i)};
         }
-        std::array<double, 6> sums{};
+        AreaMoments sums{};
         for (std::size_t i = 0; i < discs_.size(); ++i)
             if (discs_[i].radius > 0 && outline(i))
                 cover_.free_arcs([&](double from, double to) { add_arc(discs_[i], from, to, sums); });
@@ -116,7 +61,7 @@ private:
 
     std::vector<Sphere> spheres_;
     std::vector<std::vector<int>> overlapping_;
-    std::vector<Disc> discs_;
+    std::vector<UnionDisc> discs_;
     AngleCover cover_;
 };
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "base/books.h"
+#include "base/lines.h"
 #include "base/parallel_for.h"
+#include "base/phases.h"
 #include "base/rng.h"
 #include "contact/material.h"
 #include "scene/scene.h"
@@ -132,13 +134,6 @@ struct ClumpCandidates {
         touching[static_cast<std::size_t>(at)] = touches ? 1 : 0;
     }
 };
-
-constexpr int most_chunks = 16;
-using ChunkSet = std::uint64_t; // a bit per chunk
-static_assert(most_chunks <= 64);
-constexpr ChunkSet chunk_bit(int chunk) {
-    return ChunkSet{1} << chunk;
-}
 
 /// A contiguous range of slots and everything that its bodies own.
 struct Chunk {

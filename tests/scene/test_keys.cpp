@@ -17,7 +17,9 @@ TEST_CASE("every key has a sentence, a name of its own, and a default within its
         for (const Key& key : table.keys) {
             CAPTURE(table.path);
             CAPTURE(key.name);
-            CHECK(names.insert(key.name).second);
+            for (const int dimension : {2, 3})
+                if (belongs_in(key, dimension))
+                    CHECK(names.insert(key.name + (dimension == 2 ? " in 2D" : " in 3D")).second);
             REQUIRE(!key.sentence.empty());
             CHECK(key.sentence.back() == '.');
             CHECK(!(key.required && !key.one_of.empty()));
@@ -44,7 +46,7 @@ TEST_CASE("kinds that keys are meant for exist") {
         for (const Key& key : table.keys)
             for (const std::string& kind : key.only_for) {
                 CAPTURE(key.name);
-                const Key* chooser = find_key(table, table.kind_key);
+                const Key* chooser = find_key(table, table.kind_key, key.in == Dimensions::two ? 2 : 3);
                 REQUIRE(chooser);
                 CHECK(std::count(chooser->words.begin(), chooser->words.end(), kind) == 1);
             }

@@ -13,6 +13,7 @@ using namespace tumble::scene;
 namespace {
 
 const std::filesystem::path rich = TUMBLE_ROOT "/tests/scene/data/rich.toml";
+const std::filesystem::path flat = TUMBLE_ROOT "/tests/scene/data/rich-2d.toml";
 
 Scene loaded(const Result<Scene>& scene) {
     REQUIRE_MESSAGE(scene, to_string(scene.problems()));
@@ -140,7 +141,9 @@ TEST_CASE("a resolved scene loads again to the same laws, materials and pairs") 
 TEST_CASE("what is written once is written the same again") {
     const std::string once = to_toml(loaded(load_scene(rich)));
     CHECK(to_toml(again(loaded(load_scene(rich)))) == once);
-    for (const char* name : {"drop", "oblique", "settle-cones", "trough-slice", "trough-quick"}) {
+    CHECK(to_toml(again(loaded(load_scene(flat)))) == to_toml(loaded(load_scene(flat))));
+    for (const char* name : {"drop", "oblique", "settle-cones", "trough-slice", "trough-quick", "trough-2d", "repose-2d",
+                             "hopper-2d", "drum-2d", "shaken-bed-2d"}) {
         CAPTURE(name);
         const Scene scene =
             loaded(load_scene(std::filesystem::path(TUMBLE_ROOT "/scenes") / (std::string(name) + ".toml")));
@@ -149,14 +152,43 @@ TEST_CASE("what is written once is written the same again") {
 }
 
 TEST_CASE("every key of the list arrives in the scene and is written again") {
-    const std::string toml = "\n" + to_toml(loaded(load_scene(rich)));
-    // Other ways to say what is written as spheres_m, rows or harmonic; dimension has one value so far.
-    const std::set<std::string> other_ways{"clump", "radius_mm", "file", "speed_rpm", "dimension"};
-    for (const KeyTable& table : scene_keys())
-        for (const Key& key : table.keys) {
-            CAPTURE(table.path);
-            CAPTURE(key.name);
-            if (!other_ways.count(key.name))
-                CHECK(toml.find("\n" + key.name + " = ") != std::string::npos);
-        }
+    // Other ways to say what is written as spheres_m, discs_m, rows, harmonic or friction; three dimensions are usual.
+    std::set<std::string> other_ways{"clump", "radius_mm", "file", "speed_rpm", "friction_angle_deg", "dimension"};
+    for (const int dimension : {3, 2}) {
+        const std::string toml = "\n" + to_toml(loaded(load_scene(dimension == 3 ? rich : flat)));
+        for (const KeyTable& table : scene_keys())
+            for (const Key& key : table.keys) {
+                CAPTURE(table.path);
+                CAPTURE(key.name);
+                if (belongs_in(key, dimension) && !other_ways.count(key.name))
+                    CHECK(toml.find("\n" + key.name + " = ") != std::string::npos);
+            }
+    }
+}
+
+TEST_CASE("a resolved scene of two dimensions loads again to the same bodies, pairs and walls, bit for bit") {
+    const Scene a = loaded(load_scene(flat));
+    const Scene b = again(a);
+    CHECK(a.depth == 0.07);
+    CHECK(a.domain.box.lo == b.domain.box.lo);
+    CHECK(a.contact.global_damping == b.contact.global_damping);
+    for (std::size_t i = 0; i < a.pairs.size(); ++i)
+        CHECK(std::tuple(a.pairs[i].restitution, a.pairs[i].friction, a.pairs[i].contact_time,
+                         a.pairs[i].stiffness_ratio, a.pairs[i].damping_time, a.pairs[i].cohesion) ==
+              std::tuple(b.pairs[i].restitution, b.pairs[i].friction, b.pairs[i].contact_time,
+                         b.pairs[i].stiffness_ratio, b.pairs[i].damping_time, b.pairs[i].cohesion));
+    for (std::size_t i = 0; i < a.bodies.size(); ++i) {
+        CHECK(a.bodies[i].principal_inertia == b.bodies[i].principal_inertia);
+        REQUIRE(a.bodies[i].spheres.size() == b.bodies[i].spheres.size());
+        for (std::size_t k = 0; k < a.bodies[i].spheres.size(); ++k)
+            CHECK(a.bodies[i].spheres[k].centre == b.bodies[i].spheres[k].centre);
+    }
+    for (std::size_t i = 0; i < a.fills.size(); ++i)
+        CHECK(a.fills[i].angular_velocity == b.fills[i].angular_velocity);
+    for (std::size_t i = 0; i < a.walls.size(); ++i) {
+        REQUIRE(a.walls[i].outline.index() == b.walls[i].outline.index());
+        check_same_motion(a.walls[i].motion, b.walls[i].motion);
+    }
+    CHECK(std::get<ArcShape>(a.walls[2].outline).sweep == std::get<ArcShape>(b.walls[2].outline).sweep);
+    CHECK(std::get<PolylineShape>(a.walls[3].outline).points == std::get<PolylineShape>(b.walls[3].outline).points);
 }

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace tumble::sim3d {
+namespace tumble {
 
 /// Which parts of a circle are hidden: arcs are added one by one, what is left free is asked for once. Radians.
 class AngleCover {
@@ -54,4 +54,4 @@ private:
     std::vector<std::pair<double, double>> arcs_;
 };
 
-} // namespace tumble::sim3d
+} // namespace tumble

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "base/parallel_for.h"
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+/// What solvers share of how a step is cut into verbs and chunks.
+namespace tumble {
+
+/// Seconds spent in one verb of a step, summed over threads.
+struct PhaseTime {
+    std::string name;
+    double seconds = 0;
+};
+
+/// Adds the wall time from its making to its end to a number of seconds.
+class Stopwatch {
+public:
+    explicit Stopwatch(double& seconds) : seconds_(seconds) {}
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+    ~Stopwatch() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+private:
+    double& seconds_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+constexpr int most_chunks = 16;
+using ChunkSet = std::uint64_t; // a bit per chunk
+static_assert(most_chunks <= 64);
+constexpr ChunkSet chunk_bit(int chunk) {
+    return ChunkSet{1} << chunk;
+}
+
+/// Calls first(chunk) for every chunk, and then(chunk) as soon as first is done for it and for all that read or push
+/// its bodies (chunk.partners_before), on all threads.
+template <class Chunks, class First, class Then> void relay(Crew& crew, Chunks& chunks, First&& first, Then&& then) {
+    const std::size_t count = chunks.size();
+    std::atomic<ChunkSet> done{0};
+    std::atomic<ChunkSet> taken{0};
+    crew.share(static_cast<int>(count), [&](int k) {
+        first(chunks[static_cast<std::size_t>(k)]);
+        const ChunkSet ready = done.fetch_or(chunk_bit(k)) | chunk_bit(k);
+        for (std::size_t c = 0; c < count; ++c) {
+            const ChunkSet bit = chunk_bit(static_cast<int>(c));
+            if (((bit | chunks[c].partners_before) & ~ready) == 0 && (taken.fetch_or(bit) & bit) == 0)
+                then(chunks[c]);
+        }
+    });
+}
+
+} // namespace tumble

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "base/pack.h"
+
+/// What geometry tells a law of two discs X and Y and what the law answers, in the signs of the thesis' section 3.2: e
+/// points from X to Y, t is e turned clockwise. Real is double, or a pack of eight doubles.
+namespace tumble::contact {
+
+template <class Real> struct DiscTouch {
+    Real overlap;     // m, > 0
+    Real normal_rate; // m/s, n' of (3.21), positive while the two approach
+    Real shear_rate;  // m/s, s' of (3.22)
+    Real radius;      // m, R* = Rx Ry / (Rx + Ry); a wall leaves Rx
+    Real mass;        // kg, m* of the two bodies; a wall leaves X's
+};
+
+/// What a contact remembers from step to step. The tangent turns with the contact, so a number is enough, and it is the
+/// same seen from X and from Y.
+template <class Real> struct DiscMemory {
+    Real shear;  // N for the linear law: F_s without its dashpot; m for Mindlin's: the spring
+    Real energy; // J, stored in the shear spring
+};
+
+/// Forces on Y; X gets the opposite. Both get the moment shear * (distance from their centre to the contact).
+template <class Real> struct DiscPush {
+    Real normal; // N along e, pushes the two apart when positive
+    Real shear;  // N along t
+    DiscMemory<Real> memory;
+    Real stored_normal;       // J
+    Real lost_normal_damping; // J in this step
+    Real lost_shear_damping;
+    Real lost_sliding;
+    Real lost_history;
+};
+
+} // namespace tumble::contact

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "base/books.h"
+#include "base/phases.h"
+#include "base/problem.h"
+#include "observe/frame.h"
+#include "scene/scene.h"
+#include "scene/time_step.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tumble::run {
+
+/// A body template as its solver uses it.
+struct SimulatedBody {
+    std::string name;
+    std::size_t parts = 0;                             // spheres or discs
+    double volume = 0;                                 // m3, of their union
+    double mass = 0;                                   // kg
+    Eigen::Vector3d inertia = Eigen::Vector3d::Zero(); // kg m2, principal; in two dimensions the third counts
+    double bounding_radius = 0;                        // m
+};
+
+/// A solver at work on a scene, as runs and checks see it: whichever it is, it steps, keeps its books, and shows
+/// frames.
+class Simulation {
+public:
+    virtual ~Simulation() = default;
+
+    /// Takes `steps` steps. A state that stopped being sane ends it early with a problem.
+    virtual std::optional<Problem> advance(std::int64_t steps) = 0;
+
+    [[nodiscard]] virtual double time() const = 0; // s
+    [[nodiscard]] virtual std::int64_t steps() const = 0;
+    [[nodiscard]] virtual Books books() const = 0;
+    /// What its frames have in common.
+    [[nodiscard]] virtual std::shared_ptr<const observe::FrameLayout> layout() const = 0;
+    /// The world now.
+    [[nodiscard]] virtual observe::Frame frame() const = 0;
+    /// Parallel to the scene's bodies.
+    [[nodiscard]] virtual std::vector<SimulatedBody> bodies() const = 0;
+    [[nodiscard]] virtual scene::TimeStepReport time_step() const = 0;
+    /// What fills still owe, a sentence each.
+    [[nodiscard]] virtual std::vector<std::string> unfilled() const = 0;
+    [[nodiscard]] virtual std::vector<PhaseTime> phase_times() const = 0;
+};
+
+using SimulationPtr = std::unique_ptr<Simulation>;
+
+/// The solver that the scene asks for, ready to step at t = 0. `threads` >= 1 changes the time taken, never the result.
+/// Problems: those of the solver's build_world.
+Result<SimulationPtr> simulate(const scene::Scene& scene, int threads);
+
+/// The solvers that simulate() chooses from, one file each.
+Result<SimulationPtr> simulate_in_2d(const scene::Scene& scene, int threads);
+Result<SimulationPtr> simulate_in_3d(const scene::Scene& scene, int threads);
+
+} // namespace tumble::run

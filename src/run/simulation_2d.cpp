@@ -1,0 +1,119 @@
+#include "run/simulation.h"
+#include "scene/outline.h"
+#include "sim2d/solver.h"
+#include "sim2d/time_step.h"
+
+#include <Eigen/Geometry>
+#include <numbers>
+
+namespace tumble::run {
+
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+// Round walls are drawn as so many straight lines a turn.
+constexpr int lines_per_turn = 180;
+
+Vector3d in_space(const Vector2d& point) {
+    return {point.x(), point.y(), 0};
+}
+
+observe::FrameWall wall_lines(const scene::Wall& wall) {
+    observe::FrameWall lines;
+    lines.name = wall.name;
+    lines.opacity = 1;
+    for (const scene::OutlinePiece& piece : scene::pieces_of(wall.outline)) {
+        const auto first = static_cast<int>(lines.vertices.size());
+        for (const Vector2d& point : scene::points_along(piece, 2 * std::numbers::pi / lines_per_turn))
+            lines.vertices.push_back(in_space(point));
+        for (int k = first + 1; k < static_cast<int>(lines.vertices.size()); ++k)
+            lines.lines.push_back({k - 1, k});
+    }
+    return lines;
+}
+
+std::shared_ptr<const observe::FrameLayout> layout_of(const scene::Scene& scene,
+                                                      const std::vector<sim2d::BodyShape>& shapes) {
+    auto layout = std::make_shared<observe::FrameLayout>();
+    layout->title = scene.title;
+    layout->dimension = 2;
+    layout->domain_lo = scene.domain.box.lo;
+    layout->domain_hi = scene.domain.box.hi;
+    layout->periodic = scene.domain.periodic;
+    for (const sim2d::BodyShape& shape : shapes) {
+        observe::FrameShape seen{.name = shape.name,
+                                 .mass = shape.mass,
+                                 .inertia = shape.inertia * Vector3d::UnitZ(),
+                                 .centres = {},
+                                 .radii = {}};
+        for (const sim2d::Disc& disc : shape.discs) {
+            seen.centres.push_back(in_space(disc.centre));
+            seen.radii.push_back(disc.radius);
+        }
+        layout->shapes.push_back(std::move(seen));
+    }
+    for (const scene::Wall& wall : scene.walls)
+        layout->walls.push_back(wall_lines(wall));
+    return layout;
+}
+
+class Simulation2d final : public Simulation {
+public:
+    Simulation2d(const scene::Scene& scene, sim2d::WorldPtr world)
+        : scene_(scene), world_(std::move(world)), layout_(layout_of(scene, sim2d::shapes_of(*world_))) {}
+
+    std::optional<Problem> advance(std::int64_t steps) override { return sim2d::advance(*world_, steps); }
+    [[nodiscard]] double time() const override { return sim2d::time_of(*world_); }
+    [[nodiscard]] std::int64_t steps() const override { return sim2d::steps_of(*world_); }
+    [[nodiscard]] Books books() const override { return sim2d::books_of(*world_); }
+    [[nodiscard]] std::shared_ptr<const observe::FrameLayout> layout() const override { return layout_; }
+    [[nodiscard]] std::vector<std::string> unfilled() const override { return sim2d::unfilled(*world_); }
+    [[nodiscard]] std::vector<PhaseTime> phase_times() const override { return sim2d::phase_times(*world_); }
+    [[nodiscard]] scene::TimeStepReport time_step() const override {
+        return sim2d::time_step_report(scene_, sim2d::shapes_of(*world_));
+    }
+
+    [[nodiscard]] observe::Frame frame() const override {
+        observe::Frame frame;
+        frame.layout = layout_;
+        frame.time = time();
+        frame.step = steps();
+        for (const sim2d::BodyState& body : sim2d::bodies_of(*world_)) {
+            frame.id.push_back(body.id);
+            frame.shape.push_back(body.shape);
+            frame.position.push_back(in_space(body.position));
+            frame.orientation.emplace_back(Eigen::AngleAxisd(body.angle, Vector3d::UnitZ()));
+            frame.velocity.push_back(in_space(body.velocity));
+            frame.angular_velocity.emplace_back(0, 0, body.angular_velocity);
+        }
+        for (const scene::WallPose& pose : sim2d::walls_of(*world_))
+            frame.walls.push_back({pose.rotation, pose.translation, pose.velocity, pose.angular_velocity});
+        return frame;
+    }
+
+    [[nodiscard]] std::vector<SimulatedBody> bodies() const override {
+        std::vector<SimulatedBody> bodies;
+        for (const sim2d::BodyShape& shape : sim2d::shapes_of(*world_))
+            bodies.push_back({shape.name, shape.discs.size(), shape.area * scene_.depth, shape.mass,
+                              shape.inertia * Vector3d::UnitZ(), shape.bounding_radius});
+        return bodies;
+    }
+
+private:
+    scene::Scene scene_;
+    sim2d::WorldPtr world_;
+    std::shared_ptr<const observe::FrameLayout> layout_;
+};
+
+} // namespace
+
+Result<SimulationPtr> simulate_in_2d(const scene::Scene& scene, int threads) {
+    Result<sim2d::WorldPtr> world = sim2d::build_world(scene, threads);
+    if (!world)
+        return world.problems();
+    return SimulationPtr(std::make_unique<Simulation2d>(scene, std::move(*world)));
+}
+
+} // namespace tumble::run

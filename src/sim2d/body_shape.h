@@ -1,0 +1,22 @@
+#pragma once
+
+#include "base/problem.h"
+#include "contact/material.h"
+#include "scene/scene.h"
+#include "sim2d/solver.h"
+
+#include <vector>
+
+namespace tumble::sim2d {
+
+/// A template as the solver uses it: mass (density * area * depth), centre and inertia of the union of its discs, exact
+/// sums over the arcs of the union's outline; discs moved to the centre of mass. A single disc gets m r^2 / 2. A mass
+/// given in the template scales the inertia; a given inertia replaces it. Problems: no discs, a radius, a depth or a
+/// density that is not positive, a number that is not finite.
+Result<BodyShape> make_body_shape(const scene::BodyTemplate& body, const contact::Material& material, double depth);
+
+/// Indices, ascending, into shape.discs of those that can ever touch anything from outside: without those whose whole
+/// rim lies inside others.
+std::vector<int> contact_discs(const BodyShape& shape);
+
+} // namespace tumble::sim2d

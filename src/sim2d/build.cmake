@@ -1,0 +1,1 @@
+tumble_kernels(sim2d)

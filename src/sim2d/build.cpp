@@ -1,0 +1,167 @@
+#include "sim2d/body_shape.h"
+#include "sim2d/fill.h"
+#include "sim2d/pair_list.h"
+#include "sim2d/time_step.h"
+#include "sim2d/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace tumble::sim2d {
+
+namespace {
+
+using Eigen::Vector2d;
+
+// Lists as long as these parts of the bodies were found quickest on dense beds (bench/discs).
+constexpr double skin_per_radius = 0.25;
+constexpr double near_skin_per_skin = 0.3;
+// Walls do not take part in the mean flow, so discs may pass them long before they pass each other.
+constexpr double wall_skin_per_skin = 4;
+
+ShapeData prepare_shape(const BodyShape& shape, int material) {
+    ShapeData data{shape, material, {}};
+    for (const int k : contact_discs(shape)) {
+        const Disc& disc = shape.discs[static_cast<std::size_t>(k)];
+        data.exposed.insert(data.exposed.end(), {disc.centre.x(), disc.centre.y(), disc.radius});
+    }
+    return data;
+}
+
+ShapeConstants constants_of(const ShapeData& data) {
+    ShapeConstants constants{};
+    constants.mass = data.shape.mass;
+    constants.inertia = data.shape.inertia;
+    constants.reach = data.shape.bounding_radius;
+    constants.material = data.material;
+    constants.exposed = data.exposed.data();
+    constants.exposed_count = static_cast<int>(data.exposed.size() / 3);
+    // A lone disc that another covers may stand beside the centre of mass; then it is carried like a clump's.
+    constants.single = data.exposed.size() == 3 && Vector2d(data.exposed[0], data.exposed[1]).norm() == 0;
+    constants.smallest_radius = data.exposed[2];
+    for (std::size_t k = 2; k < data.exposed.size(); k += 3)
+        constants.smallest_radius = std::min(constants.smallest_radius, data.exposed[k]);
+    return constants;
+}
+
+Problem scene_problem(const scene::Scene& scene, std::string key, std::string what, std::string fix) {
+    return {scene.file.string(), 0, 0, std::move(key), std::move(what), std::move(fix)};
+}
+
+Problems make_shapes(World& world) {
+    Problems problems;
+    for (const scene::BodyTemplate& body : world.scene.bodies) {
+        const auto shape =
+            make_body_shape(body, world.scene.materials[static_cast<std::size_t>(body.material)], world.scene.depth);
+        if (!shape) {
+            const Problems more = shape.problems();
+            problems.insert(problems.end(), more.begin(), more.end());
+            continue;
+        }
+        world.plain_shapes.push_back(*shape);
+        world.shapes.push_back(prepare_shape(*shape, body.material));
+    }
+    for (const ShapeData& data : world.shapes)
+        world.shape_constants.push_back(constants_of(data));
+    return problems;
+}
+
+void make_walls(World& world) {
+    for (const scene::Wall& wall : world.scene.walls)
+        world.walls.push_back({wall, WallLine(wall.outline, world.scene.domain),
+                               WallFrame(scene::pose_at(wall.motion, 0)),
+                               WallFrame(scene::pose_at(wall.motion, -0.5 * world.dt)), 0});
+}
+
+void make_pairs(World& world) {
+    world.materials = static_cast<int>(world.scene.materials.size());
+    for (int a = 0; a < world.materials; ++a)
+        for (int b = 0; b < world.materials; ++b)
+            world.pairs.push_back(contact::derive(world.scene.materials[static_cast<std::size_t>(a)],
+                                                  world.scene.materials[static_cast<std::size_t>(b)],
+                                                  world.scene.pair(a, b)));
+}
+
+void make_images(World& world) {
+    const scene::Domain& domain = world.scene.domain;
+    const Eigen::Vector3d length = domain.box.hi - domain.box.lo;
+    world.images.resize(9);
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x)
+            world.images[static_cast<std::size_t>(image_index(x, y))] = {
+                {domain.periodic[0] ? x * length.x() : 0.0, domain.periodic[1] ? y * length.y() : 0.0, 0.0, 0.0}};
+}
+
+void choose_skins(World& world) {
+    world.smallest_radius = std::numeric_limits<double>::infinity();
+    for (const ShapeData& data : world.shapes)
+        for (std::size_t k = 2; k < data.exposed.size(); k += 3) {
+            world.largest_radius = std::max(world.largest_radius, data.exposed[k]);
+            world.smallest_radius = std::min(world.smallest_radius, data.exposed[k]);
+        }
+    world.skin = world.scene.skin > 0 ? world.scene.skin : skin_per_radius * world.largest_radius;
+    world.near_skin = near_skin_per_skin * world.skin;
+    world.wall_skin = wall_skin_per_skin * world.skin;
+    world.reach = 2 * world.largest_radius + longest_leash * world.skin;
+}
+
+/// Two discs must never meet through two images, nor a body its own: kept_memory.h counts on it.
+Problems check_periods(const World& world) {
+    Problems problems;
+    const scene::Domain& domain = world.scene.domain;
+    double needed = 2 * world.reach;
+    for (const BodyShape& shape : world.plain_shapes)
+        needed = std::max(needed, 2 * shape.bounding_radius + world.reach);
+    for (int k = 0; k < 2; ++k)
+        if (domain.periodic[static_cast<std::size_t>(k)] && domain.box.hi[k] - domain.box.lo[k] < needed)
+            problems.push_back(scene_problem(
+                world.scene, "domain",
+                fmt::format("the domain is {:.4g} m long in its periodic direction {}, but discs must never meet "
+                            "through two of its ends: at least {:.4g} m are needed",
+                            domain.box.hi[k] - domain.box.lo[k], "xy"[k], needed),
+                "make the domain longer or the bodies smaller"));
+    return problems;
+}
+
+Problems check_step(const World& world) {
+    const scene::TimeStepReport report = time_step_report(world.scene, world.plain_shapes);
+    if (report.stable() || world.scene.allow_large_step)
+        return {};
+    return {scene_problem(
+        world.scene, "time_step_s",
+        fmt::format("a time step of {:.4g} s is above the stable limit of {:.4g} s", report.step, report.limit),
+        fmt::format("use at most {:.3g} s, or soften the contacts; allow_large_step = true runs it "
+                    "all the same",
+                    0.5 * report.limit))};
+}
+
+void append(Problems& all, const Problems& more) {
+    all.insert(all.end(), more.begin(), more.end());
+}
+
+} // namespace
+
+Result<WorldPtr> build_world(const scene::Scene& scene, int threads) {
+    WorldPtr world(new World(std::max(threads, 1)));
+    world->scene = scene;
+    world->dt = scene.time_step;
+    world->kernels = &choose_kernels();
+    make_pairs(*world);
+    if (Problems problems = make_shapes(*world); !problems.empty())
+        return problems;
+    make_walls(*world);
+    choose_skins(*world);
+    make_images(*world);
+    Problems problems = check_periods(*world);
+    append(problems, check_step(*world));
+    append(problems, prepare_fills(*world));
+    if (!problems.empty())
+        return problems;
+    if (auto problem = insert_due_fills(*world))
+        return *problem;
+    return world;
+}
+
+} // namespace tumble::sim2d

@@ -1,0 +1,94 @@
+#include "sim2d/crowd.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tumble::sim2d {
+
+using Eigen::Vector2d;
+
+std::vector<Disc> discs_of(const World& world, const Placement& body) {
+    const ShapeConstants& shape = world.shape_constants[static_cast<std::size_t>(body.shape)];
+    const double c = std::cos(body.angle), s = std::sin(body.angle);
+    std::vector<Disc> discs;
+    for (int k = 0; k < shape.exposed_count; ++k) {
+        const double* disc = shape.exposed + 3 * static_cast<std::ptrdiff_t>(k);
+        discs.push_back({body.position + Vector2d(c * disc[0] - s * disc[1], s * disc[0] + c * disc[1]), disc[2]});
+    }
+    return discs;
+}
+
+bool in_wall(const World& world, const std::vector<Disc>& discs) {
+    std::vector<int> pieces;
+    for (const WallState& wall : world.walls)
+        for (const Disc& disc : discs) {
+            wall.line.pieces_near(wall.frame.to_wall(disc.centre), disc.radius, pieces);
+            if (!pieces.empty())
+                return true;
+        }
+    return false;
+}
+
+Crowd::Crowd(const World& world) : world_(world) {
+    const double width = std::max(2 * world.largest_radius, 1e-9);
+    const scene::Box& box = world.scene.domain.box;
+    for (int k = 0; k < 2; ++k)
+        size_[static_cast<std::size_t>(k)] = std::clamp(static_cast<int>((box.hi[k] - box.lo[k]) / width), 1, 2000);
+    cells_.resize(static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]));
+    for (int slot = 0; slot < world.bodies(); ++slot)
+        add(discs_of(world, {world.shape[static_cast<std::size_t>(slot)],
+                             {world.row(slot).x, world.row(slot).y},
+                             world.angle[static_cast<std::size_t>(slot)]}));
+}
+
+void Crowd::add(const std::vector<Disc>& discs) {
+    for (const Disc& disc : discs) {
+        const auto at = place(disc.centre);
+        cells_[static_cast<std::size_t>(at[0] * size_[1] + at[1])].push_back(disc);
+    }
+}
+
+bool Crowd::leaves_room_for(const std::vector<Disc>& discs) const {
+    for (const Disc& disc : discs) {
+        const auto home = place(disc.centre);
+        for (int x = home[0] - 1; x <= home[0] + 1; ++x)
+            for (int y = home[1] - 1; y <= home[1] + 1; ++y)
+                if (!cell_leaves_room(disc, {x, y}))
+                    return false;
+    }
+    return true;
+}
+
+bool Crowd::cell_leaves_room(const Disc& disc, std::array<int, 2> at) const {
+    const scene::Domain& domain = world_.scene.domain;
+    Vector2d shift = Vector2d::Zero();
+    for (std::size_t k = 0; k < 2; ++k) {
+        if (at[k] >= 0 && at[k] < size_[k])
+            continue;
+        if (!domain.periodic[k])
+            return true;
+        const auto axis = static_cast<Eigen::Index>(k);
+        const int turn = at[k] < 0 ? -1 : 1;
+        shift[axis] = turn * (domain.box.hi[axis] - domain.box.lo[axis]);
+        at[k] -= turn * size_[k];
+    }
+    for (const Disc& other : cells_[static_cast<std::size_t>(at[0] * size_[1] + at[1])]) {
+        const double reach = disc.radius + other.radius;
+        if ((other.centre + shift - disc.centre).squaredNorm() < reach * reach)
+            return false;
+    }
+    return true;
+}
+
+std::array<int, 2> Crowd::place(const Vector2d& centre) const {
+    const scene::Box& box = world_.scene.domain.box;
+    std::array<int, 2> at{};
+    for (std::size_t k = 0; k < 2; ++k) {
+        const auto axis = static_cast<Eigen::Index>(k);
+        const double part = (centre[axis] - box.lo[axis]) / (box.hi[axis] - box.lo[axis]);
+        at[k] = std::clamp(static_cast<int>(std::floor(part * size_[k])), 0, size_[k] - 1);
+    }
+    return at;
+}
+
+} // namespace tumble::sim2d

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "sim2d/world.h"
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace tumble::sim2d {
+
+/// Where a body would stand.
+struct Placement {
+    int shape = 0;
+    Eigen::Vector2d position = Eigen::Vector2d::Zero(); // m, centre of mass
+    double angle = 0;                                   // rad
+};
+
+/// The body's discs there.
+std::vector<Disc> discs_of(const World& world, const Placement& body);
+
+/// Whether any disc of the body reaches a wall as it stands now.
+bool in_wall(const World& world, const std::vector<Disc>& discs);
+
+/// Discs by cell, growing as bodies are placed.
+class Crowd {
+public:
+    /// All discs of the world.
+    explicit Crowd(const World& world);
+
+    void add(const std::vector<Disc>& discs);
+    [[nodiscard]] bool leaves_room_for(const std::vector<Disc>& discs) const;
+
+private:
+    [[nodiscard]] std::array<int, 2> place(const Eigen::Vector2d& centre) const;
+    [[nodiscard]] bool cell_leaves_room(const Disc& disc, std::array<int, 2> at) const;
+
+    const World& world_;
+    std::array<int, 2> size_{1, 1};
+    std::vector<std::vector<Disc>> cells_;
+};
+
+} // namespace tumble::sim2d

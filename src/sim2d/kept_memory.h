@@ -1,0 +1,47 @@
+#pragma once
+
+#include "sim2d/kernels.h"
+#include "sim2d/wall_line.h"
+
+#include <span>
+#include <vector>
+
+namespace tumble::sim2d {
+
+struct World;
+
+/// What one touching pair remembers, named by the tags of its discs, so that it outlives lists, slots and rows. Two
+/// discs meet through one image of the periodic box at most (build.cpp asks for periods that long), and both sides
+/// remember the same, so neither image nor order is kept.
+struct KeptPair {
+    int first = 0; // the smaller tag
+    int second = 0;
+    Memory memory{};
+};
+
+struct KeptWall {
+    int disc = 0; // tag
+    int wall = 0;
+    WallMemory memory;
+};
+
+/// Every touching contact of the world, findable by disc. Keeps its room from one use to the next.
+class KeptMemory {
+public:
+    void take(const World& world);
+
+    /// What the discs of these tags remember of each other, or null.
+    [[nodiscard]] const Memory* of_pair(int a, int b) const;
+    [[nodiscard]] std::span<const KeptWall> of_wall(int disc) const;
+
+private:
+    std::vector<KeptPair> unsorted_pairs_;
+    std::vector<KeptPair> pairs_;
+    std::vector<int> pairs_begin_; // per tag, one more at the end
+    std::vector<KeptWall> unsorted_walls_;
+    std::vector<KeptWall> walls_;
+    std::vector<int> walls_begin_;
+    std::vector<int> next_;
+};
+
+} // namespace tumble::sim2d

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "sim2d/world.h"
+
+namespace tumble::sim2d {
+
+/// Fits the field to the bodies' velocities (least squares, in slot order) and looks where they are. The fit's quality
+/// decides how seldom lists are made, never what is in them: the odometers hold for any field.
+MeanFlow fit_mean_flow(const World& world);
+
+/// The farthest that any point of the wall near the bodies went beside the mean flow while the wall moved from one pose
+/// to the next, m.
+double way_beside(const MeanFlow& flow, const WallFrame& from, const WallFrame& to, double dt);
+
+} // namespace tumble::sim2d

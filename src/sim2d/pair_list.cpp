@@ -1,0 +1,248 @@
+#include "sim2d/pair_list.h"
+
+#include "sim2d/phase.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tumble::sim2d {
+
+namespace {
+
+using Eigen::Vector2d;
+
+// Sorting moves every body in memory; neighbours drift apart slowly, so it pays only now and then.
+constexpr std::int64_t rebuilds_per_sort = 4;
+
+constexpr int fewest_bodies_per_chunk = 48;
+
+constexpr double spare_leash = 0.6; // share of the mean leash that bodies at rest get
+constexpr double expired = std::numeric_limits<double>::lowest();
+
+bool touches(const World& world, int row) {
+    return world.row(row).radius > 0;
+}
+
+/// Radius and leash of a disc, m: discs whose reaches do not meet cannot touch yet.
+double reach_of(const World& world, int row) {
+    return world.row(row).radius - world.travel[static_cast<std::size_t>(row)];
+}
+
+void wrap(World& world) {
+    const scene::Domain& domain = world.scene.domain;
+    for (int slot = 0; slot < world.bodies(); ++slot) {
+        Row& row = world.row(slot);
+        for (const auto& [axis, x] : {std::pair{0, &row.x}, std::pair{1, &row.y}}) {
+            if (!domain.periodic[static_cast<std::size_t>(axis)])
+                continue;
+            const double length = domain.box.hi[axis] - domain.box.lo[axis];
+            *x -= length * std::floor((*x - domain.box.lo[axis]) / length);
+        }
+    }
+}
+
+template <class Array> void reorder(Array& values, const std::vector<int>& order) {
+    Array sorted(values.size());
+    for (std::size_t k = 0; k < order.size(); ++k)
+        sorted[k] = values[static_cast<std::size_t>(order[k])];
+    values = std::move(sorted);
+}
+
+void sort_slots(World& world) {
+    std::vector<Vector2d>& centres = world.centres;
+    centres.clear();
+    for (int slot = 0; slot < world.bodies(); ++slot)
+        centres.emplace_back(world.row(slot).x, world.row(slot).y);
+    world.cells.sort(world.scene.domain, centres, 2 * world.largest_radius + world.skin);
+    const std::vector<int>& order = world.cells.order();
+    world.rows.resize(world.id.size());
+    world.loads.resize(world.id.size());
+    reorder(world.id, order);
+    reorder(world.shape, order);
+    reorder(world.angle, order);
+    reorder(world.rows, order);
+    reorder(world.loads, order);
+}
+
+/// Rows for the discs of all clumps, behind those of the bodies.
+void lay_out_discs(World& world) {
+    const auto bodies = world.id.size();
+    world.first_disc.resize(bodies);
+    world.body_of.resize(bodies);
+    auto row = bodies;
+    for (std::size_t slot = 0; slot < bodies; ++slot) {
+        const ShapeConstants& shape = world.shape_at(static_cast<int>(slot));
+        world.body_of[slot] = static_cast<int>(slot);
+        world.first_disc[slot] = static_cast<int>(row);
+        row += shape.single ? 0 : static_cast<std::size_t>(shape.exposed_count);
+        world.body_of.resize(row, static_cast<int>(slot));
+    }
+    world.rows.resize(row);
+    world.loads.resize(row);
+    world.travel.resize(row);
+    for (std::size_t slot = 0; slot < bodies; ++slot)
+        if (const ShapeConstants& shape = world.shape_at(static_cast<int>(slot)); !shape.single)
+            place_discs(shape, world.rows[slot], world.angle[slot], &world.row(world.first_disc[slot]));
+}
+
+void cut_chunks(World& world) {
+    const int bodies = world.bodies();
+    const int count = std::clamp(bodies / fewest_bodies_per_chunk, 1, most_chunks);
+    const auto disc_from = [&](int slot) {
+        return slot < bodies ? world.first_disc[static_cast<std::size_t>(slot)] : static_cast<int>(world.rows.size());
+    };
+    world.chunks.resize(static_cast<std::size_t>(count));
+    world.chunk_of.resize(world.rows.size());
+    const auto kinds = static_cast<std::size_t>(world.materials * world.materials);
+    for (int k = 0; k < count; ++k) {
+        Chunk& chunk = world.chunks[static_cast<std::size_t>(k)];
+        const int begin = static_cast<int>(static_cast<std::int64_t>(bodies) * k / count);
+        const int end = static_cast<int>(static_cast<std::int64_t>(bodies) * (k + 1) / count);
+        chunk.owned = {begin, end, disc_from(begin), disc_from(end)};
+        chunk.near_discs.resize(kinds);
+        chunk.wall_contacts.resize(kinds);
+        chunk.outbox.resize(static_cast<std::size_t>(count));
+        std::fill(world.chunk_of.begin() + begin, world.chunk_of.begin() + end, k);
+        std::fill(world.chunk_of.begin() + chunk.owned.disc_begin, world.chunk_of.begin() + chunk.owned.disc_end, k);
+    }
+}
+
+void clear(Chunk& chunk) {
+    // Letters of the last step are addressed to rows that may be others' now.
+    for (auto& letters : chunk.outbox)
+        letters.clear();
+    chunk.partners_after = 0;
+    chunk.partners_before = 0;
+    chunk.pairs.clear();
+    for (NearDiscs& near : chunk.near_discs)
+        near.clear();
+    chunk.near_until = 0;
+    chunk.wall_nears.clear();
+    chunk.wall_pieces.clear();
+}
+
+// What touched a step ago has moved by no more than the fastest discs since; looking up the rest would take long.
+bool may_remember(const World& world, double apart_squared, int a, int b) {
+    const double reach = world.row(a).radius + world.row(b).radius + world.last_rush + 1e-3 * world.smallest_radius;
+    return apart_squared < reach * reach;
+}
+
+// What the pair remembers stands in the near list, which find_candidates completes.
+void add_pair(const World& world, Chunk& chunk, int a, int b, int image, double apart_squared) {
+    const int kind = world.kind_of(a, world.shape_at(world.slot_of(b)).material);
+    if (may_remember(world, apart_squared, a, b))
+        if (const Memory* old = world.kept.of_pair(world.tag_of(a), world.tag_of(b)))
+            chunk.near_discs[static_cast<std::size_t>(kind)].add({a, b, image, static_cast<int>(chunk.pairs.size())}, 1,
+                                                                 *old);
+    chunk.pairs.push_back({a, b, static_cast<std::int16_t>(image), static_cast<std::int16_t>(kind)});
+}
+
+void list_pairs_of(const World& world, Chunk& chunk, int a) {
+    std::array<Cells::Seen, 9> seen{};
+    const Vector2d& centre = world.centres[static_cast<std::size_t>(a)];
+    const double own_reach = reach_of(world, a);
+    const int own_body = world.slot_of(a);
+    const int count = world.cells.around(centre, seen);
+    for (int k = 0; k < count; ++k) {
+        const Cells::Seen& cell = seen[static_cast<std::size_t>(k)];
+        const auto& shift = world.images[static_cast<std::size_t>(cell.image)].along;
+        const Vector2d from = centre - Vector2d(shift[0], shift[1]);
+        for (const int* b = cell.begin; b != cell.end; ++b) {
+            if (*b <= a || !touches(world, *b) || world.slot_of(*b) == own_body)
+                continue;
+            const double reach = own_reach + reach_of(world, *b);
+            const double apart_squared = (from - world.centres[static_cast<std::size_t>(*b)]).squaredNorm();
+            if (apart_squared >= reach * reach)
+                continue;
+            chunk.partners_after |= chunk_bit(world.chunk_of[static_cast<std::size_t>(*b)]);
+            add_pair(world, chunk, a, *b, cell.image, apart_squared);
+        }
+    }
+}
+
+void list_walls_of(const World& world, Chunk& chunk, int row, std::vector<int>& pieces) {
+    for (std::size_t w = 0; w < world.walls.size(); ++w) {
+        const WallState& wall = world.walls[w];
+        wall.line.pieces_near(wall.frame.to_wall(world.centres[static_cast<std::size_t>(row)]),
+                              reach_of(world, row) + world.wall_skin, pieces);
+        if (pieces.empty())
+            continue;
+        WallNear near;
+        near.row = row;
+        near.wall = static_cast<int>(w);
+        near.expires = expired;
+        near.pieces_begin = static_cast<int>(chunk.wall_pieces.size());
+        near.pieces_count = static_cast<int>(pieces.size());
+        chunk.wall_pieces.insert(chunk.wall_pieces.end(), pieces.begin(), pieces.end());
+        for (const KeptWall& old : world.kept.of_wall(world.tag_of(row)))
+            if (old.wall == near.wall && near.touches < max_wall_touches)
+                near.memory[static_cast<std::size_t>(near.touches++)] = old.memory;
+        chunk.wall_nears.push_back(near);
+    }
+}
+
+template <class Each> void for_touching_rows(const World& world, const Chunk& chunk, Each&& each) {
+    for (int row = chunk.owned.body_begin; row < chunk.owned.body_end; ++row)
+        if (touches(world, row))
+            each(row);
+    for (int row = chunk.owned.disc_begin; row < chunk.owned.disc_end; ++row)
+        each(row);
+}
+
+/// Rows that are fast beside the mean flow get long leashes, slow ones short, so that all last about as long; what a
+/// collision may add is the same for all. The mean is half a skin.
+void give_leashes(World& world) {
+    double mean_speed = 0;
+    for (std::size_t row = 0; row < world.rows.size(); ++row) {
+        const Row& at = world.rows[row];
+        const double speed = (Vector2d(at.vx, at.vy) - world.flow.at(Vector2d(at.x, at.y))).norm();
+        world.travel[row] = speed;
+        mean_speed += speed / static_cast<double>(world.rows.size());
+    }
+    const double half = 0.5 * world.skin;
+    const double time = mean_speed > 0 ? (1 - spare_leash) * half / mean_speed : 0;
+    for (double& travel : world.travel)
+        travel = -std::min(spare_leash * half + time * travel, longest_leash * half);
+}
+
+void find_partners(World& world) {
+    for (std::size_t k = 0; k < world.chunks.size(); ++k)
+        for (std::size_t before = 0; before < world.chunks.size(); ++before)
+            if (before != k && (world.chunks[before].partners_after & chunk_bit(static_cast<int>(k))) != 0)
+                world.chunks[k].partners_before |= chunk_bit(static_cast<int>(before));
+}
+
+} // namespace
+
+void rebuild_lists(World& world) {
+    // Insertion has taken it before it added rows.
+    if (!world.stale)
+        world.kept.take(world);
+    wrap(world);
+    if (world.stale || world.rebuilds % rebuilds_per_sort == 0)
+        sort_slots(world);
+    lay_out_discs(world);
+    give_leashes(world);
+    world.centres.clear();
+    for (const Row& row : world.rows)
+        world.centres.emplace_back(row.x, row.y);
+    const double longest = world.travel.empty() ? 0 : -*std::min_element(world.travel.begin(), world.travel.end());
+    world.cells.sort(world.scene.domain, world.centres, 2 * (world.largest_radius + longest));
+    cut_chunks(world);
+    for (WallState& wall : world.walls)
+        wall.travel = 0;
+    for_chunks(world, [&](Chunk& chunk) {
+        clear(chunk);
+        std::vector<int> pieces;
+        for_touching_rows(world, chunk, [&](int row) {
+            list_pairs_of(world, chunk, row);
+            list_walls_of(world, chunk, row, pieces);
+        });
+    });
+    find_partners(world);
+    world.stale = false;
+    ++world.rebuilds;
+}
+
+} // namespace tumble::sim2d

@@ -1,0 +1,91 @@
+#include "sim2d/step.h"
+
+namespace tumble::sim2d {
+
+namespace {
+
+PushContext context_of(World& world, Chunk& chunk, std::size_t kind) {
+    PushContext context{};
+    context.rows = world.rows.data();
+    context.loads = world.loads.data();
+    context.owned = chunk.owned;
+    context.images = world.images.data();
+    context.periodic = world.scene.domain.periodic[0] || world.scene.domain.periodic[1];
+    context.dt = world.dt;
+    context.pair = world.pairs[kind];
+    context.normal_law = static_cast<int>(world.scene.contact.normal);
+    context.tangential_law = static_cast<int>(world.scene.contact.tangential);
+    context.limit_force = world.scene.contact.limit_force;
+    context.sums = &chunk.sums.contacts;
+    return context;
+}
+
+void prepare_foreign(Chunk& chunk, PushContext& context, int contacts) {
+    if (chunk.foreign.size() < static_cast<std::size_t>(contacts))
+        chunk.foreign.resize(static_cast<std::size_t>(contacts) * 2);
+    context.foreign = chunk.foreign.data();
+    context.foreign_count = 0;
+}
+
+void post(const World& world, Chunk& chunk, const PushContext& context) {
+    for (int k = 0; k < context.foreign_count; ++k) {
+        const ForeignPush& push = chunk.foreign[static_cast<std::size_t>(k)];
+        chunk.outbox[static_cast<std::size_t>(world.chunk_of[static_cast<std::size_t>(push.row)])].push_back(push);
+    }
+}
+
+/// What the discs of the chunk's clumps got goes to their bodies.
+void hand_on(World& world, const Chunk& chunk) {
+    for (int disc = chunk.owned.disc_begin; disc < chunk.owned.disc_end; ++disc) {
+        const int slot = world.slot_of(disc);
+        const Load& got = world.loads[static_cast<std::size_t>(disc)];
+        Load& load = world.loads[static_cast<std::size_t>(slot)];
+        const double arm_x = world.row(disc).x - world.row(slot).x;
+        const double arm_y = world.row(disc).y - world.row(slot).y;
+        load.fx += got.fx;
+        load.fy += got.fy;
+        load.torque += got.torque + arm_x * got.fy - arm_y * got.fx;
+    }
+}
+
+} // namespace
+
+void push_contacts(World& world, Chunk& chunk) {
+    chunk.sums.contacts = {};
+    chunk.sums.contacts.lost_history = chunk.dropped_history;
+    for (auto& letters : chunk.outbox)
+        letters.clear();
+    for (std::size_t kind = 0; kind < world.pairs.size(); ++kind) {
+        PushContext context = context_of(world, chunk, kind);
+        if (NearDiscs& near = chunk.near_discs[kind]; near.contact_count > 0) {
+            prepare_foreign(chunk, context, near.contact_count);
+            world.kernels->push_discs(context, near.pairs.data(), near.contacts.data(), near.contact_count,
+                                      near.memory.data());
+            post(world, chunk, context);
+        }
+        if (auto& contacts = chunk.wall_contacts[kind]; !contacts.empty()) {
+            world.kernels->push_walls(context, contacts.data(), static_cast<int>(contacts.size()));
+            for (const WallContact& contact : contacts)
+                chunk.wall_nears[static_cast<std::size_t>(contact.near)]
+                    .memory[static_cast<std::size_t>(contact.touch)]
+                    .memory = contact.memory;
+        }
+    }
+}
+
+void collect_pushes(World& world, Chunk& chunk) {
+    const auto own = static_cast<std::size_t>(&chunk - world.chunks.data());
+    for (std::size_t sender = 0; sender < world.chunks.size(); ++sender) {
+        if ((chunk.partners_before & chunk_bit(static_cast<int>(sender))) == 0)
+            continue;
+        for (const ForeignPush& push : world.chunks[sender].outbox[own]) {
+            Load& load = world.loads[static_cast<std::size_t>(push.row)];
+            load.fx += push.fx;
+            load.fy += push.fy;
+            load.torque += push.torque;
+        }
+    }
+    hand_on(world, chunk);
+}
+
+} // namespace tumble::sim2d

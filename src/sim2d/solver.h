@@ -1,0 +1,83 @@
+#pragma once
+
+#include "base/books.h"
+#include "base/phases.h"
+#include "base/problem.h"
+#include "scene/motion.h"
+#include "scene/scene.h"
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The 2D solver as the layers above see it; src/sim2d/step.cpp is what it does. The twin of src/sim3d.
+namespace tumble::sim2d {
+
+struct World;
+
+struct WorldDeleter {
+    void operator()(World* world) const;
+};
+using WorldPtr = std::unique_ptr<World, WorldDeleter>;
+
+/// Ready to step at t = 0, fills that are due at 0 inserted. `threads` >= 1 changes the time taken, never a bit of the
+/// result. Problems: a fill that cannot fit at once, a time step above the stable limit, a period too short.
+Result<WorldPtr> build_world(const scene::Scene& scene, int threads);
+
+/// Takes `steps` steps, inserting fills when they are due. A state that stopped being sane ends it early with a problem
+/// naming body, time and reason; the world then stays at the last step taken.
+std::optional<Problem> advance(World& world, std::int64_t steps);
+
+/// Puts bodies exactly where they are said to be (ids are given anew, in order), whatever they overlap; their energy is
+/// booked as inserted, that of overlaps among them only before the first step. For states measured elsewhere and for
+/// tests; fills are the usual way. Problems: a shape index that does not exist, a position outside the domain, a number
+/// that is not finite.
+std::optional<Problem> insert(World& world, const std::vector<struct BodyState>& bodies);
+
+double time_of(const World& world); // s
+std::int64_t steps_of(const World& world);
+/// The account of the last step taken: its forces, stored energies and kinetic energies are those at the step's start,
+/// at Books::time, one dt before time_of(world).
+Books books_of(const World& world);
+
+struct Disc {
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero(); // m, from the body's centre of mass
+    double radius = 0;                                // m
+};
+
+/// A template as the solver uses it: centred on its centre of mass, turned as written.
+struct BodyShape {
+    std::string name;
+    double mass = 0;                                          // kg
+    double area = 0;                                          // m2, of the union
+    double inertia = 0;                                       // kg m2
+    std::vector<Disc> discs;                                  // all of them, also wholly covered ones
+    double bounding_radius = 0;                               // m, about the centre of mass
+    Eigen::Vector2d written_centre = Eigen::Vector2d::Zero(); // m, centre of mass in the template's frame
+};
+const std::vector<BodyShape>& shapes_of(const World& world);
+
+struct BodyState {
+    std::int64_t id = 0; // constant over the run, in order of insertion
+    int shape = 0;
+    Eigen::Vector2d position = Eigen::Vector2d::Zero(); // m, centre of mass
+    double angle = 0;                                   // rad, counter-clockwise, whole turns included
+    Eigen::Vector2d velocity = Eigen::Vector2d::Zero(); // m/s, at the same instant as the position
+    double angular_velocity = 0;                        // rad/s, counter-clockwise
+};
+/// Ordered by id.
+std::vector<BodyState> bodies_of(const World& world);
+/// Poses of scene.walls at the world's time.
+std::vector<scene::WallPose> walls_of(const World& world);
+
+/// What a fill still owes after its last attempt: "asked for 300 of body 'disc', placed 212; ...". Empty when all is
+/// in.
+std::vector<std::string> unfilled(const World& world);
+
+/// Seconds spent per phase since the world was built, summed over threads, in the order of the step's verbs.
+std::vector<PhaseTime> phase_times(const World& world);
+
+} // namespace tumble::sim2d

@@ -1,0 +1,236 @@
+#pragma once
+
+#include "base/books.h"
+#include "base/lines.h"
+#include "base/parallel_for.h"
+#include "base/phases.h"
+#include "base/rng.h"
+#include "contact/material.h"
+#include "scene/scene.h"
+#include "sim2d/cells.h"
+#include "sim2d/kept_memory.h"
+#include "sim2d/kernels.h"
+#include "sim2d/solver.h"
+#include "sim2d/wall_line.h"
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// The solver's state. Bodies stand in slots, sorted by cell so that neighbours in space are neighbours in memory; a
+/// body's id never changes, its slot may. The first rows are the bodies in slot order, then come the discs of the
+/// clumps; only rows with a radius touch anything. Slots are cut into chunks of fixed ranges that do not depend on the
+/// number of threads; whatever a chunk does, it does in one fixed order, and chunks hand each other forces through
+/// outboxes that are emptied in a fixed order. That is why one thread and two give the same bits.
+namespace tumble::sim2d {
+
+/// Per template, what the solver needs beside BodyShape.
+struct ShapeData {
+    BodyShape shape;
+    int material = 0;
+    std::vector<double> exposed; // x y r of the discs that can touch anything, about the centre of mass
+};
+
+/// The smooth velocity field that neighbours share. Lists wear by what rows do beside it, so a bed that shakes as one
+/// or shears evenly keeps its lists for long.
+struct MeanFlow {
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero();   // m
+    Eigen::Vector2d velocity = Eigen::Vector2d::Zero(); // m/s, at the centre
+    Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero(); // 1/s
+    Eigen::Vector2d lo = Eigen::Vector2d::Zero();       // m, where rows are until the next fit
+    Eigen::Vector2d hi = Eigen::Vector2d::Zero();
+
+    [[nodiscard]] Eigen::Vector2d at(const Eigen::Vector2d& point) const {
+        return velocity + gradient * (point - centre);
+    }
+};
+constexpr std::int64_t steps_per_fit = 64;
+
+/// A disc near a wall, with the wall's pieces in reach and its touches.
+struct WallNear {
+    int row = 0;
+    int wall = 0;
+    bool awake = false;   // may touch before `expires`
+    double expires = 0;   // m, on the row's odometer plus the wall's
+    int pieces_begin = 0; // into Chunk::wall_pieces
+    int pieces_count = 0;
+    int touches = 0;
+    std::array<WallMemory, max_wall_touches> memory{}; // the first `touches`
+};
+
+/// Sums of one chunk, J and extremes; added up in chunk order.
+struct Sums {
+    ContactSums contacts;
+    MotionSums motion;
+};
+
+/// The step's verbs, for the account of where the time goes.
+enum class Phase {
+    move_walls,
+    list_neighbours,
+    find_candidates,
+    push_gravity,
+    touch_candidates,
+    push_contacts,
+    collect_pushes,
+    integrate,
+    book_energy
+};
+constexpr std::array<const char*, 9> phase_names{"move_walls",     "list_neighbours",  "find_candidates",
+                                                 "push_gravity",   "touch_candidates", "push_contacts",
+                                                 "collect_pushes", "integrate",        "book_energy"};
+using PhaseSeconds = std::array<double, phase_names.size()>;
+
+/// Those of a chunk's pairs that may touch before World::rush reaches Chunk::near_until.
+struct NearDiscs {
+    std::vector<NearPair> pairs; // in the order of Chunk::pairs
+    std::vector<Memory> memory;
+    std::vector<std::uint8_t> touching; // 1 or 0
+    std::vector<int> contacts;          // the first contact_count entries: those of pairs that touch now
+    int contact_count = 0;
+
+    void clear() {
+        pairs.clear();
+        memory.clear();
+        touching.clear();
+        contact_count = 0;
+    }
+    void add(const NearPair& pair, std::uint8_t touches, const Memory& remembered) {
+        pairs.push_back(pair);
+        memory.push_back(remembered);
+        touching.push_back(touches);
+    }
+};
+
+/// Contiguous ranges of slots and of discs, and everything that they own.
+struct Chunk {
+    Owned owned{};
+    ChunkSet partners_after = 0;  // chunks whose rows stand as b in this chunk's pairs
+    ChunkSet partners_before = 0; // chunks that have this chunk's rows as b in theirs
+
+    std::vector<DiscPair> pairs;
+    std::vector<NearDiscs> near_discs; // per material pair
+    double near_until = 0;             // m, on World::rush
+
+    std::vector<WallNear> wall_nears;
+    std::vector<int> wall_pieces;
+    std::vector<std::vector<WallContact>> wall_contacts; // per material pair
+
+    std::vector<std::vector<ForeignPush>> outbox; // per receiving chunk
+    std::vector<ForeignPush> foreign;             // room for the kernels; delivered through the outbox
+    std::vector<int> found;                       // room for the kernels
+    double dropped_history = 0;                   // J forgotten by contacts that ended in this step
+    int crossed_row = -1;                         // row whose centre has passed through a wall, ...
+    int crossed_wall = -1;                        // ... and the wall
+    Sums sums;
+    PhaseSeconds seconds{};
+};
+
+struct WallState {
+    scene::Wall wall;
+    WallLine line;
+    WallFrame frame;      // at the step's time
+    WallFrame half_frame; // half a step earlier, where leapfrog's velocities live
+    double travel = 0;    // m, odometer: way beside the mean flow since the last rebuild
+};
+
+struct FillState {
+    scene::Fill fill;
+    Rng rng;
+    std::int64_t asked = 0;
+    std::int64_t placed = 0;
+    std::int64_t next_step = 0;
+    bool over = false;
+};
+
+/// Running sums, J. Losses are sums of force * velocity * dt at the steps; the books take the last one half.
+struct Ledger {
+    double lost_normal_damping = 0;
+    double lost_tangential_damping = 0;
+    double lost_sliding = 0;
+    double lost_history = 0;
+    double lost_global_damping = 0;
+    double wall_work = 0;
+    double inserted = 0;
+    double overlap_ratio_peak = 0; // -
+};
+
+struct World {
+    scene::Scene scene;
+    double dt = 0;
+    std::int64_t step = 0;
+    std::vector<ShapeData> shapes;
+    std::vector<BodyShape> plain_shapes;
+    std::vector<ShapeConstants> shape_constants;
+    std::vector<contact::PairConstants> pairs; // materials squared
+    int materials = 0;
+    std::vector<WallState> walls;
+    std::vector<FillState> fills;
+    std::int64_t next_fill_step = 0;
+
+    // Per slot.
+    std::vector<std::int64_t> id;
+    std::vector<int> shape;
+    Lines<double> angle;         // rad
+    std::vector<int> first_disc; // row of the first disc of a clump
+
+    // Per row.
+    Lines<Row> rows;
+    Lines<Load> loads;
+    std::vector<int> body_of; // slot
+    std::vector<int> chunk_of;
+    // m, odometer: a bound on how far a disc's centre has gone beside the mean flow, the row's half share of the flow's
+    // strain included. Two discs come closer by no more than both odometers advance. Lists are made for rows that start
+    // with minus their leash and hold until the first odometer shows 0.
+    std::vector<double> travel;
+
+    // Per id: the first of the tags of its discs, which are as lasting as the id.
+    std::vector<int> first_tag;
+    int tags = 0;
+
+    std::vector<Chunk> chunks;
+    Lines<Shift> images; // 9 of them
+    MeanFlow flow;
+    double reach = 0;           // m, farthest two centres of discs that touch, with skin
+    double skin = 0;            // m, of the list of pairs: two leashes of mean length
+    double wall_skin = 0;       // m, of the list of discs near walls
+    double near_skin = 0;       // m, of the list of near pairs
+    double rush = 0;            // m, how far the fastest two discs could have closed in since the start
+    double last_rush = 0;       // m, in the last step
+    double smallest_radius = 0; // m
+    double largest_radius = 0;  // m
+    bool stale = true;          // the lists must be made anew
+    KeptMemory kept;            // room for rebuilds, as are the next two
+    Cells cells;
+    std::vector<Eigen::Vector2d> centres; // m
+    std::int64_t rebuilds = 0;
+
+    Ledger ledger;
+    Books books;
+    const Kernels* kernels = nullptr;
+    Crew crew;
+    PhaseSeconds seconds{};
+
+    explicit World(int threads) : crew(threads) {}
+    [[nodiscard]] int bodies() const { return static_cast<int>(id.size()); }
+    [[nodiscard]] const ShapeConstants& shape_at(int slot) const {
+        return shape_constants[static_cast<std::size_t>(shape[static_cast<std::size_t>(slot)])];
+    }
+    [[nodiscard]] Row& row(int at) { return rows[static_cast<std::size_t>(at)]; }
+    [[nodiscard]] const Row& row(int at) const { return rows[static_cast<std::size_t>(at)]; }
+    [[nodiscard]] int slot_of(int at) const { return body_of[static_cast<std::size_t>(at)]; }
+    /// The lasting name of a row that touches.
+    [[nodiscard]] int tag_of(int at) const {
+        const auto slot = static_cast<std::size_t>(slot_of(at));
+        return first_tag[static_cast<std::size_t>(id[slot])] + (at < bodies() ? 0 : at - first_disc[slot]);
+    }
+    /// Index into `pairs` of a row's material against another material.
+    [[nodiscard]] int kind_of(int at, int other_material) const {
+        return shape_at(slot_of(at)).material * materials + other_material;
+    }
+    [[nodiscard]] double time() const { return static_cast<double>(step) * dt; }
+};
+
+} // namespace tumble::sim2d

@@ -1,0 +1,114 @@
+// The two solvers held together: spheres that stay in a plane move like discs of equal mass, inertia and law.
+#include "sim2d/solver.h"
+#include "sim3d/solver.h"
+
+#include <doctest/doctest.h>
+
+using namespace tumble;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double radius = 0.05;
+constexpr double mass = 0.8;
+constexpr double inertia = 0.4 * mass * radius * radius;
+
+scene::Scene in_common(scene::NormalLaw normal, scene::TangentialLaw tangential) {
+    scene::Scene scene;
+    scene.time_step = 2e-5;
+    scene.duration = 1;
+    scene.gravity = {0, -9.81, 0};
+    scene.domain.box = {{-2, -1, -1}, {2, 3, 1}};
+    scene.materials = {{"stone", 2500, 5e6, 0.3}};
+    contact::PairProperties pair;
+    pair.restitution = 0.7;
+    pair.friction = 0.4;
+    pair.normal_stiffness = 2e4;
+    pair.tangential_stiffness = 1e4;
+    scene.pairs = {pair};
+    scene.contact = {normal, tangential, true, false, 0};
+    scene::BodyTemplate ball;
+    ball.name = "ball";
+    ball.spheres = {{Vector3d::Zero(), radius}};
+    ball.mass = mass;
+    ball.principal_inertia = Vector3d::Constant(inertia);
+    scene.bodies = {ball};
+    scene::Wall floor;
+    floor.name = "floor";
+    // A floor that shakes and rocks.
+    floor.motion.harmonics = {{{}, 1, 0.01, 7, 0}};
+    floor.motion.rockings = {{{}, {0, 0, 0}, {0, 0, 1}, 0.05, 3, 0}};
+    floor.shape = scene::PlaneShape{{0, 0, 0}, {0, 1, 0}};
+    floor.outline = scene::SegmentShape{{-2, 0}, {2, 0}};
+    scene.walls = {floor};
+    return scene;
+}
+
+struct Start {
+    Vector2d position, velocity;
+    double spin;
+};
+// A small heap in the air, and some that fly into it.
+const std::vector<Start> starts{{{0, 0.06}, {0, 0}, 0},       {{0.11, 0.06}, {0, 0}, 3},
+                                {{0.05, 0.16}, {0, -1}, -5},  {{0.4, 0.12}, {-2, 0.3}, 10},
+                                {{-0.4, 0.1}, {2, 0.5}, -20}, {{0.06, 0.4}, {0.2, -2}, 0}};
+
+void compare(scene::NormalLaw normal, scene::TangentialLaw tangential) {
+    scene::Scene scene = in_common(normal, tangential);
+    auto space = sim3d::build_world(scene, 1);
+    REQUIRE_MESSAGE(space.ok(), to_string(space.problems()));
+    scene.dimension = 2;
+    scene.depth = 1;
+    auto plane = sim2d::build_world(scene, 1);
+    REQUIRE_MESSAGE(plane.ok(), to_string(plane.problems()));
+    std::vector<sim3d::BodyState> spheres;
+    std::vector<sim2d::BodyState> discs;
+    for (const Start& start : starts) {
+        sim3d::BodyState sphere;
+        sphere.position = {start.position.x(), start.position.y(), 0};
+        sphere.velocity = {start.velocity.x(), start.velocity.y(), 0};
+        sphere.angular_velocity = {0, 0, start.spin};
+        spheres.push_back(sphere);
+        sim2d::BodyState disc;
+        disc.position = start.position;
+        disc.velocity = start.velocity;
+        disc.angular_velocity = start.spin;
+        discs.push_back(disc);
+    }
+    REQUIRE(!sim3d::insert(**space, spheres));
+    REQUIRE(!sim2d::insert(**plane, discs));
+    for (int part = 0; part < 20; ++part) {
+        REQUIRE(!sim3d::advance(**space, 500));
+        REQUIRE(!sim2d::advance(**plane, 500));
+        const auto a = sim3d::bodies_of(**space);
+        const auto b = sim2d::bodies_of(**plane);
+        for (std::size_t i = 0; i < a.size(); ++i) {
+            CAPTURE(part);
+            CAPTURE(i);
+            REQUIRE((a[i].position.head<2>() - b[i].position).norm() < 1e-8);
+            REQUIRE(std::abs(a[i].position.z()) < 1e-12);
+            REQUIRE((a[i].velocity.head<2>() - b[i].velocity).norm() < 1e-6);
+            REQUIRE(std::abs(a[i].angular_velocity.z() - b[i].angular_velocity) < 1e-4);
+        }
+    }
+    const Books in_space = sim3d::books_of(**space), in_plane = sim2d::books_of(**plane);
+    CHECK(in_plane.lost_normal_damping == doctest::Approx(in_space.lost_normal_damping).epsilon(1e-4));
+    CHECK(in_plane.lost_sliding == doctest::Approx(in_space.lost_sliding).epsilon(1e-4));
+    CHECK(in_plane.wall_work == doctest::Approx(in_space.wall_work).epsilon(1e-4));
+    CHECK((in_plane.lost_sliding > 0.01 || tangential == scene::TangentialLaw::none));
+}
+
+} // namespace
+
+TEST_CASE("spheres in a plane move like discs of equal mass, inertia and law: linear") {
+    compare(scene::NormalLaw::linear, scene::TangentialLaw::linear);
+}
+
+TEST_CASE("spheres in a plane move like discs of equal mass, inertia and law: Hertz and Mindlin") {
+    compare(scene::NormalLaw::hertz, scene::TangentialLaw::mindlin);
+}
+
+TEST_CASE("spheres in a plane move like discs of equal mass, inertia and law: without friction") {
+    compare(scene::NormalLaw::hertz, scene::TangentialLaw::none);
+}

@@ -1,0 +1,109 @@
+#include "sandbox.h"
+
+#include <cmath>
+#include <numbers>
+
+using namespace tumble;
+using namespace tumble::sim2d;
+using namespace tumble::sim2d::testing;
+
+namespace {
+
+constexpr double g = 9.81;
+constexpr double radius = 0.1;
+
+/// A disc on a long floor that is inclined by `slope` (rad): gravity is turned instead.
+struct OnFloor {
+    Sandbox box;
+    double mass = 0;
+
+    OnFloor(double slope, double friction, double speed) : box(springs(1e7, 1, 0.5, friction), 2e-5) {
+        box.scene.gravity = {g * std::sin(slope), -g * std::cos(slope), 0};
+        box.wall(scene::SegmentShape{{-40, 0}, {40, 0}});
+        const int disc = box.disc(radius);
+        box.build();
+        mass = box.shape(disc).mass;
+        box.put({at(disc, {0, radius - mass * g * std::cos(slope) / 1e7}, {speed, 0})});
+    }
+    [[nodiscard]] double speed() const { return box.body_at(0).velocity.x(); }
+    [[nodiscard]] double spin() const { return box.body_at(0).angular_velocity; }
+    void run_to(double time) const { box.step(std::llround(time / box.scene.time_step) - steps_of(*box.world)); }
+};
+
+/// A disc that strikes a floor at `angle` from the normal; velocities after it left.
+struct Strike {
+    double tangential = 0, spin = 0;
+
+    Strike(double angle, const contact::PairProperties& pair) {
+        Sandbox box(pair, 1e-6);
+        box.wall(scene::SegmentShape{{-1, 0}, {1, 0}});
+        const int disc = box.disc(radius);
+        box.put({at(disc, {0, radius + 1e-6}, {std::sin(angle), -std::cos(angle)})});
+        do
+            box.step(50);
+        while (box.body_at(0).velocity.y() < 0 || books_of(*box.world).contacts > 0);
+        tangential = box.body_at(0).velocity.x();
+        spin = box.body_at(0).angular_velocity;
+    }
+};
+
+} // namespace
+
+TEST_CASE("a sliding disc ends up rolling at two thirds of its speed, after v / (3 mu g)") {
+    const OnFloor disc(0, 0.2, 1.0);
+    const double until = 1.0 / (3 * 0.2 * g);
+    disc.run_to(0.5 * until);
+    CHECK(disc.speed() == doctest::Approx(1.0 - 0.2 * g * 0.5 * until).epsilon(2e-3));
+    disc.run_to(1.5 * until);
+    CHECK(disc.speed() == doctest::Approx(2.0 / 3).epsilon(2e-3));
+    CHECK(disc.spin() * radius == doctest::Approx(-2.0 / 3).epsilon(2e-3)); // clockwise
+}
+
+TEST_CASE("on an incline below tan = 3 mu a disc rolls with two thirds of the downhill pull") {
+    const double slope = std::atan(2.5 * 0.2);
+    const OnFloor disc(slope, 0.2, 0);
+    disc.run_to(0.5);
+    CHECK(disc.speed() == doctest::Approx(2.0 / 3 * g * std::sin(slope) * 0.5).epsilon(3e-3));
+    CHECK(-disc.spin() * radius == doctest::Approx(disc.speed()).epsilon(3e-3));
+}
+
+TEST_CASE("on an incline above tan = 3 mu a disc slides, and friction is mu times the normal force") {
+    const double slope = std::atan(4 * 0.2);
+    const OnFloor disc(slope, 0.2, 0);
+    disc.run_to(0.5);
+    CHECK(disc.speed() == doctest::Approx(g * (std::sin(slope) - 0.2 * std::cos(slope)) * 0.5).epsilon(3e-3));
+    CHECK(-disc.spin() * radius == doctest::Approx(2 * 0.2 * g * std::cos(slope) * 0.5).epsilon(3e-3));
+}
+
+TEST_CASE("cohesion adds to what friction can bear: a disc rolls where friction alone would let it slide") {
+    const double slope = std::atan(4 * 0.2);
+    OnFloor disc(slope, 0.2, 0);
+    // Rolling needs m g sin / 3 of shear; what is above mu m g cos must come from cohesion.
+    disc.box.scene.pairs[0].cohesion = 1.1 * disc.mass * g * (std::sin(slope) / 3 - 0.2 * std::cos(slope));
+    disc.box.build();
+    disc.box.put({at(0, {0, radius - disc.mass * g * std::cos(slope) / 1e7})});
+    disc.run_to(0.5);
+    CHECK(disc.speed() == doctest::Approx(2.0 / 3 * g * std::sin(slope) * 0.5).epsilon(3e-3));
+}
+
+TEST_CASE("an oblique impact that slides throughout loses mu (1 + e) v_n and gains twice that in spin") {
+    const double angle = 70 * std::numbers::pi / 180, mu = 0.1, e = 0.8;
+    contact::PairProperties pair = springs(1e7, 1, e, mu);
+    const Strike hit(angle, pair);
+    const double impulse = mu * (1 + e) * std::cos(angle);
+    CHECK(hit.tangential == doctest::Approx(std::sin(angle) - impulse).epsilon(2e-3));
+    CHECK(hit.spin * radius == doctest::Approx(-2 * impulse).epsilon(5e-3));
+}
+
+TEST_CASE("an oblique impact that sticks swings the contact point by cos(pi sqrt(3 k_s / k_n))") {
+    // The contact point answers a shear force with a third of the mass, so its spring swings with w^2 = 3 k_s / m while
+    // the normal one goes through half a swing of w^2 = k_n / m.
+    for (const double ratio : {0.1, 0.2, 1.0 / 3}) {
+        CAPTURE(ratio);
+        const double before = std::sin(0.3);
+        const Strike hit(0.3, springs(1e7, ratio, 1, 10));
+        const double after = before * std::cos(std::numbers::pi * std::sqrt(3 * ratio));
+        CHECK(hit.tangential + hit.spin * radius == doctest::Approx(after).epsilon(0.01));
+        CHECK(hit.tangential == doctest::Approx(before - (before - after) / 3).epsilon(0.01));
+    }
+}

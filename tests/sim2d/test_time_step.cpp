@@ -1,0 +1,62 @@
+#include "sandbox.h"
+#include "sim2d/time_step.h"
+
+#include <cmath>
+#include <numbers>
+
+using namespace tumble;
+using namespace tumble::sim2d;
+using namespace tumble::sim2d::testing;
+
+namespace {
+
+/// The largest |overlap| of two discs on one spring without damping and friction, after many steps of `dt`.
+double swing(double dt, double k) {
+    Sandbox box(springs(k, 1, 1, 0), dt);
+    const int disc = box.disc(0.1);
+    // Pressed together by two walls that hold them at rest between springs of the same kind.
+    box.wall(scene::SegmentShape{{-0.09, -1}, {-0.09, 1}});
+    box.wall(scene::SegmentShape{{0.28, -1}, {0.28, 1}});
+    box.put({at(disc, {0, 0}), at(disc, {0.19, 0}, {1e-6, 0})});
+    double most = 0;
+    for (int n = 0; n < 2000; ++n) {
+        if (advance(*box.world, 1))
+            return 1;
+        most = std::max(most, std::abs(box.body_at(1).position.x() - 0.19));
+    }
+    return most;
+}
+
+} // namespace
+
+TEST_CASE("without damping two discs between walls swing stably below 2 / w of their fastest mode, and not above") {
+    // Three springs in a row, two equal masses: the fastest mode is the discs against each other, w^2 = 3 k / m.
+    const double k = 1e5, mass = 1000 * std::numbers::pi * 0.01;
+    const double critical = 2 / std::sqrt(3 * k / mass);
+    CHECK(swing(0.98 * critical, k) < 0.01);
+    CHECK(swing(1.03 * critical, k) > 0.01);
+}
+
+TEST_CASE("the reported limit is that of four contacts at once that share a body, rotation included") {
+    Sandbox box(springs(1e5, 0.5, 1, 0.3), 1e-4);
+    box.disc(0.1);
+    box.build();
+    const auto report = time_step_report(box.scene, shapes_of(*box.world));
+    const double mass = 1000 * std::numbers::pi * 0.01;
+    // 1/m + R^2/I of both sides = 2 (1 + 2) / m; omega^2 = 4 k times that; limit 2 / omega.
+    CHECK(report.limit == doctest::Approx(2 / std::sqrt(4 * 1e5 * 6 / mass)).epsilon(1e-9));
+    CHECK(report.linear_period == doctest::Approx(std::numbers::pi * std::sqrt(mass / 2 / 1e5)).epsilon(1e-9));
+    CHECK(report.rayleigh == 0);
+    CHECK(report.hertz == 0);
+}
+
+TEST_CASE("a step above the limit is refused, with what to do, unless the scene insists") {
+    Sandbox box(springs(1e5, 0.5, 1, 0.3), 1e-2);
+    box.disc(0.1);
+    CHECK(build_world(box.scene, 1).ok());
+    box.scene.allow_large_step = false;
+    const auto refused = build_world(box.scene, 1);
+    REQUIRE(!refused.ok());
+    CHECK(refused.problems()[0].key == "time_step_s");
+    CHECK(refused.problems()[0].fix.find("use at most") != std::string::npos);
+}

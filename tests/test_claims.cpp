@@ -197,3 +197,28 @@ TEST_CASE("repose-2d: discs that roll heap up far below their angle of friction,
         CHECK(slope < 20);
     }
 }
+
+TEST_CASE("trough-2d: moved round a circle, the trough makes its flat load circulate clockwise and its surface slope") {
+    const Ran flat(loaded("trough-2d.toml"));
+    CHECK(flat.summary.bodies == 500);
+    CHECK(flat.summary.unfilled.empty());
+    for (const double from : {1.4, 1.8, 2.2, 2.6}) {
+        CAPTURE(from);
+        CHECK(flat.mean("circulation", from, from + 0.4) < -0.25);
+        CHECK(flat.mean("circulation", from, from + 0.4) > -0.9);
+    }
+    CHECK(flat.mean("circulation", 2.0, 3.0) == doctest::Approx(-0.53).epsilon(0.25));
+    CHECK(flat.mean("surface_slope", 2.0, 3.0) == doctest::Approx(-8).epsilon(0.4));
+    CHECK(std::abs(flat.summary.books.closure) < 0.01 * flat.summary.energy_turnover);
+}
+
+TEST_CASE("drum-2d: the surface of a slowly turning drum stands steeper than a heap") {
+    const Ran drum(loaded("drum-2d.toml"));
+    CHECK(drum.summary.unfilled.empty());
+    CHECK(drum.mean("surface_slope", 2.0, 5.0) == doctest::Approx(22.4).epsilon(0.1));
+    for (double from = 2.2; from < 4.5; from += 0.4) {
+        CAPTURE(from);
+        CHECK(drum.mean("surface_slope", from, from + 0.4) > 18);
+        CHECK(drum.mean("surface_slope", from, from + 0.4) < 27);
+    }
+}

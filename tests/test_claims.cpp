@@ -4,11 +4,13 @@
 #include "observe/series.h"
 #include "run/run_scene.h"
 #include "scene/load.h"
+#include "sim2d/solver.h"
 #include "sim3d/solver.h"
 
 #include <cmath>
 #include <doctest/doctest.h>
 #include <numbers>
+#include <numeric>
 
 using namespace tumble;
 namespace fs = std::filesystem;
@@ -141,4 +143,82 @@ TEST_CASE("trough-slice: the load and the drive are the thesis'") {
             strongest =
                 std::max(strongest, harmonic.amplitude * std::pow(2 * std::numbers::pi * harmonic.frequency, 2));
     CHECK(strongest / 9.81 == doctest::Approx(4.9).epsilon(0.02));
+}
+
+TEST_CASE("shaken-bed-2d: the bed flies as high as an inelastic block, and stays down below one g") {
+    const auto rises = [](const Ran& bed, double from) {
+        const std::vector<double>& time = bed.column("time");
+        const std::vector<double>& height = bed.column("centre_of_mass_y");
+        const double rest = bed.mean("centre_of_mass_y", 0.9, 1.0);
+        std::vector<double> tops;
+        for (double begin = from; begin + 1 / 12.0 < 2.0; begin += 1 / 12.0) {
+            double top = -1;
+            for (std::size_t row = 0; row < time.size(); ++row)
+                if (time[row] >= begin && time[row] < begin + 1 / 12.0)
+                    top = std::max(top, height[row] - rest);
+            tops.push_back(top);
+        }
+        return std::accumulate(tops.begin(), tops.end(), 0.0) / static_cast<double>(tops.size());
+    };
+    const double a = 0.004314, w = 2 * std::numbers::pi * 12, g = 9.81;
+    const double lift = g / (a * w * w); // sin of the phase at take-off
+    const double block = a * lift + std::pow(a * w, 2) * (1 - lift * lift) / (2 * g);
+    const Ran flying(loaded("shaken-bed-2d.toml", {"duration_s=2.0"}));
+    CHECK(rises(flying, 1.5) > block * 0.97);
+    CHECK(rises(flying, 1.5) < block * 1.25);
+    const Ran lying(loaded("shaken-bed-2d.toml", {"duration_s=2.0", "wall.plate.motion.0.amplitude_m=0.00138"}));
+    CHECK(rises(lying, 1.5) == doctest::Approx(0.00138).epsilon(0.1));
+}
+
+TEST_CASE("hopper-2d: as many discs leave the slot a second when half the filling is gone") {
+    const scene::Scene hopper = loaded("hopper-2d.toml");
+    auto world = sim2d::build_world(hopper, 1);
+    REQUIRE_MESSAGE(world.ok(), to_string(world.problems()));
+    const auto left_until = [&](double time) {
+        REQUIRE(!sim2d::advance(**world, std::llround(time / hopper.time_step) - sim2d::steps_of(**world)));
+        int below = 0;
+        for (const sim2d::BodyState& disc : sim2d::bodies_of(**world))
+            below += disc.position.y() < -0.01 ? 1 : 0;
+        return below;
+    };
+    const int begun = left_until(1.44), half = left_until(2.04), end = left_until(2.64);
+    CHECK((half - begun) / 0.6 == doctest::Approx(743).epsilon(0.1));
+    CHECK(end - half > 0.88 * (half - begun));
+    CHECK(end - half < 1.05 * (half - begun));
+}
+
+TEST_CASE("repose-2d: discs that roll heap up far below their angle of friction, alike on both sides") {
+    const Ran heap(loaded("repose-2d.toml"));
+    const double left = heap.column("surface_slope_left").back(), right = -heap.column("surface_slope_right").back();
+    CHECK(heap.summary.unfilled.empty());
+    CHECK(heap.column("kinetic_energy").back() < 1e-9);
+    for (const double slope : {left, right}) {
+        CHECK(slope > 12);
+        CHECK(slope < 20);
+    }
+}
+
+TEST_CASE("trough-2d: moved round a circle, the trough makes its flat load circulate clockwise and its surface slope") {
+    const Ran flat(loaded("trough-2d.toml"));
+    CHECK(flat.summary.bodies == 500);
+    CHECK(flat.summary.unfilled.empty());
+    for (const double from : {1.4, 1.8, 2.2, 2.6}) {
+        CAPTURE(from);
+        CHECK(flat.mean("circulation", from, from + 0.4) < -0.25);
+        CHECK(flat.mean("circulation", from, from + 0.4) > -0.9);
+    }
+    CHECK(flat.mean("circulation", 2.0, 3.0) == doctest::Approx(-0.53).epsilon(0.25));
+    CHECK(flat.mean("surface_slope", 2.0, 3.0) == doctest::Approx(-8).epsilon(0.4));
+    CHECK(std::abs(flat.summary.books.closure) < 0.01 * flat.summary.energy_turnover);
+}
+
+TEST_CASE("drum-2d: the surface of a slowly turning drum stands steeper than a heap") {
+    const Ran drum(loaded("drum-2d.toml"));
+    CHECK(drum.summary.unfilled.empty());
+    CHECK(drum.mean("surface_slope", 2.0, 5.0) == doctest::Approx(22.4).epsilon(0.1));
+    for (double from = 2.2; from < 4.5; from += 0.4) {
+        CAPTURE(from);
+        CHECK(drum.mean("surface_slope", from, from + 0.4) > 18);
+        CHECK(drum.mean("surface_slope", from, from + 0.4) < 27);
+    }
 }

@@ -16,7 +16,8 @@ std::string bodies_vtp(const Frame& frame);
 /// One point per sphere of every body: radius_m for a glyph filter, body id, velocity_m_s of the sphere's centre.
 std::string spheres_vtp(const Frame& frame);
 
-/// Triangles of all walls, or lines in two dimensions, where they stand now: wall index and velocity_m_s of each corner.
+/// Triangles of all walls, or lines in two dimensions, where they stand now: wall index and velocity_m_s of each
+/// corner.
 std::string walls_vtp(const Frame& frame);
 
 /// Time in s and file name, relative to the PVD file.

@@ -92,8 +92,7 @@ private:
         if (!numbers)
             return {place_, Table{}};
         Array array;
-        const std::size_t count =
-            key->type == KeyType::vector ? static_cast<std::size_t>(dimension_) : numbers->size();
+        const std::size_t count = key->type == KeyType::vector ? static_cast<std::size_t>(dimension_) : numbers->size();
         for (std::size_t i = 0; i < count; ++i)
             array.items.push_back({place_, (*numbers)[i]});
         return {place_, array};

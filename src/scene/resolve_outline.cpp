@@ -82,6 +82,8 @@ void check_outline(const View& view, const Outline& outline, const Resolving& to
     if (!has_volume(domain) || !view.whole())
         return; // a wall or a domain that is already wrong is in no place
     if (pieces.empty()) {
+        if (!std::holds_alternative<BoxShape>(outline))
+            return; // a line without points was refused before
         to.refuse(view, "open", fmt::format("nothing is left of wall '{}'", view.text("name")), "close a side of it");
         return;
     }

@@ -68,7 +68,8 @@ void resolve_top(const View& root, const Resolving& to) {
 
 void resolve_domain(const View& view, const Resolving& to) {
     Domain& domain = to.scene.domain;
-    domain.box = box_of(view, "lo_m", "hi_m", to);
+    if (view.given("lo_m") && view.given("hi_m"))
+        domain.box = box_of(view, "lo_m", "hi_m", to);
     for (const std::string& axis : view.words("periodic"))
         domain.periodic[static_cast<std::size_t>(axis[0] - 'x')] = true;
     if (view.given("lo_m") && view.given("hi_m") && !has_volume(domain.box))

@@ -1,4 +1,6 @@
-// The two solvers held together: spheres that stay in a plane move like discs of equal mass, inertia and law.
+// The two solvers held together: spheres that stay in a plane move like discs of equal mass, inertia and law. Not to
+// the last digit: in space a shear spring is projected on the contact's plane, which shortens it by half the square of
+// the angle that the contact turns in a step; in the plane it turns with the contact.
 #include "sim2d/solver.h"
 #include "sim3d/solver.h"
 
@@ -86,10 +88,10 @@ void compare(scene::NormalLaw normal, scene::TangentialLaw tangential) {
         for (std::size_t i = 0; i < a.size(); ++i) {
             CAPTURE(part);
             CAPTURE(i);
-            REQUIRE((a[i].position.head<2>() - b[i].position).norm() < 1e-8);
+            REQUIRE((a[i].position.head<2>() - b[i].position).norm() < 1e-6);
             REQUIRE(std::abs(a[i].position.z()) < 1e-12);
-            REQUIRE((a[i].velocity.head<2>() - b[i].velocity).norm() < 1e-6);
-            REQUIRE(std::abs(a[i].angular_velocity.z() - b[i].angular_velocity) < 1e-4);
+            REQUIRE((a[i].velocity.head<2>() - b[i].velocity).norm() < 1e-4);
+            REQUIRE(std::abs(a[i].angular_velocity.z() - b[i].angular_velocity) < 1e-2);
         }
     }
     const Books in_space = sim3d::books_of(**space), in_plane = sim2d::books_of(**plane);

@@ -142,8 +142,8 @@ TEST_CASE("what is written once is written the same again") {
     const std::string once = to_toml(loaded(load_scene(rich)));
     CHECK(to_toml(again(loaded(load_scene(rich)))) == once);
     CHECK(to_toml(again(loaded(load_scene(flat)))) == to_toml(loaded(load_scene(flat))));
-    for (const char* name : {"drop", "oblique", "settle-cones", "trough-slice", "trough-quick", "trough-2d", "repose-2d",
-                             "hopper-2d", "drum-2d", "shaken-bed-2d"}) {
+    for (const char* name : {"drop", "oblique", "settle-cones", "trough-slice", "trough-quick", "trough-2d",
+                             "repose-2d", "hopper-2d", "drum-2d", "shaken-bed-2d"}) {
         CAPTURE(name);
         const Scene scene =
             loaded(load_scene(std::filesystem::path(TUMBLE_ROOT "/scenes") / (std::string(name) + ".toml")));
@@ -155,6 +155,8 @@ TEST_CASE("every key of the list arrives in the scene and is written again") {
     // Other ways to say what is written as spheres_m, discs_m, rows, harmonic or friction; three dimensions are usual.
     std::set<std::string> other_ways{"clump", "radius_mm", "file", "speed_rpm", "friction_angle_deg", "dimension"};
     for (const int dimension : {3, 2}) {
+        if (dimension == 2) // discs have no mesh to scale, and the linear law is their usual one
+            other_ways.insert({"scale", "normal"});
         const std::string toml = "\n" + to_toml(loaded(load_scene(dimension == 3 ? rich : flat)));
         for (const KeyTable& table : scene_keys())
             for (const Key& key : table.keys) {

@@ -1,4 +1,4 @@
-// 10,000 discs in dense flow down a slope of 24 degrees, periodic along it.
+// 10,000 discs in dense flow down a slope of 18 degrees, periodic along it.
 #include "base/rng.h"
 #include "sim2d/solver.h"
 #include "support/arguments.h"
@@ -23,7 +23,7 @@ scene::Scene slope() {
     scene.dimension = 2;
     scene.depth = 0.01;
     scene.duration = 1e9;
-    const double angle = 24 * std::numbers::pi / 180;
+    const double angle = 18 * std::numbers::pi / 180;
     scene.gravity = 9.81 * Eigen::Vector3d(std::sin(angle), -std::cos(angle), 0);
     scene.domain.box = {{0, -radius, -0.005}, {columns * spacing, 2 * layers * spacing, 0.005}};
     scene.domain.periodic = {true, false, false};

@@ -37,7 +37,10 @@ void wrap(World& world) {
             if (!domain.periodic[static_cast<std::size_t>(axis)])
                 continue;
             const double length = domain.box.hi[axis] - domain.box.lo[axis];
-            *x -= length * std::floor((*x - domain.box.lo[axis]) / length);
+            const double moved = -length * std::floor((*x - domain.box.lo[axis]) / length);
+            *x += moved;
+            // Where gravity has a part along the period, a body that comes in again brings the height that it lost.
+            world.ledger.inserted -= row.mass * world.scene.gravity[axis] * moved;
         }
     }
 }

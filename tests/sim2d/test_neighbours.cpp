@@ -121,3 +121,16 @@ TEST_CASE("bodies that come in later find their neighbours, and old contacts kee
     CHECK(std::abs(box.body_at(0).position.x() - before) < 1e-7);
     CHECK(bodies_of(*box.world).size() == 6);
 }
+
+TEST_CASE("the books close also where gravity points along a period") {
+    Sandbox box(springs(1e5, 0.5, 0.9, 0.4), 1e-3);
+    box.scene.domain.box = {{0, 0, -0.5}, {2, 2, 0.5}};
+    box.scene.domain.periodic = {true, true, false};
+    box.scene.gravity = {3, -4, 0};
+    const int disc = box.disc(0.05);
+    box.put({at(disc, {1, 1})});
+    box.step(3000); // falls through the box ten times
+    const Books books = books_of(*box.world);
+    CHECK(std::abs(books.closure) < 1e-9 * books.kinetic_translation);
+    CHECK(books.kinetic_translation > 0);
+}

@@ -73,6 +73,7 @@ struct Painter::Inside {
     void enclose(const observe::Frame& frame);
     std::vector<SphereMark> marks_of(const observe::Frame& frame, Legend& legend);
     void draw_spheres(std::vector<SphereMark> marks);
+    void keep_to_window() const;
     void resolve(GLbitfield what);
     void write(const observe::Frame& frame, const PlotLine& plot, const Legend& legend);
     [[nodiscard]] Picture read() const;
@@ -148,10 +149,9 @@ Painter::Painter(Painter&&) noexcept = default;
 Painter& Painter::operator=(Painter&&) noexcept = default;
 Painter::~Painter() = default;
 
-void Painter::fit(const observe::Frame& frame) {
-    Inside& in = *inside_;
-    in.fitted.extend(bounds_of(frame));
-    in.arranged = false;
+void Painter::fit(const AlignedBox3d& box) {
+    inside_->fitted.extend(box);
+    inside_->arranged = false;
 }
 
 /// Settles panels and camera for what has been fitted.
@@ -167,6 +167,7 @@ void Painter::Inside::arrange() {
         arrangement = Layout{};
         arrangement.lettered = false;
         arrangement.scene = {0, 0, static_cast<double>(settings.width), static_cast<double>(settings.height)};
+        arrangement.window = arrangement.scene;
     }
     camera = look(arrangement.scene);
     drawers->overlay.reset();
@@ -211,11 +212,22 @@ std::vector<SphereMark> Painter::Inside::marks_of(const observe::Frame& frame, L
     return collect_spheres(frame, showing, colors, camera);
 }
 
+/// What is drawn from here on stays in the scene's window.
+void Painter::Inside::keep_to_window() const {
+    const Area& window = arrangement.window;
+    const auto left = static_cast<GLint>(std::round(window.left));
+    const auto top = static_cast<GLint>(std::round(window.top));
+    const auto right = static_cast<GLint>(std::round(window.right));
+    const auto bottom = static_cast<GLint>(std::round(window.bottom));
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(left, settings.height - bottom, right - left, bottom - top);
+}
+
 void Painter::Inside::resolve(GLbitfield what) {
     const Canvas& canvas = drawers->canvas;
     glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas.samples.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, canvas.resolved.name());
-    glBlitFramebuffer(0, 0, canvas.width, canvas.height, 0, 0, canvas.width, canvas.height, what, GL_NEAREST);
+    resolve_samples(canvas, what);
 }
 
 /// From front to back in a few rounds; before each, spheres behind what is drawn already are dropped. In a dense bed
@@ -287,7 +299,7 @@ Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
     Inside& in = *inside_;
     const GlContext::Current current(in.context);
     if (in.fitted.isEmpty()) {
-        fit(frame);
+        fit(bounds_of(frame));
     }
     if (!in.arranged) {
         in.arrange();
@@ -304,15 +316,19 @@ Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
     glClearDepth(1);
     glDepthMask(GL_TRUE);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    in.keep_to_window();
     in.draw_spheres(std::move(marks));
     in.drawers->walls.draw_opaque(frame, in.camera, canvas);
+    glDisable(GL_SCISSOR_TEST); // shade needs its surroundings, and there is none where nothing has been drawn
     if (in.options.lighting && !in.reach.empty()) {
         in.resolve(GL_DEPTH_BUFFER_BIT);
         const double size = *std::max_element(in.reach.begin(), in.reach.end());
         in.drawers->crevices.draw(canvas, in.camera, crevice_radius * size, crevice_strength);
     }
     const double line = std::max(1.2, 1.5 * in.arrangement.unit);
+    in.keep_to_window();
     in.drawers->walls.draw_translucent(frame, in.camera, canvas, line);
+    glDisable(GL_SCISSOR_TEST);
     in.resolve(GL_COLOR_BUFFER_BIT);
     if (in.drawers->overlay) {
         glBindFramebuffer(GL_FRAMEBUFFER, canvas.resolved.name());

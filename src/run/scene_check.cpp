@@ -3,10 +3,14 @@
 #include "observe/frame_file.h"
 #include "observe/measures.h"
 #include "run/fill_plan.h"
+#include "run/scene_doubts.h"
 #include "run/schedule.h"
+#include "scene/extent.h"
+#include "scene/written.h"
 #include "sim3d/solver.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -35,13 +39,24 @@ void check_bodies(const scene::Scene& scene, const std::vector<sim3d::BodyShape>
                        shapes[i].inertia,
                        shapes[i].bounding_radius,
                        0};
-        for (std::size_t f = 0; f < scene.fills.size(); ++f)
-            if (static_cast<std::size_t>(scene.fills[f].body) == i)
-                body.wanted += wanted[f];
+        for (std::size_t f = 0; f < scene.fills.size(); ++f) {
+            const bool own = static_cast<std::size_t>(scene.fills[f].body) == i;
+            body.wanted += own ? wanted[f] : 0;
+            check.too_late += own && scene.fills[f].start >= scene.duration ? wanted[f] : 0;
+        }
         check.wanted += body.wanted;
         check.mass += body.mass * static_cast<double>(body.wanted);
         check.spheres += body.spheres * static_cast<std::size_t>(body.wanted);
         check.bodies.push_back(std::move(body));
+    }
+}
+
+void check_walls(const scene::Scene& scene, SceneCheck& check) {
+    const std::array<const char*, 6> shapes{"plane", "box", "cylinder", "disc", "trough", "mesh"};
+    for (const scene::Wall& wall : scene.walls) {
+        const scene::Box extent = scene::extent_of(wall.shape);
+        check.walls.push_back({wall.name, shapes[wall.shape.index()],
+                               scene.materials[static_cast<std::size_t>(wall.material)].name, extent.hi - extent.lo});
     }
 }
 
@@ -78,8 +93,13 @@ void look_for_oddities(const scene::Scene& scene, SceneCheck& check) {
         say("render.every_s is shorter than a step: every step gets one frame");
     if (scene.observe.every > scene.duration)
         say("observe.every_s is longer than the run: only its first instant gets a row");
-    if (check.placed < check.wanted)
-        say(fmt::format("{} of {} bodies stand at the start; the others come later", check.placed, check.wanted));
+    if (const std::int64_t later = check.wanted - check.placed - check.too_late; later > 0)
+        say(fmt::format("{} of {} bodies stand at the start; {} come later", check.placed, check.wanted, later));
+}
+
+/// JSON has no infinity: null where a wall does not end.
+nlohmann::ordered_json end(double size) {
+    return std::isfinite(size) ? nlohmann::ordered_json(size) : nlohmann::ordered_json(nullptr);
 }
 
 nlohmann::ordered_json to_json(const sim3d::TimeStepReport& report) {
@@ -102,7 +122,7 @@ Result<SceneCheck> check_scene(const scene::Scene& scene, int threads) {
     const auto measures = observe::choose_measures(scene.observe.measures);
     Problems problems = measures.problems();
     for (Problem& problem : problems)
-        problem.file = scene.file.string();
+        problem = scene::placed(scene, std::move(problem));
     const Result<sim3d::WorldPtr> world = sim3d::build_world(scene, threads);
     const Problems more = world.problems();
     problems.insert(problems.end(), more.begin(), more.end());
@@ -112,10 +132,10 @@ Result<SceneCheck> check_scene(const scene::Scene& scene, int threads) {
     SceneCheck check;
     check_bodies(scene, shapes, check);
     check.placed = static_cast<std::int64_t>(sim3d::bodies_of(**world).size());
-    for (const scene::Wall& wall : scene.walls)
-        check.walls.push_back(wall.name);
+    check_walls(scene, check);
     check.time_step = sim3d::time_step_report(scene, shapes);
     check_cost(scene, measures->size(), check);
+    check.warnings = scene_doubts(scene, shapes);
     look_for_oddities(scene, check);
     return check;
 }
@@ -131,12 +151,19 @@ nlohmann::ordered_json to_json(const SceneCheck& check) {
                           {"inertia_kg_m2", {body.inertia.x(), body.inertia.y(), body.inertia.z()}},
                           {"bounding_radius_m", body.bounding_radius},
                           {"wanted", body.wanted}});
+    nlohmann::ordered_json walls = nlohmann::ordered_json::array();
+    for (const WallCheck& wall : check.walls)
+        walls.push_back({{"name", wall.name},
+                         {"shape", wall.shape},
+                         {"material", wall.material},
+                         {"size_m", {end(wall.size.x()), end(wall.size.y()), end(wall.size.z())}}});
     return {{"bodies", bodies},
             {"wanted", check.wanted},
             {"placed", check.placed},
+            {"too_late", check.too_late},
             {"mass_kg", check.mass},
             {"spheres", check.spheres},
-            {"walls", check.walls},
+            {"walls", walls},
             {"time_step", to_json(check.time_step)},
             {"steps", check.steps},
             {"rows", check.rows},

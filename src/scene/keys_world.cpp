@@ -50,6 +50,10 @@ KeyTable contact() {
             .otherwise(std::string("mindlin")),
         flag("limit_force", "True: the normal force never pulls at the end of a rebound."),
         flag("share_among_body_contacts", "True: the contacts of one body pair act together as one spring."),
+        number("accepted_overlap", "", above(0, 1),
+               "Deepest overlap, as a share of the smaller sphere's radius, that the scene expects; `run` warns beyond "
+               "it. More than a few percent is a price of soft materials.")
+            .otherwise(0.05),
     };
     return table;
 }

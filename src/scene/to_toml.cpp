@@ -36,6 +36,7 @@ void write_world(const Scene& scene, TomlWriter& to) {
                                                                               : "mindlin");
     to.flag("limit_force", scene.contact.limit_force);
     to.flag("share_among_body_contacts", scene.contact.share_among_body_contacts);
+    to.number("accepted_overlap", scene.contact.accepted_overlap);
 }
 
 void write_materials(const Scene& scene, TomlWriter& to) {
@@ -202,8 +203,10 @@ void write_output(const Scene& scene, TomlWriter& to) {
     to.table("render", "[render]");
     to.text("camera", render.camera);
     to.text("projection", render.projection);
-    to.vector("eye_m", render.eye);
-    to.vector("target_m", render.target);
+    if (render.eye != render.target) {
+        to.vector("eye_m", render.eye);
+        to.vector("target_m", render.target);
+    }
     to.number("field_of_view_deg", render.field_of_view_deg);
     if (render.view) {
         to.vector("view_lo_m", render.view->lo);

@@ -46,10 +46,10 @@ Page read_page(const fs::path& path) {
     bool inside = false;
     const std::string text = content_of(path);
     for (const std::string_view line : split(text, '\n')) {
-        if (line.starts_with("```")) {
+        if (const std::string_view mark = trimmed(line); mark.starts_with("```")) {
             inside = !inside;
             if (inside)
-                page.snippets.emplace_back(line.substr(3), "");
+                page.snippets.emplace_back(mark.substr(3), "");
         } else if (inside) {
             page.snippets.back().second += std::string(line) + "\n";
         } else {
@@ -95,18 +95,18 @@ std::vector<Link> links_of(const fs::path& path) {
     return links;
 }
 
-/// Exit code of `build/release/tumble ...`, run as the program under test from the root, its output thrown away.
-int exit_code_of(const std::string& arguments) {
+/// Exit code of `build/release/tumble ...`, run as the program under test from a folder, its output thrown away.
+int exit_code_of(const std::string& arguments, const fs::path& folder = root) {
     const std::string command =
-        fmt::format("cd '{}' && '{}' {} >/dev/null 2>&1 </dev/null", root.string(), TUMBLE_PROGRAM, arguments);
+        fmt::format("cd '{}' && '{}' {} >/dev/null 2>&1 </dev/null", folder.string(), TUMBLE_PROGRAM, arguments);
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/// Lines of the README's `sh` snippets, comments taken off.
-std::vector<std::string> readme_commands() {
+/// Lines of a page's `sh` snippets, comments taken off.
+std::vector<std::string> commands_of(const fs::path& page) {
     std::vector<std::string> commands;
-    for (const auto& [language, text] : read_page(root / "README.md").snippets)
+    for (const auto& [language, text] : read_page(page).snippets)
         if (language == "sh")
             for (const std::string_view line : split(text, '\n'))
                 if (const auto command = trimmed(line.substr(0, line.find('#'))); !command.empty())
@@ -155,7 +155,7 @@ TEST_CASE("README's commands exist, and the quick ones succeed") {
     const std::string program = "build/release/tumble ";
     const std::string presets = content_of(root / "CMakePresets.json");
     int ran = 0;
-    for (const std::string& command : readme_commands()) {
+    for (const std::string& command : commands_of(root / "README.md")) {
         CAPTURE(command);
         const auto words = split_words(command);
         if (command.starts_with("./")) {
@@ -185,4 +185,25 @@ TEST_CASE("README's scene is complete: the program takes it as it is printed") {
         ++checked;
     }
     CHECK(checked == 1);
+}
+
+TEST_CASE("docs/first-scene.md: its scene is taken as it is printed, and every command runs") {
+    const fs::path page = root / "docs" / "first-scene.md";
+    const fs::path folder = fs::temp_directory_path() / "tumble-first-scene";
+    fs::remove_all(folder);
+    fs::create_directory(folder);
+    for (const auto& [language, text] : read_page(page).snippets)
+        if (language == "toml")
+            std::ofstream(folder / "first.toml") << text;
+    const std::string program = "build/release/tumble ";
+    int ran = 0;
+    for (const std::string& command : commands_of(page)) {
+        CAPTURE(command);
+        REQUIRE(command.starts_with(program));
+        CHECK(exit_code_of(command.substr(program.size()), folder) == 0);
+        ++ran;
+    }
+    CHECK(ran >= 5);
+    CHECK(!fs::is_empty(folder / "out" / "first" / "redrawn" / "free_speed"));
+    fs::remove_all(folder);
 }

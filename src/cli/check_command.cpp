@@ -5,6 +5,7 @@
 #include "cli/scene_arguments.h"
 #include "run/scene_check.h"
 
+#include <cmath>
 #include <fmt/format.h>
 #include <memory>
 #include <thread>
@@ -26,6 +27,27 @@ std::string bodies_text(const run::SceneCheck& check) {
                         format_si(body.mass * 1e3, "g", 4), fmt::format("{:.4g} mm3", body.volume * 1e9),
                         body.material});
     return table(rows);
+}
+
+std::string walls_text(const run::SceneCheck& check) {
+    const auto side = [](double size) { return std::isfinite(size) ? format_si(size, "m", 3) : "endless"; };
+    std::vector<std::vector<std::string>> rows{{"wall", "shape", "material", "x", "y"}};
+    if (check.dimension == 3)
+        rows[0].emplace_back("z");
+    for (const run::WallCheck& wall : check.walls) {
+        rows.push_back({wall.name, wall.shape, wall.material});
+        for (int k = 0; k < check.dimension; ++k)
+            rows.back().push_back(side(wall.size[k]));
+    }
+    return table(rows);
+}
+
+/// What is doubtful is part of the answer, so it stands with it and not on stderr.
+std::string warnings_text(const run::SceneCheck& check) {
+    std::string text;
+    for (const std::string& warning : check.warnings)
+        text += "\nwarning: " + warning;
+    return text;
 }
 
 std::string step_text(const scene::TimeStepReport& report) {
@@ -71,13 +93,12 @@ int check_it(const CheckArguments& arguments) {
         return fine;
     }
     say(scene->title + "\n");
-    say(bodies_text(*check) + fmt::format("\nall: {} of {:.4g} kg, {}\n", counted(check->wanted, "body", "bodies"),
-                                          check->mass,
-                                          counted(static_cast<long long>(check->walls.size()), "wall", "walls")));
+    say(bodies_text(*check) +
+        fmt::format("\nall: {} of {:.4g} kg\n", counted(check->wanted, "body", "bodies"), check->mass));
+    if (!check->walls.empty())
+        say(walls_text(*check) + "\n");
     say(step_text(check->time_step) + "\n");
-    say(cost_text(*check));
-    for (const std::string& warning : check->warnings)
-        note("warning: " + warning);
+    say(cost_text(*check) + warnings_text(*check));
     return fine;
 }
 
@@ -86,8 +107,9 @@ int check_it(const CheckArguments& arguments) {
 void add_check_command(CLI::App& program, Action& action) {
     CLI::App* command = program.add_subcommand(
         "check", "  tumble check scenes/drop.toml\n\n"
-                 "Says what a scene means: masses, counts, time step against its limits, memory, disk and\n"
-                 "time. Takes no step and writes nothing. Exit code 2 where `run` would refuse the scene.");
+                 "Says what a scene means: masses, counts, sizes, time step against its limits, memory,\n"
+                 "disk and time, and warns of what is hardly meant. Takes no step and writes nothing. Exit\n"
+                 "code 2 where `run` would refuse the scene.");
     const auto arguments = std::make_shared<CheckArguments>();
     arguments->scene.add_to(*command);
     command->add_flag("--json", arguments->json, "Print the result as JSON");

@@ -44,9 +44,10 @@ int tell_replayed(const run::Replayed& done, const run::RedrawOptions& options, 
                                         {"video", options.video.string()},
                                         {"warnings", done.warnings}});
     else if (!arguments.quiet)
-        say(fmt::format("{}: {} from t = {:.4g} to {:.4g} s",
+        say(fmt::format("{}: {} from t = {:.4g} to {:.4g} s{}",
                         options.pictures.empty() ? options.video.string() : options.pictures.string(),
-                        counted(done.frames, "picture", "pictures"), done.first, done.last));
+                        counted(done.frames, "picture", "pictures"), done.first, done.last,
+                        options.video.empty() ? "" : "; the video " + video_pace(options.settings.slowdown())));
     return done.stopped ? stop_code() : static_cast<int>(fine);
 }
 
@@ -61,6 +62,7 @@ int redraw_run(RenderArguments& arguments) {
     options.settings = scene->render;
     options.video = arguments.video;
     options.overwrite = arguments.force;
+    options.when.duration = scene->duration;
     options.when.stop = &watch_for_stop();
     const auto problem = read_time_range(arguments.time, options.when.from, options.when.to);
     if (problem)

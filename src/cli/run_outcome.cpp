@@ -6,6 +6,7 @@
 #include "cli/stop_flag.h"
 #include "run/run_report.h"
 
+#include <cmath>
 #include <fmt/format.h>
 
 namespace tumble::cli {
@@ -21,7 +22,7 @@ std::string sentences(const run::RunSummary& summary) {
     if (summary.pictures > 0)
         text += ", " + counted(summary.pictures, "picture in pictures/", "pictures in pictures/");
     if (summary.video && summary.frames > 0)
-        text += ", video.mp4";
+        text += ", video.mp4 (" + video_pace(summary.video_slowdown) + ")";
     text += "\n";
     if (summary.stepping_s > 0)
         text += fmt::format("  took {}: {:.3g} steps/s, {:.3g} body-steps/s on {}\n", duration(summary.wall_s),
@@ -33,6 +34,13 @@ std::string sentences(const run::RunSummary& summary) {
 }
 
 } // namespace
+
+std::string video_pace(double slowdown) {
+    if (std::abs(slowdown - 1) < 1e-6)
+        return "plays as fast as life";
+    return slowdown > 1 ? fmt::format("plays {:.3g} times slower than life", slowdown)
+                        : fmt::format("plays {:.3g} times faster than life", 1 / slowdown);
+}
 
 int tell_outcome(const run::RunSummary& summary, bool json, bool quiet) {
     if (json)

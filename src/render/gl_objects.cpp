@@ -138,4 +138,13 @@ Result<Canvas> make_canvas(int width, int height, int samples) {
     return canvas;
 }
 
+void resolve_samples(const Canvas& canvas, GLbitfield what) {
+    const GLboolean cut = glIsEnabled(GL_SCISSOR_TEST);
+    glDisable(GL_SCISSOR_TEST);
+    glBlitFramebuffer(0, 0, canvas.width, canvas.height, 0, 0, canvas.width, canvas.height, what, GL_NEAREST);
+    if (cut == GL_TRUE) {
+        glEnable(GL_SCISSOR_TEST);
+    }
+}
+
 } // namespace tumble::render

@@ -67,4 +67,8 @@ struct Canvas {
 /// Problem when the size is beyond what the context can draw.
 Result<Canvas> make_canvas(int width, int height, int samples);
 
+/// Takes samples together, of colours the mean, from the bound read framebuffer into the bound draw framebuffer; the
+/// whole picture, whatever the scissor.
+void resolve_samples(const Canvas& canvas, GLbitfield what);
+
 } // namespace tumble::render

@@ -27,6 +27,7 @@ static Layout in_column(double width, double height, double unit, bool with_plot
     }
     layout.legend = {left, top + 0.75 * pad, right, std::min(below, top + 0.75 * pad + 380 * unit)};
     layout.scene = {pad, top, left - pad, height - pad};
+    layout.window = {0, top, left - 0.5 * pad, height};
     return layout;
 }
 
@@ -52,6 +53,31 @@ static Layout in_strip(double width, double height, double unit, bool with_plot)
         layout.plot = {width - pad - plot_width, strip_top, width - pad, height - pad};
     }
     layout.scene = {pad, top, width - pad, strip_top - 0.5 * pad};
+    layout.window = {0, top, width, strip_top - 0.25 * pad};
+    return layout;
+}
+
+/// For upright pictures: the legend over the plot and the scale bar.
+static Layout in_rows(double width, double height, double unit, bool with_plot) {
+    const double pad = std::round(gap * unit);
+    Layout layout;
+    layout.unit = unit;
+    layout.column = false;
+    const double top = pad + title_height * unit;
+    const double clock = 150 * unit;
+    layout.title = {pad, pad, width - 2 * pad - clock, top};
+    layout.time = {width - pad - clock, pad, width - pad, top};
+    const double bar_width = std::max(110 * unit, 0.27 * width);
+    const double bottom = height - pad;
+    layout.scale_bar = {width - pad - bar_width, bottom - bar_height * unit, width - pad, bottom};
+    const double row = with_plot ? std::max(0.28 * height, 125 * unit) : bar_height * unit;
+    if (with_plot) {
+        layout.plot = {pad, bottom - row, layout.scale_bar.left - 2 * pad, bottom};
+    }
+    const double legend_bottom = bottom - row - pad;
+    layout.legend = {pad, legend_bottom - 64 * unit, width - pad, legend_bottom};
+    layout.scene = {pad, top, width - pad, layout.legend.top - 0.5 * pad};
+    layout.window = {0, top, width, layout.legend.top - 0.25 * pad};
     return layout;
 }
 
@@ -62,13 +88,16 @@ Layout make_layout(int width, int height, bool with_plot, const std::function<do
         Layout bare;
         bare.lettered = false;
         bare.scene = {0, 0, w, h};
+        bare.window = bare.scene;
         return bare;
     }
-    // Below two thirds letters are hard to read; only pictures under 640 x 360 go there, as nothing else would fit.
-    const double share = std::min(w / 1280, h / 720);
+    // Below two thirds letters are hard to read; only pictures under 640 x 360, or 360 x 640, go there, as nothing else
+    // would fit.
+    const bool upright = h > w;
+    const double share = upright ? std::min(w / 720, h / 1280) : std::min(w / 1280, h / 720);
     const double unit = share >= 0.5 ? std::max(share, 0.68) : 0.68 * share / 0.5;
     const Layout column = in_column(w, h, unit, with_plot);
-    const Layout strip = in_strip(w, h, unit, with_plot);
+    const Layout strip = upright ? in_rows(w, h, unit, with_plot) : in_strip(w, h, unit, with_plot);
     return zoom(column.scene) >= zoom(strip.scene) ? column : strip;
 }
 

@@ -92,28 +92,17 @@ Result<Overlay> Overlay::open(const Layout& layout, const Theme& theme) {
 }
 
 static Area draw_panels(Pen& pen, const OverlayContent& content, const Layout& layout, const Theme& theme) {
-    const double veil = 0.72;
-    const double around = 6 * layout.unit;
-    const auto back = [&](const Area& a, double right) {
-        pen.rectangle({a.left - around, a.top - 0.5 * around, right + around, a.bottom + 0.5 * around},
-                      theme.background, veil);
-    };
     if (!content.title.empty()) {
         const std::string title = pen.shortened(content.title, Lettering::large, layout.title.width());
-        back(layout.title, layout.title.left + pen.width(title, Lettering::large));
         pen.text(layout.title.left, layout.title.top, title, Lettering::large, Align::left, theme.text);
     }
-    back(layout.time, layout.time.right);
-    // In a column the time stands in line with the panels below it, over a strip at the picture's edge.
+    // In a column the time stands in line with the panels below it.
     const bool in_column = layout.column;
     pen.text(in_column ? layout.time.left : layout.time.right, layout.time.top, content.time, Lettering::large,
              in_column ? Align::left : Align::right, theme.text);
-    back(layout.legend, layout.legend.right);
     const Area bar = draw_legend(pen, layout.legend, content.legend, theme, layout.column);
-    back(layout.scale_bar, layout.scale_bar.right);
     draw_scale_bar(pen, layout.scale_bar, content.pixels_per_metre, content.scale_note, content.axes, theme);
     if (content.plot != nullptr && layout.plot.width() > 0) {
-        back(layout.plot, layout.plot.right);
         draw_plot(pen, layout.plot, *content.plot, content.now, theme);
     }
     return bar;

@@ -83,6 +83,7 @@ struct Painter::Inside {
     void draw_spheres(std::vector<SphereMark> marks);
     void draw_discs(const observe::Frame& frame, const std::vector<std::uint32_t>& colors);
     void shade_crevices();
+    void keep_to_window() const;
     void resolve(GLbitfield what);
     void write(const observe::Frame& frame, const PlotLine& plot, const Legend& legend);
     [[nodiscard]] Picture read() const;
@@ -161,10 +162,9 @@ Painter::Painter(Painter&&) noexcept = default;
 Painter& Painter::operator=(Painter&&) noexcept = default;
 Painter::~Painter() = default;
 
-void Painter::fit(const observe::Frame& frame) {
-    Inside& in = *inside_;
-    in.fitted.extend(bounds_of(frame));
-    in.arranged = false;
+void Painter::fit(const AlignedBox3d& box) {
+    inside_->fitted.extend(box);
+    inside_->arranged = false;
 }
 
 /// Settles panels and camera for what has been fitted.
@@ -180,6 +180,7 @@ void Painter::Inside::arrange() {
         arrangement = Layout{};
         arrangement.lettered = false;
         arrangement.scene = {0, 0, static_cast<double>(settings.width), static_cast<double>(settings.height)};
+        arrangement.window = arrangement.scene;
     }
     camera = look(arrangement.scene);
     drawers->overlay.reset();
@@ -255,11 +256,22 @@ void Painter::Inside::shade_crevices() {
     drawers->crevices.draw(drawers->canvas, camera, crevice_radius * size, crevice_strength);
 }
 
+/// What is drawn from here on stays in the scene's window.
+void Painter::Inside::keep_to_window() const {
+    const Area& window = arrangement.window;
+    const auto left = static_cast<GLint>(std::round(window.left));
+    const auto top = static_cast<GLint>(std::round(window.top));
+    const auto right = static_cast<GLint>(std::round(window.right));
+    const auto bottom = static_cast<GLint>(std::round(window.bottom));
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(left, settings.height - bottom, right - left, bottom - top);
+}
+
 void Painter::Inside::resolve(GLbitfield what) {
     const Canvas& canvas = drawers->canvas;
     glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas.samples.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, canvas.resolved.name());
-    glBlitFramebuffer(0, 0, canvas.width, canvas.height, 0, 0, canvas.width, canvas.height, what, GL_NEAREST);
+    resolve_samples(canvas, what);
 }
 
 /// From front to back in a few rounds; before each, spheres behind what is drawn already are dropped. In a dense bed
@@ -331,7 +343,7 @@ Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
     Inside& in = *inside_;
     const GlContext::Current current(in.context);
     if (in.fitted.isEmpty()) {
-        fit(frame);
+        fit(bounds_of(frame));
     }
     if (!in.arranged) {
         in.arrange();
@@ -348,12 +360,16 @@ Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
     glClearDepth(1);
     glDepthMask(GL_TRUE);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    in.keep_to_window();
     in.draw_bodies(frame, colors);
     in.drawers->walls.draw_opaque(frame, in.camera, canvas);
+    glDisable(GL_SCISSOR_TEST); // shade needs its surroundings, and there is none where nothing has been drawn
     in.shade_crevices();
     const double thickness = in.layout->dimension == 2 ? 2.0 : 1.0; // walls are nothing but their lines
     const double line = thickness * std::max(1.2, 1.5 * in.arrangement.unit);
+    in.keep_to_window();
     in.drawers->walls.draw_translucent(frame, in.camera, canvas, line);
+    glDisable(GL_SCISSOR_TEST);
     in.resolve(GL_COLOR_BUFFER_BIT);
     if (in.drawers->overlay) {
         glBindFramebuffer(GL_FRAMEBUFFER, canvas.resolved.name());

@@ -34,9 +34,10 @@ public:
     Painter& operator=(Painter&&) noexcept;
     ~Painter();
 
-    /// Makes sure that the bodies and walls of a frame are in the picture, besides those fitted before. Has no effect
-    /// when the settings say what must be in the picture. draw() fits its first frame when nothing was fitted before.
-    void fit(const observe::Frame& frame);
+    /// Makes sure that a box (m) is in the picture, besides those fitted before; bounds_of() makes one of a frame. Has
+    /// no effect when the settings say what must be in the picture. draw() fits its first frame when nothing was fitted
+    /// before.
+    void fit(const Eigen::AlignedBox3d& box);
 
     /// frame.layout must be the painter's. With an empty label the plot's place stays free. A frame without bodies
     /// shows its walls.

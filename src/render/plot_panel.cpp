@@ -91,9 +91,11 @@ void draw_plot(Pen& pen, const Area& area, const PlotLine& line, double now, con
     const double letter = pen.height(Lettering::small);
     const std::size_t count = std::min(line.times.size(), line.values.size());
     Span times = finite_span(line.times, count);
-    times.hi = std::max(times.hi, now);
+    times.hi = std::max({times.hi, now, line.until});
     times = count == 0 || !(times.hi > times.lo) ? Span{times.lo, times.lo + 1} : times;
-    const Span values = value_axis(finite_span(line.values, count));
+    const Span found = finite_span(line.values, count);
+    const bool all_zero = found.lo == 0 && found.hi == 0;
+    const Span values = value_axis(found);
     const DisplayUnit time_unit = display_unit("s", times);
     const DisplayUnit unit = display_unit(line.unit, values);
     const Span shown_times{times.lo * time_unit.factor, times.hi * time_unit.factor};
@@ -103,7 +105,9 @@ void draw_plot(Pen& pen, const Area& area, const PlotLine& line, double now, con
     pen.text(area.left, area.top, pen.shortened(name, Lettering::small, area.width()), Lettering::small, Align::left,
              theme.text);
     Area box{area.left, area.top + 1.95 * letter, area.right - 0.6 * letter, area.bottom - 2.45 * letter};
-    const auto along = ticks_in(shown, std::clamp(static_cast<int>(box.height() / (1.4 * letter)), 2, 6));
+    // Nothing but zeros has no scale; the 1 that such an axis ends at is no value worth a number.
+    const auto along = all_zero ? std::vector<double>{0}
+                                : ticks_in(shown, std::clamp(static_cast<int>(box.height() / (1.4 * letter)), 2, 6));
     double widest = 0;
     for (const std::string& label : tick_labels(along)) {
         widest = std::max(widest, pen.width(label, Lettering::small));

@@ -64,7 +64,10 @@ void Veil::begin(const Canvas& canvas) {
     constexpr std::array<GLfloat, 4> all_clear{1, 1, 1, 1};
     glClearBufferfv(GL_COLOR, 0, nothing.data());
     glClearBufferfv(GL_COLOR, 1, all_clear.data());
+    // As if at the far end: only where nothing has been drawn a surface is not behind it.
     glEnable(GL_DEPTH_TEST);
+    glDepthRange(1, 1);
+    glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
     glBlendFunci(0, GL_ONE, GL_ONE);
@@ -72,13 +75,14 @@ void Veil::begin(const Canvas& canvas) {
 }
 
 void Veil::finish(const Canvas& canvas) {
+    glDepthRange(0, 1);
+    glDepthFunc(GL_LESS);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, samples_.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.name());
     for (const GLenum part : both) {
         glReadBuffer(part);
         glDrawBuffer(part);
-        glBlitFramebuffer(0, 0, canvas.width, canvas.height, 0, 0, canvas.width, canvas.height, GL_COLOR_BUFFER_BIT,
-                          GL_NEAREST);
+        resolve_samples(canvas, GL_COLOR_BUFFER_BIT);
     }
     glBindFramebuffer(GL_FRAMEBUFFER, canvas.samples.name());
     glDisable(GL_DEPTH_TEST);

@@ -6,13 +6,14 @@ namespace tumble::render {
 
 /// Gathers translucent surfaces in any order and lays them over a canvas as one: sorting triangles fails where long
 /// ones lie behind each other (weighted blending after M. McGuire and L. Bavoil 2013, JCGT 2(2)). A single surface
-/// blends exactly as its opacity says; of several the nearer ones count more.
+/// blends exactly as its opacity says; of several the nearer ones count more. What has been drawn before keeps its
+/// colours: a veil over bodies would make them paler than their colours in the legend.
 class Veil {
 public:
     static Result<Veil> open(const Canvas& canvas);
 
     /// What the fragment shaders of surfaces write: output 0 is vec4(color * cover, cover) * weight, output 1 is cover.
-    /// Depth is tested against the canvas' samples and not written.
+    /// Only samples of the canvas at which nothing has been drawn are covered; depth is not written.
     void begin(const Canvas& canvas);
     void finish(const Canvas& canvas);
 

@@ -18,8 +18,8 @@ public:
     /// Walls of opacity 1 into the canvas' samples: like bodies they hide what is behind them.
     void draw_opaque(const observe::Frame& frame, const Camera& camera, const Canvas& canvas);
 
-    /// The others over what has been drawn, and all edges. Seen face-on a wall covers its opacity, seen aslant more of
-    /// it, as a plate would. `line` is the edges' thickness in pixels.
+    /// The others over the background, bodies and opaque walls keep their colours; and all edges. Seen face-on a wall
+    /// covers its opacity, seen aslant more of it, as a plate would. `line` is the edges' thickness in pixels.
     void draw_translucent(const observe::Frame& frame, const Camera& camera, const Canvas& canvas, double line);
 
 private:

@@ -60,13 +60,12 @@ Problems check_pictures(const scene::Render& settings) {
 
 Result<std::unique_ptr<FrameSink>> keep_pictures(const scene::Render& settings,
                                                  std::shared_ptr<const observe::FrameLayout> layout,
-                                                 const PictureTargets& targets,
-                                                 const std::vector<observe::Frame>& fit) {
+                                                 const PictureTargets& targets, const Eigen::AlignedBox3d& fit) {
     Result<render::Painter> painter = render::Painter::open(settings, std::move(layout));
     if (!painter)
         return painter.problems();
-    for (const observe::Frame& frame : fit)
-        painter->fit(frame);
+    if (!fit.isEmpty())
+        painter->fit(fit);
     std::error_code error;
     if (!targets.folder.empty())
         std::filesystem::create_directories(targets.folder, error);

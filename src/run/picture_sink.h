@@ -3,6 +3,7 @@
 #include "run/frame_sink.h"
 #include "scene/scene.h"
 
+#include <Eigen/Geometry>
 #include <filesystem>
 
 namespace tumble::run {
@@ -17,10 +18,9 @@ struct PictureTargets {
 Problems check_pictures(const scene::Render& settings);
 
 /// Draws every frame and hands it to PNG files, a video or both. Problems: those of the painter (unknown names, no
-/// OpenGL), a folder or video that cannot be made. What is in `fit` will be in the picture; without, the first frame.
+/// OpenGL), a folder or video that cannot be made. `fit` (m) will be in the picture; when it is empty the first frame.
 Result<std::unique_ptr<FrameSink>> keep_pictures(const scene::Render& settings,
                                                  std::shared_ptr<const observe::FrameLayout> layout,
-                                                 const PictureTargets& targets,
-                                                 const std::vector<observe::Frame>& fit = {});
+                                                 const PictureTargets& targets, const Eigen::AlignedBox3d& fit);
 
 } // namespace tumble::run

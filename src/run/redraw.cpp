@@ -74,7 +74,7 @@ Result<Replayed> redraw(const fs::path& run, const RedrawOptions& options, const
             return *problem;
     FrameSinks sinks;
     auto sink =
-        keep_pictures(options.settings, recording->layout, {options.pictures, options.video}, recording->ends());
+        keep_pictures(options.settings, recording->layout, {options.pictures, options.video}, recording->bounds);
     if (!sink)
         return sink.problems();
     sinks.push_back(std::move(*sink));

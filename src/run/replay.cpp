@@ -3,6 +3,7 @@
 #include "observe/frame_file.h"
 #include "observe/measures.h"
 #include "observe/series.h"
+#include "render/camera.h"
 
 #include <fmt/format.h>
 
@@ -34,14 +35,6 @@ std::string left_out(const Problems& problems) {
 
 } // namespace
 
-std::vector<observe::Frame> Recording::ends() const {
-    std::vector<observe::Frame> both;
-    for (const std::filesystem::path& file : {frames.front(), frames.back()})
-        if (Result<observe::Frame> frame = observe::read_frame(file, layout))
-            both.push_back(std::move(*frame));
-    return both;
-}
-
 Result<Recording> open_recording(const std::filesystem::path& root, const ReplayOptions& options) {
     const Result<RunFolder> folder = find_run(root);
     if (!folder)
@@ -49,7 +42,7 @@ Result<Recording> open_recording(const std::filesystem::path& root, const Replay
     const auto layout = observe::read_layout(observe::layout_path(folder->frames()));
     if (!layout)
         return layout.problems();
-    Recording recording{*folder, *layout, {}, {}};
+    Recording recording{*folder, *layout, {}, {}, {}};
     double latest = 0;
     for (const std::filesystem::path& file : observe::list_frames(folder->frames())) {
         const Result<observe::Frame> frame = observe::read_frame(file, *layout);
@@ -58,8 +51,10 @@ Result<Recording> open_recording(const std::filesystem::path& root, const Replay
             continue;
         }
         latest = std::max(latest, frame->time);
-        if (frame->time >= options.from && frame->time <= options.to)
-            recording.frames.push_back(file);
+        if (frame->time < options.from || frame->time > options.to)
+            continue;
+        recording.frames.push_back(file);
+        recording.bounds.extend(render::bounds_of(*frame));
     }
     if (recording.frames.empty())
         return Problem{.file = root.string(),
@@ -74,6 +69,7 @@ Result<Replayed> replay(const Recording& recording, const ReplayOptions& options
     replayed.warnings = recording.warnings;
     Shot shot;
     shot.plot = plot_line(recording.folder, options.plot_measure);
+    shot.plot.until = options.duration;
     Problems problems;
     const auto all = static_cast<std::int64_t>(recording.frames.size());
     for (const std::filesystem::path& file : recording.frames) {

@@ -17,6 +17,7 @@ struct ReplayOptions {
     double from = -std::numeric_limits<double>::infinity(); // s
     double to = std::numeric_limits<double>::infinity();    // s
     std::string plot_measure;                               // of series.csv, for the small plot; may be missing there
+    double duration = 0;                                    // s, of the whole run: where the plot's time axis ends
     const std::atomic<bool>* stop = nullptr;
 };
 
@@ -38,8 +39,7 @@ struct Recording {
     std::vector<std::filesystem::path> frames;
     std::vector<std::string> warnings;
 
-    /// The first and the last frame, for fitting a view.
-    [[nodiscard]] std::vector<observe::Frame> ends() const;
+    Eigen::AlignedBox3d bounds; // m, of all bodies and walls in these frames
 };
 
 /// Problems: no run's folder, a broken layout, no readable frame in the stretch of time.

@@ -5,8 +5,11 @@
 #include "run/fill_plan.h"
 #include "run/picture_sink.h"
 #include "run/run_report.h"
+#include "run/scene_doubts.h"
 #include "run/state_sinks.h"
+#include "run/view_box.h"
 #include "scene/to_toml.h"
+#include "scene/written.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -15,9 +18,7 @@ namespace tumble::run {
 
 namespace {
 
-// Above these a result deserves a second look; both are conventions (a few percent overlap keeps Hertz' half-space
-// assumption; a percent of energy is more than the step should cost).
-constexpr double overlap_worth_a_word = 0.05;
+// A percent of energy is more than the step should cost.
 constexpr double closure_worth_a_word = 0.01;
 
 std::filesystem::path folder_for(const scene::Scene& scene, const RunOptions& options) {
@@ -32,8 +33,7 @@ double turned_over(const Books& books) {
 
 Problems in_scene(Problems problems, const scene::Scene& scene) {
     for (Problem& problem : problems)
-        if (problem.file.empty())
-            problem.file = scene.file.string();
+        problem = scene::placed(scene, std::move(problem));
     return problems;
 }
 
@@ -57,6 +57,7 @@ RunInWork::RunInWork(const scene::Scene& scene, const RunOptions& options, RunLi
     summary_.seed = scene.seed;
     summary_.threads = options.threads;
     summary_.video = options.video;
+    summary_.video_slowdown = scene.render.slowdown();
 }
 
 Result<std::unique_ptr<RunInWork>> RunInWork::prepare(const scene::Scene& scene, const RunOptions& options,
@@ -85,6 +86,8 @@ Result<std::unique_ptr<RunInWork>> RunInWork::prepare(const scene::Scene& scene,
         return in_scene(sinks.problems(), scene);
     run->queue_ = std::make_unique<FrameQueue>(std::move(*sinks));
     run->folder_.keep();
+    for (const std::string& doubt : scene_doubts(scene, run->simulation_->bodies()))
+        run->warn(doubt);
     return run;
 }
 
@@ -98,6 +101,7 @@ Result<Done> RunInWork::choose_what_to_see() {
         plotted_ = plotted->front();
         plot_.label = observe::spelled_name(plotted_->name);
         plot_.unit = observe::spelled_unit(plotted_->unit);
+        plot_.until = scene_.duration;
     }
     return Done{};
 }
@@ -137,7 +141,8 @@ Result<FrameSinks> RunInWork::open_sinks() {
     sinks.push_back(keep_states(paths.frames()));
     if (options_.pictures || options_.video)
         add(keep_pictures(scene_.render, layout_,
-                          {.folder = options_.pictures ? paths.pictures() : "", .video = video_file()}));
+                          {.folder = options_.pictures ? paths.pictures() : "", .video = video_file()},
+                          view_box(scene_, *layout_)));
     if (options_.paraview)
         add(keep_for_paraview(paths.paraview()));
     if (options_.text_dump)
@@ -248,10 +253,10 @@ void RunInWork::sum_up() {
     summary_.energy_turnover = std::max(summary_.energy_turnover, turned_over(summary_.books));
     for (const std::string& sentence : summary_.unfilled)
         warn("not all bodies found room: " + sentence);
-    if (summary_.overlap_ratio_max > overlap_worth_a_word)
-        warn(fmt::format("bodies overlapped by up to {:.1f} % of a radius: a stiffer material or a slower impact would "
-                         "be closer to nature",
-                         100 * summary_.overlap_ratio_max));
+    if (summary_.overlap_ratio_max > scene_.contact.accepted_overlap)
+        warn(fmt::format("bodies overlapped by up to {:.1f} % of the smaller sphere's radius, and the scene expects at "
+                         "most {:.3g} %: take stiffer materials or slower impacts, or say contact.accepted_overlap",
+                         100 * summary_.overlap_ratio_max, 100 * scene_.contact.accepted_overlap));
     const double missed = std::abs(summary_.books.closure);
     if (missed > closure_worth_a_word * summary_.energy_turnover)
         warn(fmt::format("the energy balance misses {:.3g} J of {:.3g} J: try a smaller time step", missed,

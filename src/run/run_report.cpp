@@ -65,6 +65,7 @@ nlohmann::ordered_json to_json(const RunSummary& summary) {
     json["frames"] = summary.frames;
     json["pictures"] = summary.pictures;
     json["video"] = summary.video;
+    json["video_slowdown"] = summary.video_slowdown;
     json["wall_s"] = number(summary.wall_s);
     const double stepping = summary.stepping_s;
     json["steps_per_s"] = number(stepping > 0 ? static_cast<double>(summary.steps) / stepping : 0);

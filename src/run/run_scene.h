@@ -63,9 +63,10 @@ struct RunSummary {
     std::int64_t frames = 0;
     std::int64_t pictures = 0;
     bool video = false;
-    double wall_s = 0;     // s, all
-    double stepping_s = 0; // s, inside the solver
-    double body_steps = 0; // bodies times steps, summed as bodies came in
+    double video_slowdown = 1; // s of watching per s of the run
+    double wall_s = 0;         // s, all
+    double stepping_s = 0;     // s, inside the solver
+    double body_steps = 0;     // bodies times steps, summed as bodies came in
     std::vector<PhaseTime> phases;
     Books books;                  // at the end
     double energy_turnover = 0;   // J, what closure is to be compared with

@@ -3,9 +3,13 @@
 #include "observe/frame_file.h"
 #include "observe/measures.h"
 #include "run/fill_plan.h"
+#include "run/scene_doubts.h"
 #include "run/schedule.h"
+#include "scene/extent.h"
+#include "scene/written.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -27,13 +31,28 @@ void check_bodies(const scene::Scene& scene, const std::vector<SimulatedBody>& b
     const std::vector<std::int64_t> wanted = bodies_wanted(scene, bodies);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         BodyCheck body{bodies[i], scene.materials[static_cast<std::size_t>(scene.bodies[i].material)].name, 0};
-        for (std::size_t f = 0; f < scene.fills.size(); ++f)
-            if (static_cast<std::size_t>(scene.fills[f].body) == i)
-                body.wanted += wanted[f];
+        for (std::size_t f = 0; f < scene.fills.size(); ++f) {
+            const bool own = static_cast<std::size_t>(scene.fills[f].body) == i;
+            body.wanted += own ? wanted[f] : 0;
+            check.too_late += own && scene.fills[f].start >= scene.duration ? wanted[f] : 0;
+        }
         check.wanted += body.wanted;
         check.mass += body.mass * static_cast<double>(body.wanted);
         check.parts += body.parts * static_cast<std::size_t>(body.wanted);
         check.bodies.push_back(std::move(body));
+    }
+}
+
+void check_walls(const scene::Scene& scene, SceneCheck& check) {
+    constexpr std::array shapes{"plane", "box", "cylinder", "disc", "trough", "mesh"};
+    constexpr std::array outlines{"segment", "arc", "polyline", "box", "trough"};
+    static_assert(shapes.size() == std::variant_size_v<scene::WallShape>);
+    static_assert(outlines.size() == std::variant_size_v<scene::Outline>);
+    for (const scene::Wall& wall : scene.walls) {
+        const scene::Box extent = scene::extent_of(wall, scene.dimension);
+        check.walls.push_back({wall.name,
+                               scene.dimension == 2 ? outlines[wall.outline.index()] : shapes[wall.shape.index()],
+                               scene.materials[static_cast<std::size_t>(wall.material)].name, extent.hi - extent.lo});
     }
 }
 
@@ -72,8 +91,13 @@ void look_for_oddities(const scene::Scene& scene, SceneCheck& check) {
         say("render.every_s is shorter than a step: every step gets one frame");
     if (scene.observe.every > scene.duration)
         say("observe.every_s is longer than the run: only its first instant gets a row");
-    if (check.placed < check.wanted)
-        say(fmt::format("{} of {} bodies stand at the start; the others come later", check.placed, check.wanted));
+    if (const std::int64_t later = check.wanted - check.placed - check.too_late; later > 0)
+        say(fmt::format("{} of {} bodies stand at the start; {} come later", check.placed, check.wanted, later));
+}
+
+/// JSON has no infinity: null where a wall does not end.
+nlohmann::ordered_json end(double size) {
+    return std::isfinite(size) ? nlohmann::ordered_json(size) : nlohmann::ordered_json(nullptr);
 }
 
 nlohmann::ordered_json to_json(const scene::TimeStepReport& report) {
@@ -96,7 +120,7 @@ Result<SceneCheck> check_scene(const scene::Scene& scene, int threads) {
     const auto measures = observe::choose_measures(scene.observe.measures);
     Problems problems = measures.problems();
     for (Problem& problem : problems)
-        problem.file = scene.file.string();
+        problem = scene::placed(scene, std::move(problem));
     const Result<SimulationPtr> simulation = simulate(scene, threads);
     const Problems more = simulation.problems();
     problems.insert(problems.end(), more.begin(), more.end());
@@ -104,12 +128,13 @@ Result<SceneCheck> check_scene(const scene::Scene& scene, int threads) {
         return problems;
     SceneCheck check;
     check.dimension = scene.dimension;
-    check_bodies(scene, (*simulation)->bodies(), check);
+    const std::vector<SimulatedBody> bodies = (*simulation)->bodies();
+    check_bodies(scene, bodies, check);
     check.placed = static_cast<std::int64_t>((*simulation)->frame().bodies());
-    for (const scene::Wall& wall : scene.walls)
-        check.walls.push_back(wall.name);
+    check_walls(scene, check);
     check.time_step = (*simulation)->time_step();
     check_cost(scene, measures->size(), check);
+    check.warnings = scene_doubts(scene, bodies);
     look_for_oddities(scene, check);
     return check;
 }
@@ -125,13 +150,20 @@ nlohmann::ordered_json to_json(const SceneCheck& check) {
                           {"inertia_kg_m2", {body.inertia.x(), body.inertia.y(), body.inertia.z()}},
                           {"bounding_radius_m", body.bounding_radius},
                           {"wanted", body.wanted}});
+    nlohmann::ordered_json walls = nlohmann::ordered_json::array();
+    for (const WallCheck& wall : check.walls)
+        walls.push_back({{"name", wall.name},
+                         {"shape", wall.shape},
+                         {"material", wall.material},
+                         {"size_m", {end(wall.size.x()), end(wall.size.y()), end(wall.size.z())}}});
     return {{"dimension", check.dimension},
             {"bodies", bodies},
             {"wanted", check.wanted},
             {"placed", check.placed},
+            {"too_late", check.too_late},
             {"mass_kg", check.mass},
             {check.dimension == 2 ? "discs" : "spheres", check.parts},
-            {"walls", check.walls},
+            {"walls", walls},
             {"time_step", to_json(check.time_step)},
             {"steps", check.steps},
             {"rows", check.rows},

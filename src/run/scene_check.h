@@ -17,15 +17,23 @@ struct BodyCheck : SimulatedBody {
     std::int64_t wanted = 0;
 };
 
+struct WallCheck {
+    std::string name;
+    std::string shape; // "plane", "box", ...
+    std::string material;
+    Eigen::Vector3d size; // m, of the box around it at rest; infinite where it does not end
+};
+
 /// What a scene means before anything runs.
 struct SceneCheck {
     int dimension = 3;
     std::vector<BodyCheck> bodies;
-    std::int64_t wanted = 0; // bodies in all
-    std::int64_t placed = 0; // of them at the start
-    double mass = 0;         // kg, of all wanted
-    std::size_t parts = 0;   // spheres or discs of all wanted
-    std::vector<std::string> walls;
+    std::int64_t wanted = 0;   // bodies in all
+    std::int64_t placed = 0;   // of them at the start
+    std::int64_t too_late = 0; // of them those that would come after the end
+    double mass = 0;           // kg, of all wanted
+    std::size_t parts = 0;     // spheres or discs of all wanted
+    std::vector<WallCheck> walls;
     scene::TimeStepReport time_step;
     std::int64_t steps = 0;
     std::int64_t rows = 0;

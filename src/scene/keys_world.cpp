@@ -72,6 +72,10 @@ KeyTable contact() {
                "Mass-proportional damping of every body's motion, alpha of Cundall and Strack: a force -alpha m v.")
             .in_2d()
             .otherwise(0.0),
+        number("accepted_overlap", "", above(0, 1),
+               "Deepest overlap, as a share of the smaller radius, that the scene expects; `run` warns beyond it. More "
+               "than a few percent is a price of soft materials.")
+            .otherwise(0.05),
     };
     return table;
 }

@@ -8,6 +8,33 @@
 #include "scene/view.h"
 
 namespace tumble::scene {
+namespace {
+
+void note(const std::string& path, const Place& place, Scene& scene) {
+    scene.written[path] = {*place.source, place.line, place.column};
+}
+
+/// Paths as views and problems have them: members of lists by name or number.
+void note_places(const Node& node, const std::string& path, const std::string& keys, Scene& scene) {
+    const Table* table = node.as<Table>();
+    if (!table)
+        return;
+    for (const Entry& entry : table->entries) {
+        const std::string inner = path.empty() ? entry.name : path + "." + entry.name;
+        const std::string inner_keys = keys.empty() ? entry.name : keys + "." + entry.name;
+        const KeyTable* spec = find_table(inner_keys);
+        const Array* list = entry.node.as<Array>();
+        note(inner, entry.node.place, scene);
+        note_places(entry.node, inner, spec ? inner_keys : keys, scene);
+        for (std::size_t i = 0; spec && list && i < list->items.size(); ++i) {
+            const std::string member = inner + "." + label_of(list->items[i], *spec, i);
+            note(member, list->items[i].place, scene);
+            note_places(list->items[i], member, inner_keys, scene);
+        }
+    }
+}
+
+} // namespace
 
 Result<Scene> load_scene_text(std::string_view toml, const std::filesystem::path& file,
                               const std::vector<Override>& sets) {
@@ -21,6 +48,7 @@ Result<Scene> load_scene_text(std::string_view toml, const std::filesystem::path
 
     Scene scene;
     scene.file = file;
+    note_places(*root, "", "", scene);
     const View top(&*root, *find_table(""), "", report);
     const Resolving to{file.parent_path(), report, scene};
     resolve_world(top, to);

@@ -118,6 +118,10 @@ void resolve_bodies(const View& root, const Resolving& to) {
                           "use a name without dots");
         body.material = material_of(view, to).value_or(0);
         body.spheres = resolve_spheres(view, to);
+        const std::string radius = view.written("radius_m") ? "radius_m" : "radius_mm";
+        if (view.written("scale") && view.written(radius))
+            to.refuse(view, "scale", fmt::format("'scale' does not belong to a body with '{}'", radius),
+                      fmt::format("remove it, and write {} as large as it should be", radius));
         if (view.given("mass_kg"))
             body.mass = view.number("mass_kg");
         if (view.given("inertia_kg_m2") && to.scene.dimension == 2)

@@ -18,9 +18,10 @@ void resolve_render(const View& view, const Resolving& to) {
     } else if (view.written("view_lo_m") != view.written("view_hi_m"))
         to.refuse(view, view.written("view_lo_m") ? "view_lo_m" : "view_hi_m", "a view needs both of its corners",
                   "give view_lo_m and view_hi_m");
-    if (render.camera == "free" && render.eye == render.target)
+    const bool has_place = view.written("eye_m") || view.written("target_m");
+    if (render.camera == "free" && has_place && render.eye == render.target)
         to.refuse(view, "camera", "a free camera stands where it looks at",
-                  "give eye_m and target_m, two different points");
+                  "give eye_m and target_m, two different points, or neither to look from the front, right and above");
     render.color = view.text("color");
     if (view.given("range")) {
         const auto ends = view.numbers("range");

@@ -1,11 +1,11 @@
 #include "base/text.h"
+#include "scene/extent.h"
 #include "scene/keys.h"
 #include "scene/read_stl.h"
 #include "scene/resolve.h"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <limits>
 #include <set>
 
 namespace tumble::scene {
@@ -97,39 +97,6 @@ WallShape resolve_shape(const View& view, const Resolving& to) {
     return plane(view, to);
 }
 
-constexpr double endless = std::numeric_limits<double>::infinity();
-
-/// Extent of a lateral surface or rim: a circle of `radius` about unit `axis`.
-Vector3d circle_reach(const Vector3d& axis, double radius) {
-    return radius * (Vector3d::Ones() - axis.cwiseAbs2()).cwiseMax(0.0).cwiseSqrt();
-}
-
-struct Extent {
-    Box operator()(const PlaneShape&) const { return {Vector3d::Constant(-endless), Vector3d::Constant(endless)}; }
-    Box operator()(const BoxShape& shape) const { return shape.box; }
-    Box operator()(const CylinderShape& shape) const {
-        const Vector3d end = shape.base + shape.axis * shape.length;
-        const Vector3d reach = circle_reach(shape.axis, shape.radius);
-        return {shape.base.cwiseMin(end) - reach, shape.base.cwiseMax(end) + reach};
-    }
-    Box operator()(const DiscShape& shape) const {
-        const Vector3d reach = circle_reach(shape.normal, shape.radius);
-        return {shape.centre - reach, shape.centre + reach};
-    }
-    Box operator()(const TroughShape& shape) const {
-        return {{-endless, shape.floor, -shape.radius}, {endless, shape.rim, shape.radius}};
-    }
-    Box operator()(const MeshShape& shape) const {
-        Box all{Vector3d::Constant(endless), Vector3d::Constant(-endless)};
-        for (const auto& triangle : shape.triangles)
-            for (const Vector3d& corner : triangle) {
-                all.lo = all.lo.cwiseMin(corner);
-                all.hi = all.hi.cwiseMax(corner);
-            }
-        return all;
-    }
-};
-
 /// Whether any of the plane lies in the box: its corners are not all on one side.
 bool crosses(const PlaneShape& plane, const Box& box) {
     const Vector3d middle = (box.lo + box.hi) / 2;
@@ -137,11 +104,62 @@ bool crosses(const PlaneShape& plane, const Box& box) {
     return std::abs(plane.normal.dot(middle - plane.point)) <= reach * (1 + 1e-9);
 }
 
-bool in_domain(const WallShape& shape, const Box& domain) {
-    if (const auto* flat = std::get_if<PlaneShape>(&shape))
+/// Centres of bodies stay in the domain, their surfaces reach out of it by this at most, m.
+double reach_of_bodies(const Scene& scene) {
+    double reach = 0;
+    for (const BodyTemplate& body : scene.bodies) {
+        Eigen::AlignedBox3d centres;
+        double radius = 0;
+        for (const Sphere& sphere : body.spheres) {
+            centres.extend(sphere.centre);
+            radius = std::max(radius, sphere.radius);
+        }
+        reach = std::max(reach, body.spheres.empty() ? 0 : centres.diagonal().norm() + radius);
+    }
+    return reach;
+}
+
+bool touches(const MeshShape& mesh, double scale, const Box& box) {
+    return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& triangle) {
+        return overlap({scale * triangle[0], scale * triangle[1], scale * triangle[2]}, box);
+    });
+}
+
+bool overlap(const Box& a, const Box& b) {
+    return (a.lo.array() <= b.hi.array()).all() && (a.hi.array() >= b.lo.array()).all();
+}
+
+/// Of a mesh its triangles count: around a small domain a large one has none inside.
+bool in_domain(const Wall& wall, const Scene& scene) {
+    const Box& domain = scene.domain.box;
+    if (const auto* flat = std::get_if<PlaneShape>(&wall.shape))
         return crosses(*flat, domain);
-    const Box extent = std::visit(Extent{}, shape);
-    return (extent.lo.array() <= domain.hi.array()).all() && (extent.hi.array() >= domain.lo.array()).all();
+    if (!overlap(extent_of(wall.shape), domain))
+        return false;
+    const auto* mesh = std::get_if<MeshShape>(&wall.shape);
+    const Vector3d middle = (domain.lo + domain.hi) / 2;
+    const double size = (domain.hi - domain.lo).norm();
+    const double travel = wall.motion.at_rest() ? 0 : speed_bound(wall.motion, middle, size) * scene.duration;
+    const Vector3d margin = Vector3d::Constant(reach_of_bodies(scene) + travel);
+    return !mesh || touches(*mesh, 1, {domain.lo - margin, domain.hi + margin});
+}
+
+std::string size_in_words(const Box& box) {
+    const Vector3d size = box.hi - box.lo;
+    return fmt::format("it is {:.4g} x {:.4g} x {:.4g} m, and no triangle of it comes in", size.x(), size.y(),
+                       size.z());
+}
+
+/// The unit that an STL file is probably in: one in which the mesh would lie in the domain and be about as large.
+std::string other_scale(const MeshShape& mesh, const Box& domain) {
+    const Box extent = extent_of(mesh);
+    const double size = (extent.hi - extent.lo).maxCoeff();
+    const double room = (domain.hi - domain.lo).maxCoeff();
+    for (const auto& [scale, unit] : {std::pair{1e-3, "millimetres"}, {1e-2, "centimetres"}, {0.0254, "inches"}})
+        if (const double factor = scale / mesh.scale;
+            size * factor < 2 * room && size * factor > 0.05 * room && touches(mesh, factor, domain))
+            return fmt::format("did you mean scale = {}, an STL in {}?", plain(scale), unit);
+    return "";
 }
 
 /// A closed face of a box wall that no body can reach.
@@ -157,17 +175,22 @@ std::string lost_face(const WallShape& shape, const Box& domain) {
     return "";
 }
 
-void check_place(const NamedView& wall, const WallShape& shape, const Resolving& to) {
+void check_place(const View& view, const Wall& wall, const Resolving& to) {
     const Box& domain = to.scene.domain.box;
-    const View& view = wall.view;
-    const bool readable = !std::holds_alternative<MeshShape>(shape) || !std::get<MeshShape>(shape).triangles.empty();
-    if (!has_volume(domain) || !readable || !view.whole())
+    const auto* mesh = std::get_if<MeshShape>(&wall.shape);
+    if (!has_volume(domain) || (mesh && mesh->triangles.empty()) || !view.whole())
         return; // a wall or a domain that is already wrong is in no place
-    if (!in_domain(shape, domain))
-        to.report.add(view.place(), view.path(), fmt::format("wall '{}' lies outside the domain", view.text("name")),
-                      fmt::format("no body can ever touch it: move it into {} to {}, or enlarge the domain",
-                                  in_words(domain.lo, to), in_words(domain.hi, to)));
-    else if (const std::string face = lost_face(shape, domain); !face.empty())
+    if (!in_domain(wall, to.scene)) {
+        const bool around = mesh && overlap(extent_of(*mesh), domain);
+        std::string fix = mesh ? other_scale(*mesh, domain) : "";
+        if (fix.empty())
+            fix = fmt::format("no body can ever touch it: move it into {} to {}, or enlarge the domain",
+                              in_words(domain.lo, to), in_words(domain.hi, to));
+        to.report.add(view.place(), view.path(),
+                      fmt::format("wall '{}' lies outside the domain{}", view.text("name"),
+                                  around ? ": " + size_in_words(extent_of(*mesh)) : ""),
+                      fix);
+    } else if (const std::string face = lost_face(wall.shape, domain); !face.empty())
         to.report.add(view.place(), view.path(),
                       fmt::format("face {} of wall '{}' lies outside the domain", face, view.text("name")),
                       fmt::format("no body can ever touch it: add \"{}\" to open, or enlarge the domain", face));
@@ -195,7 +218,7 @@ void resolve_walls(const View& root, const Resolving& to) {
             check_outline(view, wall.outline, to);
         } else {
             wall.shape = resolve_shape(view, to);
-            check_place(named, wall.shape, to);
+            check_place(view, wall, to);
         }
         to.scene.walls.push_back(std::move(wall));
     }

@@ -90,6 +90,7 @@ void resolve_contact(const View& view, const Resolving& to) {
     laws.limit_force = view.flag("limit_force");
     laws.share_among_body_contacts = view.flag("share_among_body_contacts");
     laws.global_damping = view.number("global_damping_per_s");
+    laws.accepted_overlap = view.number("accepted_overlap");
     if (laws.normal == NormalLaw::linear && laws.tangential == TangentialLaw::mindlin)
         to.refuse(view, view.written("tangential") ? "tangential" : "normal",
                   "normal = \"linear\" does not go with tangential = \"mindlin\", whose stiffness is Hertz'",

@@ -38,6 +38,7 @@ struct ContactLaws {
     bool limit_force = false;               // true: the normal force never pulls at the end of a rebound
     bool share_among_body_contacts = false; // true: n contacts of one body pair act together as one (docs/bodies.md)
     double global_damping = 0;              // 1/s, mass-proportional; two dimensions only
+    double accepted_overlap = 0.05;         // over the smaller radius; a run that goes beyond says so
 };
 
 struct Sphere {
@@ -161,6 +162,16 @@ struct Render {
     double frames_per_second = 25; // of the video
     bool plot = true;              // small live plot over the picture
     std::string plot_measure = "kinetic_energy";
+
+    /// Seconds of watching the video per second of the scene: above 1 slower than life.
+    [[nodiscard]] double slowdown() const { return 1 / (every * frames_per_second); }
+};
+
+/// Where something was typed: a file with line and column from 1, or "--set KEY" without them (0).
+struct WrittenAt {
+    std::string source;
+    int line = 0;
+    int column = 0;
 };
 
 struct Scene {
@@ -184,6 +195,7 @@ struct Scene {
     std::vector<Wall> walls;
     Observe observe;
     Render render;
+    std::map<std::string, WrittenAt> written; // keys and tables by path: "time_step_s", "fill.0", "wall.plate.stl"
 
     [[nodiscard]] const contact::PairProperties& pair(int a, int b) const {
         return pairs[static_cast<std::size_t>(a) * materials.size() + static_cast<std::size_t>(b)];

@@ -37,6 +37,7 @@ void write_world(const Scene& scene, TomlWriter& to) {
                           : scene.contact.tangential == TangentialLaw::linear ? "linear"
                                                                               : "mindlin");
     to.flag("limit_force", scene.contact.limit_force);
+    to.number("accepted_overlap", scene.contact.accepted_overlap);
     if (scene.dimension == 2)
         to.number("global_damping_per_s", scene.contact.global_damping);
     else
@@ -264,8 +265,10 @@ void write_output(const Scene& scene, TomlWriter& to) {
     if (scene.dimension == 3) {
         to.text("camera", render.camera);
         to.text("projection", render.projection);
-        to.vector("eye_m", render.eye);
-        to.vector("target_m", render.target);
+        if (render.eye != render.target) {
+            to.vector("eye_m", render.eye);
+            to.vector("target_m", render.target);
+        }
         to.number("field_of_view_deg", render.field_of_view_deg);
     }
     if (render.view) {

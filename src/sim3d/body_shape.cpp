@@ -9,6 +9,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <numeric>
+#include <optional>
 
 namespace tumble::sim3d {
 
@@ -56,6 +57,24 @@ Problems faults_of(const scene::BodyTemplate& body, const contact::Material& mat
                 "each moment must be positive and at most the sum of the other two"));
     }
     return problems;
+}
+
+/// A mass within R of its centre has three moments that sum, being twice the sum of m r^2, to at most 2 m R^2. Arms
+/// that no sphere stands for may go beyond that, but not a hundredfold; the units that slip differ by a thousand and
+/// more.
+std::optional<Problem> inertia_too_large(const scene::BodyTemplate& body, const BodyShape& shape) {
+    constexpr double arms = 100;
+    const double most = 2 * shape.mass * shape.bounding_radius * shape.bounding_radius;
+    if (!body.principal_inertia || shape.inertia.sum() <= arms * most)
+        return std::nullopt;
+    Problem problem =
+        problem_of(body,
+                   fmt::format("the moments of {:.4g} kg within {:.4g} m of the centre sum to {:.3g} kg m2 at most, "
+                               "not to {:.3g}",
+                               shape.mass, shape.bounding_radius, most, shape.inertia.sum()),
+                   "write them in kg m2 (1 kg mm2 is 1e-6 kg m2, 1 g cm2 is 1e-7 kg m2), or leave them out");
+    problem.key += ".inertia_kg_m2";
+    return problem;
 }
 
 /// The written axis that points most along `direction`.
@@ -204,6 +223,8 @@ Result<BodyShape> make_body_shape(const scene::BodyTemplate& body, const contact
         const Sphere& placed = shape.spheres.back();
         shape.bounding_radius = std::max(shape.bounding_radius, placed.centre.norm() + placed.radius);
     }
+    if (const auto problem = inertia_too_large(body, shape))
+        return *problem;
     return shape;
 }
 

@@ -1,3 +1,4 @@
+#include "scene/written.h"
 #include "sim3d/body_list.h"
 #include "sim3d/body_shape.h"
 #include "sim3d/fill.h"
@@ -62,17 +63,13 @@ ShapeConstants constants_of(const ShapeData& data) {
     return constants;
 }
 
-Problem scene_problem(const scene::Scene& scene, std::string key, std::string what, std::string fix) {
-    return {scene.file.string(), 0, 0, std::move(key), std::move(what), std::move(fix)};
-}
-
 Problems make_shapes(World& world) {
     Problems problems;
     for (const scene::BodyTemplate& body : world.scene.bodies) {
         const auto shape = make_body_shape(body, world.scene.materials[static_cast<std::size_t>(body.material)]);
         if (!shape) {
-            const Problems more = shape.problems();
-            problems.insert(problems.end(), more.begin(), more.end());
+            for (const Problem& problem : shape.problems())
+                problems.push_back(scene::placed(world.scene, problem));
             continue;
         }
         world.plain_shapes.push_back(*shape);
@@ -90,9 +87,9 @@ Problems make_walls(World& world) {
         const auto surface = WallSurface::make(wall.shape, domain);
         if (!surface) {
             for (Problem problem : surface.problems()) {
-                problem.file = problem.file.empty() ? world.scene.file.string() : problem.file;
+                problem.key = "wall." + wall.name;
                 problem.what = fmt::format("wall '{}': {}", wall.name, problem.what);
-                problems.push_back(std::move(problem));
+                problems.push_back(scene::placed(world.scene, std::move(problem)));
             }
             continue;
         }
@@ -150,7 +147,7 @@ Problems check_periods(const World& world) {
                                     longest_leash * world.skin);
     for (int k = 0; k < 3; ++k)
         if (domain.periodic[static_cast<std::size_t>(k)] && domain.box.hi[k] - domain.box.lo[k] < reach)
-            problems.push_back(scene_problem(
+            problems.push_back(scene::problem_about(
                 world.scene, "domain",
                 fmt::format("the domain is {:.4g} m long in its periodic direction {}, but a body must never meet its "
                             "own image: at least {:.4g} m are needed",
@@ -162,10 +159,10 @@ Problems check_periods(const World& world) {
 Problems check_law(const World& world) {
     const scene::ContactLaws& laws = world.scene.contact;
     if (laws.normal == scene::NormalLaw::linear && laws.tangential == scene::TangentialLaw::mindlin)
-        return {scene_problem(world.scene, "contact.tangential",
-                              "tangential = \"mindlin\" takes its stiffness from the Hertz contact, which "
-                              "normal = \"linear\" does not have",
-                              "write tangential = \"linear\" or \"none\", or normal = \"hertz\"")};
+        return {scene::problem_about(world.scene, "contact.tangential",
+                                     "tangential = \"mindlin\" takes its stiffness from the Hertz contact, which "
+                                     "normal = \"linear\" does not have",
+                                     "write tangential = \"linear\" or \"none\", or normal = \"hertz\"")};
     return {};
 }
 
@@ -173,7 +170,7 @@ Problems check_step(const World& world) {
     const scene::TimeStepReport report = time_step_report(world.scene, world.plain_shapes);
     if (report.stable() || world.scene.allow_large_step)
         return {};
-    return {scene_problem(
+    return {scene::problem_about(
         world.scene, "time_step_s",
         fmt::format("a time step of {:.4g} s is above the stable limit of {:.4g} s", report.step, report.limit),
         fmt::format("use at most {:.3g} s, or soften the materials; allow_large_step = true runs it "

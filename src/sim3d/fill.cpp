@@ -1,5 +1,6 @@
 #include "sim3d/fill.h"
 
+#include "scene/written.h"
 #include "sim3d/placement.h"
 
 #include <Eigen/Geometry>
@@ -124,6 +125,15 @@ bool inside_region(const World& world, const scene::Box& region, const Placement
     return true;
 }
 
+/// The key of a fill in the scene, for problems.
+std::string key_of(const World& world, const FillState& fill, const std::string& name = "") {
+    return fmt::format("fill.{}{}", &fill - world.fills.data(), name.empty() ? "" : "." + name);
+}
+
+const BodyShape& shape_of(const World& world, const FillState& fill) {
+    return world.shapes[static_cast<std::size_t>(fill.fill.body)].shape;
+}
+
 BodyState state_of(const scene::Fill& fill, const Vector3d& position, const Eigen::Quaterniond& orientation) {
     BodyState state;
     state.shape = fill.body;
@@ -136,8 +146,7 @@ BodyState state_of(const scene::Fill& fill, const Vector3d& position, const Eige
 
 std::vector<BodyState> place_at_random(const World& world, FillState& fill, Crowd& crowd) {
     const scene::Box& region = fill.fill.region;
-    const Eigen::Quaterniond as_written =
-        world.shapes[static_cast<std::size_t>(fill.fill.body)].shape.written_from_principal;
+    const Eigen::Quaterniond as_written = shape_of(world, fill).written_from_principal;
     std::vector<BodyState> placed;
     int misses = 0;
     while (fill.placed + static_cast<std::int64_t>(placed.size()) < fill.asked && misses < misses_until_full) {
@@ -160,10 +169,20 @@ std::vector<BodyState> place_at_random(const World& world, FillState& fill, Crow
 
 std::string owed(const World& world, const FillState& fill) {
     const Vector3d size = fill.fill.region.hi - fill.fill.region.lo;
-    return fmt::format(
-        "asked for {} of body '{}', placed {} in the region of {:.4g} x {:.4g} x {:.4g} m; {} did not fit", fill.asked,
-        world.shapes[static_cast<std::size_t>(fill.fill.body)].shape.name, fill.placed, size.x(), size.y(), size.z(),
-        fill.asked - fill.placed);
+    return fmt::format("asked for {} of body '{}' ({:.3g} m across), placed {} in the region of {:.4g} x {:.4g} x "
+                       "{:.4g} m; {} did not fit",
+                       fill.asked, shape_of(world, fill).name, 2 * shape_of(world, fill).bounding_radius, fill.placed,
+                       size.x(), size.y(), size.z(), fill.asked - fill.placed);
+}
+
+/// A single body that is larger than the region is hardly one too many.
+Problem does_not_fit(const World& world, const FillState& fill) {
+    const double room = (fill.fill.region.hi - fill.fill.region.lo).minCoeff();
+    const bool too_large = fill.placed == 0 && 2 * shape_of(world, fill).bounding_radius > room;
+    return scene::problem_about(
+        world.scene, key_of(world, fill), owed(world, fill),
+        too_large ? "one body alone is larger than the region: look at the unit of its size, or enlarge the region"
+                  : "enlarge the region, ask for fewer, or give until_s so that bodies come in over time");
 }
 
 void schedule(World& world) {
@@ -175,23 +194,20 @@ void schedule(World& world) {
 
 Problem no_room_at(const World& world, const FillState& fill, const char* what_is_there) {
     const Vector3d& at = *fill.fill.position;
-    return {world.scene.file.string(),
-            0,
-            0,
-            "fill.position_m",
-            fmt::format("body '{}' at ({:.6g}, {:.6g}, {:.6g}) m overlaps {} at t = {:.6g} s",
-                        world.shapes[static_cast<std::size_t>(fill.fill.body)].shape.name, at.x(), at.y(), at.z(),
-                        what_is_there, world.time()),
-            "move it, or let it come at another time"};
+    return scene::problem_about(world.scene, key_of(world, fill, "position_m"),
+                                fmt::format("body '{}' ({:.3g} m across) at ({:.6g}, {:.6g}, {:.6g}) m overlaps {} at "
+                                            "t = {:.6g} s",
+                                            shape_of(world, fill).name, 2 * shape_of(world, fill).bounding_radius,
+                                            at.x(), at.y(), at.z(), what_is_there, world.time()),
+                                "move it, or let it come at another time");
 }
 
 std::optional<Problem> insert_fill(World& world, FillState& fill) {
     std::vector<BodyState> placed;
     if (fill.fill.position) {
-        const Eigen::Quaterniond orientation =
-            fill.fill.orientation == scene::Orientation::random
-                ? random_orientation(fill.rng)
-                : world.shapes[static_cast<std::size_t>(fill.fill.body)].shape.written_from_principal;
+        const Eigen::Quaterniond orientation = fill.fill.orientation == scene::Orientation::random
+                                                   ? random_orientation(fill.rng)
+                                                   : shape_of(world, fill).written_from_principal;
         const Placement body{fill.fill.body, *fill.fill.position, orientation.toRotationMatrix()};
         if (in_wall(world, body))
             return no_room_at(world, fill, "a wall");
@@ -210,12 +226,7 @@ std::optional<Problem> insert_fill(World& world, FillState& fill) {
         return problem;
     if (fill.placed >= fill.asked || fill.fill.until > fill.fill.start)
         return std::nullopt;
-    return Problem{world.scene.file.string(),
-                   0,
-                   0,
-                   "fill",
-                   owed(world, fill),
-                   "enlarge the region, ask for fewer, or give until_s so that bodies come in over time"};
+    return does_not_fit(world, fill);
 }
 
 } // namespace
@@ -228,9 +239,10 @@ Problems prepare_fills(World& world) {
         state.asked = fill.count ? *fill.count : std::llround(fill.mass.value_or(0) / mass);
         state.next_step = static_cast<std::int64_t>(std::ceil(fill.start / world.dt - 1e-9));
         if (state.asked < 1)
-            problems.push_back({world.scene.file.string(), 0, 0, "fill",
-                                fmt::format("a fill asks for less than one body of {:.4g} kg", mass),
-                                "ask for more mass, or give a count"});
+            problems.push_back(
+                scene::problem_about(world.scene, fmt::format("fill.{}.mass_kg", world.fills.size()),
+                                     fmt::format("a fill asks for less than one body of {:.4g} kg", mass),
+                                     "ask for more mass, or give a count"));
         world.fills.push_back(std::move(state));
     }
     schedule(world);

@@ -115,3 +115,14 @@ TEST_CASE("check says masses, steps and margins as theory has them, and refuses 
     CHECK(unstable.code == 2);
     CHECK(contains(unstable.err, "stable limit"));
 }
+
+TEST_CASE("check shows each wall's size and its warnings on stdout, where its answer stands") {
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(0.5));
+    const Outcome outcome =
+        tumble_in(folder, {"check", "ball.toml", "--set", "gravity_m_s2.1=-981", "--set", "time_step_s=1e-7"});
+    CHECK(outcome.code == 0);
+    CHECK(outcome.err.empty());
+    CHECK(contains(outcome.out, "floor  plane  endless  endless  endless  glass"));
+    CHECK(contains(outcome.out, "warning: --set gravity_m_s2.1: a gravity of 981 m/s2"));
+}

@@ -205,6 +205,40 @@ TEST_CASE("a plot without points, with gaps, and with one point is drawn without
     CHECK(inked(line) > 4 * now);
 }
 
+TEST_CASE("what goes on beyond the view is cut off before the panels") {
+    auto layout = spheres({0.2});
+    layout->walls = {pane(50, 50, 1)};
+    const observe::Frame frame = empty_frame(layout);
+    for (const double flat : {1.0, 0.2}) {
+        scene::Render settings = settings_of(1280, 720, "dark");
+        settings.view = scene::Box{{-1, -flat, -1}, {1, flat, 1}};
+        Painter painter = painter_for(settings, layout, {});
+        const Picture picture = painter.draw(frame, rising_line());
+        const Vector3d dark = 255 * find_theme("dark")->background;
+        const Area window = painter.layout().window;
+        for (const Area& panel : {painter.layout().title, painter.layout().legend, painter.layout().scale_bar})
+            CHECK(!differs(picture, static_cast<int>(panel.right) - 2, static_cast<int>(panel.top) + 1, dark));
+        CHECK(differs(picture, static_cast<int>(window.left) + 1, static_cast<int>(window.top) + 2, dark));
+        CHECK(differs(picture, static_cast<int>(window.right) - 2, static_cast<int>(window.bottom) - 2, dark));
+    }
+}
+
+TEST_CASE("the time axis of a run that goes on stands still") {
+    std::shared_ptr<observe::FrameLayout> layout;
+    observe::Frame frame = one_body(layout);
+    Painter painter = painter_for(settings_of(640, 360, "dark"), layout, {});
+    PlotLine whole{"energy", "J", {}, {}};
+    PlotLine half{"energy", "J", {}, {}, 1.0};
+    for (int i = 0; i <= 100; ++i)
+        for (PlotLine* line : {&whole, &half})
+            if (line == &whole || i <= 50) {
+                line->times.push_back(0.01 * i);
+                line->values.push_back(i % 2);
+            }
+    frame.time = 0.5;
+    CHECK(painter.draw(frame, whole).rgba == painter.draw(frame, half).rgba);
+}
+
 TEST_CASE("two painters of different sizes draw in turn and on other threads") {
     std::shared_ptr<observe::FrameLayout> layout;
     const observe::Frame frame = one_body(layout);

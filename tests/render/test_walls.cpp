@@ -25,17 +25,20 @@ double color_distance(const Vector3d& a, const Vector3d& b) {
 
 } // namespace
 
-TEST_CASE("a translucent wall blends by its opacity with what is behind it and leaves what is before it") {
+TEST_CASE("a translucent wall blends by its opacity with the background and leaves bodies their colours") {
     auto layout = spheres({0.3});
     layout->walls = {pane(0.95, 0.95, 0.4)};
     observe::Frame frame = empty_frame(layout);
     add_body(frame, 0, {0.5, 0, -0.5}, {1, 0, 0}); // behind the pane, on the left
     add_body(frame, 0, {-0.5, 0, 0.5}, {1, 0, 0}); // before it
+    add_body(frame, 0, {0.2, 0.6, 0}, {1, 0, 0});  // and one that comes through it
     const Picture picture = painter_for(square_view(1), layout, bare).draw(frame);
     const Vector3d body = 255 * find_color_map("viridis", false)->at(1);
-    CHECK(color_distance(pixel(picture, 200, 60), 0.4 * wall_color() + 0.6 * dark()) <= 2);
-    CHECK(color_distance(pixel(picture, 200 - 94, 200), 0.4 * wall_color() + 0.6 * body) <= 2);
+    CHECK(color_distance(pixel(picture, 200, 200), 0.4 * wall_color() + 0.6 * dark()) <= 2);
+    CHECK(color_distance(pixel(picture, 200 - 94, 200), body) <= 1);
     CHECK(color_distance(pixel(picture, 200 + 94, 200), body) <= 1);
+    for (const int beside : {0, 20, 50})
+        CHECK(color_distance(pixel(picture, 200 + beside, 200 - 113), body) <= 1);
 }
 
 TEST_CASE("an opaque wall hides what is behind it") {

@@ -162,13 +162,13 @@ TEST_CASE("what cannot start leaves nothing behind") {
         const Problems problems = refused(loaded(falling_ball, {"observe.measures=[\"circulaton\"]"}), options);
         REQUIRE(problems.size() == 1);
         CHECK(problems[0].what == "there is no measure 'circulaton'");
-        CHECK(problems[0].file == "ball.toml");
+        CHECK(problems[0].file == "--set observe.measures");
     }
     SUBCASE("an unknown colour of the pictures") {
         options.pictures = true;
         const Problems problems = refused(loaded(falling_ball, {"render.color=\"sped\""}), options);
         REQUIRE_FALSE(problems.empty());
-        CHECK(problems[0].file == "ball.toml");
+        CHECK(problems[0].file == "--set render.color");
     }
     SUBCASE("a time step above the stable limit") {
         CHECK_FALSE(refused(loaded(falling_ball, {"time_step_s=1e-3"}), options).empty());

@@ -1,5 +1,7 @@
 #include "scene/load.h"
+#include "scene/written.h"
 
+#include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
 #include <filesystem>
@@ -200,4 +202,33 @@ TEST_CASE("bytes that are no text are refused by line, not by a crash") {
     const auto scene = load_scene_text(std::string("title = \"\xff\xfe\"\n\0\1", 14), "odd.toml");
     REQUIRE(!scene);
     CHECK(scene.problems()[0].line == 1);
+}
+
+TEST_CASE("a free camera without a place is taken, and one with only half of it too") {
+    for (const char* more : {"[render]\ncamera = \"free\"", "[render]\ncamera = \"free\"\neye_m = [1, 0, 0]"}) {
+        const auto scene = load(more);
+        REQUIRE_MESSAGE(scene, to_string(scene.problems()));
+        CHECK(scene->render.target == Vector3d::Zero());
+    }
+}
+
+TEST_CASE("a mesh that bodies can reach from inside the domain is taken, though none of it lies in there") {
+    // The domain lies inside the tetrahedron, whose face at x = 0 is 1 mm or 100 mm away; a bead's radius is 2 mm.
+    const std::string mesh = "[[wall]]\nname = \"t\"\nmaterial = \"glass\"\nstl = \"tetrahedron.stl\"";
+    for (const auto& [lo, taken] :
+         {std::pair{"domain.lo_m=[0.001, 0.5, 0.5]", true}, std::pair{"domain.lo_m=[0.1, 0.5, 0.5]", false}})
+        CHECK(load(mesh, {{lo}, {"domain.hi_m=[1, 1, 1]"}}).ok() == taken);
+}
+
+TEST_CASE("a problem that comes up later finds the place of its key, or of the table around it") {
+    const auto scene = load("[[fill]]\nbody = \"bead\"\ncount = 3\nregion_lo_m = [0, 0, 0]\nregion_hi_m = [1, 1, 1]\n",
+                            {{"time_step_s=2e-5"}});
+    REQUIRE_MESSAGE(scene, to_string(scene.problems()));
+    const auto lines = std::count(small.begin(), small.end(), '\n');
+    CHECK(problem_about(*scene, "fill.0.count", "", "").line == lines + 3);
+    CHECK(problem_about(*scene, "fill.0.position_m", "", "").line == lines + 1);
+    CHECK(problem_about(*scene, "body.bead.radius_mm", "", "").column == 13);
+    CHECK(problem_about(*scene, "time_step_s", "", "").file == "--set time_step_s");
+    CHECK(problem_about(*scene, "contact.normal", "", "").line == 0);
+    CHECK(problem_about(*scene, "contact.normal", "", "").file == scene->file.string());
 }

@@ -124,6 +124,8 @@ TEST_CASE("a resolved scene loads again to the same laws, materials and pairs") 
                      a.contact.share_among_body_contacts) == std::tuple(b.contact.normal, b.contact.tangential,
                                                                         b.contact.limit_force,
                                                                         b.contact.share_among_body_contacts));
+    CHECK(a.contact.accepted_overlap == 0.123);
+    CHECK(b.contact.accepted_overlap == 0.123);
     REQUIRE(a.materials.size() == b.materials.size());
     for (std::size_t i = 0; i < a.materials.size(); ++i)
         CHECK(std::tuple(a.materials[i].name, a.materials[i].density, a.materials[i].youngs_modulus,

@@ -272,6 +272,18 @@ TEST_CASE("templates that no body can have are refused, all faults at once") {
     CHECK_FALSE(make_body_shape(body, plastic()).ok());
 }
 
+TEST_CASE("an inertia far too large for the mass within the spheres is refused, the largest possible is not") {
+    scene::BodyTemplate body = body_of({{Vector3d::Zero(), 0.01}});
+    body.mass = 0.004;
+    body.principal_inertia = Vector3d(1, 1, 1);
+    const auto slipped = make_body_shape(body, plastic());
+    REQUIRE_FALSE(slipped.ok());
+    CHECK(slipped.problems()[0].what.find("sum to 8e-07 kg m2 at most, not to 3") != std::string::npos);
+    // All mass in the shell: 2/3 m R^2 about each axis.
+    body.principal_inertia = Vector3d::Constant(2.0 / 3 * 0.004 * 1e-4);
+    CHECK(make_body_shape(body, plastic()).ok());
+}
+
 TEST_CASE("spheres inside another, and twins, count once in volume and in contact") {
     const BodyShape shape = shape_of({{Vector3d::Zero(), 2e-3},
                                       {Vector3d(0.5e-3, 0, 0), 1e-3},

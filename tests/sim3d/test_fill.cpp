@@ -72,8 +72,21 @@ TEST_CASE("a fill that cannot fit at once is a problem that counts what did not 
     const auto world = build_world(box.scene, 1);
     REQUIRE(!world.ok());
     const std::string text = to_string(world.problems());
-    CHECK(text.find("asked for 500 of body 'body0', placed ") != std::string::npos);
+    CHECK(text.find("asked for 500 of body 'body0' (0.02 m across), placed ") != std::string::npos);
     CHECK(text.find("did not fit") != std::string::npos);
+}
+
+TEST_CASE("a fill with a body larger than its region says so, with the body's size and the place in the scene") {
+    Sandbox box = jar();
+    box.scene.file = "jar.toml";
+    box.scene.written["fill.0"] = {"jar.toml", 17, 1};
+    box.scene.fills = {fill_of(box.ball(5), 200)};
+    const auto world = build_world(box.scene, 1);
+    REQUIRE(!world.ok());
+    CHECK(to_string(world.problems()) ==
+          "jar.toml:17:1: asked for 200 of body 'body0' (10 m across), placed 0 in the region of 0.1 x 0.1 x 0.1 m; "
+          "200 did not fit\n"
+          "    one body alone is larger than the region: look at the unit of its size, or enlarge the region\n");
 }
 
 TEST_CASE("a fill spread over time tries again as room falls free, and tells what it still owes") {

@@ -1,0 +1,139 @@
+#include "run/scene_doubts.h"
+
+#include "run/fill_plan.h"
+#include "scene/extent.h"
+#include "scene/written.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+#include <set>
+
+namespace tumble::run {
+
+namespace {
+
+using Eigen::Vector3d;
+
+// What lies beyond these is rare in machines, while a value typed in the wrong unit lies far beyond.
+constexpr double lightest = 25;       // kg/m3, expanded polystyrene; every solid is below that in g/cm3
+constexpr double heaviest = 22600;    // kg/m3, osmium
+constexpr double strong_gravity = 50; // m/s2, twice Jupiter's
+constexpr double fast_shaking = 10;   // m/s; electrodynamic shakers end at 2 to 3 m/s
+constexpr double fast_wall = 150;     // m/s; the hammers of hammer mills reach 120 m/s
+constexpr double vast_wall = 20;      // times the domain
+
+class Doubts {
+public:
+    Doubts(const scene::Scene& scene, const std::vector<SimulatedBody>& bodies) : scene_(scene), bodies_(bodies) {}
+
+    std::vector<std::string> all() {
+        densities();
+        gravity();
+        fills();
+        for (const scene::Wall& wall : scene_.walls) {
+            size_of(wall);
+            motion_of(wall);
+        }
+        return std::move(found_);
+    }
+
+private:
+    void say(const std::string& key, std::string what, std::string fix) {
+        found_.push_back(to_string(scene::problem_about(scene_, key, std::move(what), std::move(fix))));
+    }
+
+    void densities() {
+        std::set<int> seen;
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            const scene::BodyTemplate& body = scene_.bodies[i];
+            const contact::Material& material = scene_.materials[static_cast<std::size_t>(body.material)];
+            if (body.mass)
+                mass_of(bodies_[i]);
+            else if (material.density < lightest && seen.insert(body.material).second)
+                say("material." + material.name + ".density_kg_m3",
+                    fmt::format("{:.4g} kg/m3 is lighter than plastic foam", material.density),
+                    fmt::format("if it is {0:.4g} g/cm3, write {1:.6g}", material.density, 1e3 * material.density));
+        }
+    }
+
+    void mass_of(const SimulatedBody& shape) {
+        const double density = shape.mass / shape.volume;
+        if (density < lightest || density > heaviest)
+            say("body." + shape.name + ".mass_kg",
+                fmt::format("{:.4g} kg in the {:.4g} mm3 of body '{}' is {:.3g} kg/m3, {}", shape.mass,
+                            1e9 * shape.volume, shape.name, density,
+                            density < lightest ? "lighter than plastic foam" : "denser than any solid"),
+                "write the mass in kg, or look at the size of its spheres");
+    }
+
+    void gravity() {
+        const double g = scene_.gravity.norm();
+        if (g > strong_gravity)
+            say("gravity_m_s2", fmt::format("a gravity of {:.4g} m/s2 is {:.3g} times the Earth's", g, g / 9.81),
+                "the Earth's is [0, -9.81, 0]; a centrifuge may ignore this");
+    }
+
+    void fills() {
+        const std::vector<std::int64_t> wanted = bodies_wanted(scene_, bodies_);
+        for (std::size_t f = 0; f < scene_.fills.size(); ++f) {
+            const scene::Fill& fill = scene_.fills[f];
+            if (fill.start >= scene_.duration)
+                say(fmt::format("fill.{}.start_s", f),
+                    fmt::format("{} of body '{}' come at {:.6g} s, but the run ends at {:.6g} s", wanted[f],
+                                bodies_[static_cast<std::size_t>(fill.body)].name, fill.start, scene_.duration),
+                    "lengthen duration_s, or give an earlier start_s");
+        }
+    }
+
+    void size_of(const scene::Wall& wall) {
+        const bool can_be_vast = scene_.dimension == 2 || std::holds_alternative<scene::CylinderShape>(wall.shape) ||
+                                 std::holds_alternative<scene::DiscShape>(wall.shape) ||
+                                 std::holds_alternative<scene::MeshShape>(wall.shape);
+        const scene::Box extent = scene::extent_of(wall, scene_.dimension);
+        const double size = (extent.hi - extent.lo).maxCoeff();
+        const double room = (scene_.domain.box.hi - scene_.domain.box.lo).maxCoeff();
+        if (can_be_vast && size > vast_wall * room)
+            say("wall." + wall.name,
+                fmt::format("wall '{}' is {:.4g} m large, {:.3g} times the domain", wall.name, size, size / room),
+                std::holds_alternative<scene::MeshShape>(wall.shape) ? "an STL in millimetres wants scale = 0.001"
+                                                                     : "its lengths are in metres: 60 mm are 0.06");
+    }
+
+    void motion_of(const scene::Wall& wall) {
+        const scene::Box& domain = scene_.domain.box;
+        Vector3d amplitude = Vector3d::Zero();
+        Vector3d shaking = Vector3d::Zero();
+        for (const scene::Harmonic& part : wall.motion.harmonics) {
+            amplitude[part.axis] += part.amplitude;
+            shaking[part.axis] += part.amplitude * 2 * std::numbers::pi * part.frequency;
+        }
+        const Vector3d size = domain.hi - domain.lo;
+        const double speed = scene::speed_bound(wall.motion, (domain.lo + domain.hi) / 2, size.norm() / 2);
+        for (int k = 0; k < scene_.dimension; ++k)
+            if (!scene_.domain.periodic[static_cast<std::size_t>(k)] && amplitude[k] > size[k])
+                return say("wall." + wall.name,
+                           fmt::format("wall '{}' swings by {:.4g} m along {}, and the domain is {:.4g} m long",
+                                       wall.name, amplitude[k], "xyz"[k], size[k]),
+                           "amplitudes are in metres: 3 mm are 0.003");
+        if (shaking.norm() > fast_shaking)
+            return say("wall." + wall.name,
+                       fmt::format("wall '{}' is shaken at up to {:.4g} m/s", wall.name, shaking.norm()),
+                       "amplitudes are in metres, frequencies in Hz: 3 mm are 0.003, 1500 a minute are 25");
+        if (speed > fast_wall)
+            say("wall." + wall.name, fmt::format("wall '{}' moves at up to {:.4g} m/s", wall.name, speed),
+                "look at the units of its motion");
+    }
+
+    const scene::Scene& scene_;
+    const std::vector<SimulatedBody>& bodies_;
+    std::vector<std::string> found_;
+};
+
+} // namespace
+
+std::vector<std::string> scene_doubts(const scene::Scene& scene, const std::vector<SimulatedBody>& bodies) {
+    return Doubts(scene, bodies).all();
+}
+
+} // namespace tumble::run

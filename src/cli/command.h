@@ -13,6 +13,7 @@ void add_run_command(CLI::App& program, Action& action);
 void add_render_command(CLI::App& program, Action& action);
 void add_check_command(CLI::App& program, Action& action);
 void add_list_command(CLI::App& program, Action& action);
+void add_lesson_command(CLI::App& program, Action& action);
 void add_export_command(CLI::App& program, Action& action);
 
 } // namespace tumble::cli

@@ -48,25 +48,36 @@ std::optional<int> check_command(const CLI::App& program, int count, char** word
     return refuse_word(fmt::format("there is no {} '{}'", kind, word), did_you_mean(word, known), "tumble --help");
 }
 
+/// The innermost command chosen, and the words that lead to it: "tumble lesson two-discs".
+struct Chosen {
+    const CLI::App* command = nullptr;
+    std::string words;
+
+    explicit Chosen(const CLI::App& program) : command(&program), words("tumble") {
+        while (!command->get_subcommands().empty()) {
+            command = command->get_subcommands().front();
+            words += " " + command->get_name();
+        }
+    }
+    [[nodiscard]] std::string help() const { return words + " --help"; }
+};
+
 int refuse_extras(const CLI::App& program) {
-    const std::vector<CLI::App*> chosen = program.get_subcommands();
-    const CLI::App& command = chosen.empty() ? program : *chosen.front();
-    const std::string help = "tumble " + (chosen.empty() ? "" : command.get_name() + " ") + "--help";
+    const Chosen chosen(program);
     for (const std::string& word : program.remaining(true)) {
         if (!word.starts_with("-"))
             continue;
         const std::string flag = word.substr(0, word.find('='));
-        return refuse_word(fmt::format("`tumble {}` has no flag '{}'", command.get_name(), flag),
-                           did_you_mean(flag, flags_of(command)), help);
+        return refuse_word(fmt::format("`{}` has no flag '{}'", chosen.words, flag),
+                           did_you_mean(flag, flags_of(*chosen.command)), chosen.help());
     }
     const std::vector<std::string> rest = program.remaining(true);
-    return refuse_word(fmt::format("'{}' is one word too many", rest.empty() ? "" : rest.front()), "", help);
+    return refuse_word(fmt::format("'{}' is one word too many", rest.empty() ? "" : rest.front()), "", chosen.help());
 }
 
 int refuse_parse(const CLI::App& program, const CLI::ParseError& error) {
-    const std::vector<CLI::App*> chosen = program.get_subcommands();
-    const std::string help = "tumble " + (chosen.empty() ? "" : chosen.front()->get_name() + " ") + "--help";
-    return refuse({{.what = error.what(), .fix = "`" + help + "` shows how it is meant"}}, false, wrong);
+    return refuse({{.what = error.what(), .fix = "`" + Chosen(program).help() + "` shows how it is meant"}}, false,
+                  wrong);
 }
 
 int act(const Action& action) {
@@ -86,8 +97,8 @@ int run_program(int count, char** words) {
     program.set_version_flag("--version", "tumble " + run::version(), "Print the version and leave");
     program.require_subcommand(1);
     Action action;
-    for (const auto add :
-         {add_run_command, add_render_command, add_check_command, add_list_command, add_export_command})
+    for (const auto add : {add_run_command, add_render_command, add_check_command, add_list_command, add_lesson_command,
+                           add_export_command})
         add(program, action);
     if (const auto code = check_command(program, count, words))
         return *code;

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "lesson/lesson.h"
+
+/// The lessons, one file each.
+namespace tumble::lesson {
+
+Lesson two_discs();
+Lesson force_law();
+Lesson time_step();
+Lesson restitution();
+Lesson energy();
+Lesson friction();
+Lesson clumps();
+Lesson repose();
+
+} // namespace tumble::lesson

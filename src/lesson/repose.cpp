@@ -1,0 +1,140 @@
+#include "lesson/each.h"
+#include "lesson/stage.h"
+#include "observe/surface.h"
+#include "run/simulation.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+
+namespace tumble::lesson {
+
+namespace {
+
+constexpr double radius = 4e-3;   // m, of discs
+constexpr double half = 0.25;     // m, from the middle to either side
+constexpr double poured = 1.0;    // s
+constexpr double settled = 1.6;   // s
+constexpr double dt = 5e-5;       // s
+constexpr double stiffness = 5e3; // N/m
+
+struct Heap {
+    observe::Surface surface;
+    double angle = 0; // deg, mean of both flanks
+};
+
+/// Teeth as wide as a disc, so that the lowest row cannot roll away.
+scene::PolylineShape rough_floor() {
+    scene::PolylineShape floor;
+    const auto teeth = static_cast<int>(half / radius);
+    for (int k = -teeth; k <= teeth; ++k)
+        floor.points.emplace_back(k * radius, k % 2 == 0 ? -radius : 0.0);
+    return floor;
+}
+
+Result<Heap> pour(const std::vector<scene::Sphere>& body, double friction, double count) {
+    scene::Scene scene = plane_stage(linear_pair(stiffness, 0.8, 0.5, friction), dt);
+    scene.depth = 0.01;
+    scene.gravity = {0, -9.81, 0};
+    scene.domain.box = {{-half, -0.05, -0.005}, {half, 0.5, 0.005}};
+    scene.materials[0].density = 2500;
+    add_body(scene, body);
+    add_wall(scene, scene::Outline(rough_floor()));
+    for (const double side : {-half, half})
+        add_wall(scene, scene::Outline(scene::SegmentShape{{side, -0.02}, {side, 0.5}}));
+    scene::Fill fill;
+    fill.count = std::llround(count);
+    fill.region = {{-0.025, 0.14, -0.005}, {0.025, 0.22, 0.005}};
+    fill.velocity = {0, -0.5, 0};
+    fill.until = poured;
+    fill.every = 0.05;
+    scene.fills.push_back(fill);
+    const Result<run::SimulationPtr> world = run::simulate(scene, 1);
+    if (!world)
+        return world.problems();
+    if (const auto problem = (*world)->advance(std::llround(settled / dt)))
+        return *problem;
+    Heap heap;
+    heap.surface = observe::free_surface((*world)->frame());
+    heap.angle = 0.5 * (observe::surface_slope_left(heap.surface) - observe::surface_slope_right(heap.surface));
+    return heap;
+}
+
+/// Three discs in a triangle, of about the area of one disc.
+std::vector<scene::Sphere> wedge() {
+    const double r = 0.62 * radius; // m, and so far are the centres from the middle
+    std::vector<scene::Sphere> discs;
+    for (const double turn : {90.0, 210.0, 330.0}) {
+        const double angle = turn / 180 * std::numbers::pi;
+        discs.push_back({{r * std::cos(angle), r * std::sin(angle), 0}, r});
+    }
+    return discs;
+}
+
+Result<Walk> teach(const Values& values) {
+    const double mu = values["friction"], count = values["count"];
+    const std::vector<scene::Sphere> disc{{Eigen::Vector3d::Zero(), radius}};
+    struct Case {
+        std::string what;
+        std::string fact;
+        std::vector<scene::Sphere> body;
+        double friction;
+    };
+    const std::vector<Case> cases{{"discs, no friction", "angle_smooth", disc, 0},
+                                  {fmt::format("discs, μ = {:.3g}", mu), "angle_discs", disc, mu},
+                                  {fmt::format("wedges, μ = {:.3g}", mu), "angle_wedges", wedge(), mu}};
+    Walk walk;
+    walk.say(fmt::format(
+        "{:.0f} bodies fall one after the other onto the middle of a rough floor, and what stays is a heap. Its "
+        "slope is called the angle of repose. It is nowhere in the scene: it comes out, and there is no formula for "
+        "it.",
+        count));
+    Figure figure{.name = "heaps",
+                  .title = "Free surfaces of three heaps",
+                  .x = {"place", "mm"},
+                  .y = {"height", "mm"},
+                  .curves = {}};
+    Grid grid{{{"heap"}, {"angle", "deg", 3}, {"height", "mm", 3}, {"arctan μ", "deg", 3}}, {}};
+    for (const Case& one : cases) {
+        const Result<Heap> heap = pour(one.body, one.friction, count);
+        if (!heap)
+            return heap.problems();
+        Curve curve{one.what, Style::line, {}, {}};
+        double top = 0;
+        for (const Eigen::Vector2d& point : heap->surface.points) {
+            curve.add(1e3 * point.x(), 1e3 * point.y());
+            top = std::max(top, point.y());
+        }
+        figure.curves.push_back(std::move(curve));
+        grid.rows.push_back({one.what, heap->angle, 1e3 * top, std::atan(one.friction) * 180 / std::numbers::pi});
+        walk.fact(one.fact, heap->angle, "deg");
+    }
+    walk.parts.emplace_back(grid);
+    walk.parts.emplace_back(figure);
+    walk.say(
+        "Without friction discs run apart. With it they still roll, so their heap is flat, far below arctan μ, at "
+        "which a block "
+        "would begin to slide (`tumble lesson friction`). Three discs bound together cannot roll, and stand steeper. "
+        "Shape "
+        "does as much as friction: a measured angle of repose does not tell one from the other. A heap this small is a "
+        "sample of one, other fills differ by some degrees; scenes/repose-2d.toml has a larger one.");
+    walk.question = "A code has only single discs, and its heap is too flat beside the experiment. What is often added "
+                    "to the law in "
+                    "place of the shape?";
+    walk.answer = "A moment that resists rolling. It stands for the corners that a disc does not have, and must be "
+                  "fitted. There is no "
+                  "such law here yet; clumps take the shape itself.";
+    return walk;
+}
+
+} // namespace
+
+Lesson repose() {
+    return {.name = "repose",
+            .title = "The angle of repose: what nobody typed in",
+            .parameters = {{"friction", "", 0.5, {.lo = 0.05, .hi = 1}, "Coulomb's coefficient μ of all contacts"},
+                           {"count", "", 120, {.lo = 40, .hi = 200}, "Bodies in a heap"}},
+            .teach = teach};
+}
+
+} // namespace tumble::lesson

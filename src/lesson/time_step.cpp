@@ -1,0 +1,291 @@
+#include "sim2d/time_step.h"
+
+#include "lesson/each.h"
+#include "lesson/impact.h"
+#include "lesson/stage.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <fmt/format.h>
+#include <numbers>
+
+namespace tumble::lesson {
+
+namespace {
+
+constexpr double radius = 0.1;   // m
+constexpr double squeeze = 1e-3; // m, overlap with either wall while the disc rests
+
+/// A disc held between two walls: a mass on two springs and two dashpots that never lose touch.
+struct Setup {
+    double k = 0, mass = 0, restitution = 0;
+    double omega = 0; // rad/s, of both springs
+    double zeta = 0;  // of both springs and both dashpots
+
+    explicit Setup(const Values& values)
+        : k(values["normal_stiffness_N_per_m"]), mass(values["mass_kg"]), restitution(values["restitution"]),
+          omega(std::sqrt(2 * k / mass)), zeta(std::numbers::sqrt2 * damping_ratio(restitution)) {}
+
+    [[nodiscard]] double critical_step() const { return 2 / omega * (std::sqrt(1 + zeta * zeta) - zeta); }
+    [[nodiscard]] scene::Scene scene(double dt) const {
+        scene::Scene scene = plane_stage(linear_pair(k, 1, restitution, 0), dt);
+        add_round(scene, radius, mass);
+        for (const double side : {-1.0, 1.0}) {
+            const double x = side * (radius - squeeze);
+            add_wall(scene, scene::Outline(scene::SegmentShape{{x, -1}, {x, 1}}));
+        }
+        return scene;
+    }
+};
+
+/// Where the disc was after every step, m from the middle; and why the solver stopped, if it did.
+struct Course {
+    std::vector<double> x;
+    std::string stopped;
+};
+
+Result<Course> run(const Setup& setup, double dt, double start_at, int steps) {
+    sim2d::BodyState disc;
+    disc.position = {start_at, 0};
+    Result<sim2d::WorldPtr> world = start(setup.scene(dt), {disc});
+    if (!world)
+        return world.problems();
+    Course course{{start_at}, ""};
+    for (int k = 0; k < steps && course.stopped.empty(); ++k) {
+        if (const auto problem = sim2d::advance(**world, 1))
+            course.stopped = problem->what;
+        else
+            course.x.push_back(sim2d::bodies_of(**world)[0].position.x());
+    }
+    return course;
+}
+
+/// x_k+1 = p x_k - q x_k-1, which a mass on springs stepped by leapfrog obeys exactly.
+struct Recurrence {
+    double p = 0, q = 0;
+
+    static Recurrence of(const Setup& s, double dt) {
+        const double w = s.omega * dt, c = 2 * s.zeta * w;
+        return {2 - w * w - c, 1 - c};
+    }
+    /// The best fit to a course, as far as it is in touch with both walls.
+    static Recurrence fit(const std::vector<double>& x) {
+        Eigen::Matrix2d a = Eigen::Matrix2d::Zero();
+        Eigen::Vector2d b = Eigen::Vector2d::Zero();
+        for (std::size_t k = 2; k + 1 < x.size() && std::abs(x[k + 1]) < 0.5 * squeeze; ++k) {
+            const Eigen::Vector2d row(x[k], -x[k - 1]);
+            a += row * row.transpose();
+            b += row * x[k + 1];
+        }
+        const Eigen::Vector2d best = a.fullPivLu().solve(b);
+        return {best[0], best[1]};
+    }
+    /// By what the swing grows in a step, at most.
+    [[nodiscard]] double growth() const {
+        const std::complex<double> root = std::sqrt(std::complex<double>(p * p / 4 - q));
+        return std::max(std::abs(p / 2 + root), std::abs(p / 2 - root));
+    }
+    /// Steps in a swing; 0 where it does not swing.
+    [[nodiscard]] double period() const {
+        return p * p < 4 * q ? 2 * std::numbers::pi / std::acos(p / (2 * std::sqrt(q))) : 0;
+    }
+};
+
+/// Whether a tiny push has grown ten thousandfold within four thousand steps.
+Result<bool> explodes(const Setup& setup, double dt) {
+    const double push = 1e-6 * squeeze;
+    const Result<Course> course = run(setup, dt, push, 4000);
+    if (!course)
+        return course.problems();
+    return !course->stopped.empty() ||
+           std::any_of(course->x.begin(), course->x.end(), [&](double x) { return std::abs(x) > 1e4 * push; });
+}
+
+/// The longest step that does not explode, by halving the interval.
+Result<double> limit_seen(const Setup& setup) {
+    double stable = 0.5 * setup.critical_step(), wild = 1.5 * setup.critical_step();
+    for (int k = 0; k < 17; ++k) {
+        const double middle = 0.5 * (stable + wild);
+        const Result<bool> answer = explodes(setup, middle);
+        if (!answer)
+            return answer.problems();
+        (*answer ? wild : stable) = middle;
+    }
+    return stable;
+}
+
+std::optional<Problem> around_the_limit(Walk& walk, const Setup& s) {
+    Grid grid{{{"step / limit"},
+               {"ω Δt"},
+               {"growth a step, predicted", "", 6},
+               {"seen", "", 6},
+               {"period / true, predicted", "", 5},
+               {"seen", "", 5}},
+              {}};
+    Figure growth{.name = "growth",
+                  .title = "Growth of a swing in one step",
+                  .x = {"time step / limit", ""},
+                  .y = {"growth per step", ""},
+                  .curves = {{"predicted", Style::line, {}, {}}, {"solver", Style::points, {}, {}}}};
+    const double limit = s.critical_step();
+    const double swing = 2 * std::numbers::pi / (s.omega * std::sqrt(1 - std::min(0.999, s.zeta * s.zeta))); // s
+    double worst = 0;
+    for (const double factor : {0.1, 0.25, 0.5, 0.75, 0.9, 0.99, 1.01, 1.05, 1.1, 1.2}) {
+        const double dt = factor * limit;
+        const Result<Course> course = run(s, dt, 1e-5 * squeeze, 12);
+        if (!course)
+            return course.problems().front();
+        const Recurrence predicted = Recurrence::of(s, dt), seen = Recurrence::fit(course->x);
+        const auto ratio = [&](const Recurrence& r) -> Cell {
+            return r.period() > 0 ? Cell(r.period() * dt / swing) : Cell("-");
+        };
+        grid.rows.push_back({factor, s.omega * dt, predicted.growth(), seen.growth(), ratio(predicted), ratio(seen)});
+        growth.curves[1].add(factor, seen.growth());
+        worst = std::max(worst, std::abs(seen.growth() / predicted.growth() - 1));
+    }
+    for (int k = 20; k <= 240; ++k)
+        growth.curves[0].add(k / 200.0, Recurrence::of(s, k / 200.0 * limit).growth());
+    walk.parts.emplace_back(grid);
+    walk.parts.emplace_back(growth);
+    walk.fact("growth_difference", worst);
+    return std::nullopt;
+}
+
+/// Draws three courses; gives back the last, which is beyond the limit.
+Result<Course> swings(Walk& walk, const Setup& s) {
+    Figure figure{.name = "swings",
+                  .title = "The same push, three time steps",
+                  .x = {"step number", ""},
+                  .y = {"displacement / first displacement", "", false, std::array{-12.0, 12.0}},
+                  .curves = {}};
+    Course last;
+    for (const double factor : {0.3, 1.0, 1.05}) {
+        const Result<Course> course = run(s, factor * s.critical_step(), 1e-4 * squeeze, 400);
+        if (!course)
+            return course.problems();
+        last = *course;
+        Curve curve{fmt::format("{} of the limit", factor), Style::line, {}, {}};
+        for (std::size_t k = 0; k < std::min<std::size_t>(course->x.size(), 25); ++k)
+            curve.add(static_cast<double>(k), course->x[k] / course->x[0]);
+        figure.curves.push_back(std::move(curve));
+    }
+    walk.parts.emplace_back(figure);
+    return last;
+}
+
+/// How the course beyond the limit went on.
+std::string ending(const Course& course) {
+    if (!course.stopped.empty())
+        return fmt::format("It goes on until the solver notices. The third run ended so: \"{}\".", course.stopped);
+    const double widest = *std::max_element(course.x.begin(), course.x.end());
+    return fmt::format("In this cage the explosion ends itself: once the swing is wider than the squeeze, one contact "
+                       "opens, and on one spring the same step is short enough again. The disc then rattles, up to "
+                       "{:.3g} times the squeeze from the middle, with energy from nowhere. In a heap there is always "
+                       "another contact, and grains fly.",
+                       widest / squeeze);
+}
+
+/// Peak force and restitution of an undamped impact, against how finely it is stepped.
+std::optional<Problem> accuracy(Walk& walk, const Setup& s) {
+    Grid grid{{{"steps in a contact"}, {"step / (2/ω)"}, {"restitution (1)", "", 6}, {"peak force / true", "", 6}}, {}};
+    const double omega = std::sqrt(s.k / s.mass), speed = 0.1;
+    for (const int steps : {4, 10, 20, 50, 100}) {
+        const double dt = std::numbers::pi / omega / steps;
+        const Result<Impact> impact = strike_disc(linear_pair(s.k, 1, 1, 0), s.mass, speed, dt);
+        if (!impact)
+            return impact.problems().front();
+        const double force = impact->force_max / (speed * omega * s.mass);
+        grid.rows.push_back({static_cast<double>(steps), dt * omega / 2, impact->restitution, force});
+        walk.fact(fmt::format("force_of_{}_steps", steps), force);
+    }
+    walk.parts.emplace_back(grid);
+    return std::nullopt;
+}
+
+Result<Walk> teach(const Values& values) {
+    const Setup s(values);
+    const double limit = s.critical_step();
+    Walk walk;
+    walk.say("A disc is squeezed between two walls, a little, so that it never loses touch with either. Pushed aside "
+             "by much less than the squeeze it is the simplest oscillator there is: one mass on two springs. What may "
+             "its time step be?");
+    walk.formula(fmt::format("ω = √(2 κ / m) = {:.5g} rad/s,   one swing takes {:.4g} s", s.omega,
+                             2 * std::numbers::pi / s.omega));
+    walk.say("The solver takes the force of the moment, and carries the disc along with it for a whole step (3.13, "
+             "3.14). Put together, three places in a row are bound to each other:");
+    walk.formula("x(k+1) = (2 − (ω Δt)² − 2 ζ ω Δt) x(k) − (1 − 2 ζ ω Δt) x(k−1)");
+    walk.say("Swings of such a rule stay bounded as long as no root of λ² = p λ − q is larger than 1. The first root "
+             "to leave does so at λ = −1: the disc jumps from one side to the other in every step, a little further "
+             "each time.");
+    walk.formula(fmt::format("Δt_max = 2/ω (√(1 + ζ²) − ζ) = {:.6g} s   (ζ = {:.4g})", limit, s.zeta),
+                 "docs/bodies.md");
+    const Result<double> seen = limit_seen(s);
+    if (!seen)
+        return seen.problems();
+    walk.say(fmt::format("Tried out on the solver, by halving the interval between a step that stays calm and one that "
+                         "explodes: {:.6g} s, the prediction to better than {}.",
+                         *seen, at_most(std::abs(*seen / limit - 1))));
+    walk.fact("limit_predicted", limit, "s");
+    walk.fact("limit_seen", *seen, "s");
+
+    walk.head("Below, at, beyond");
+    const Result<Course> wild = swings(walk, s);
+    if (!wild)
+        return wild.problems();
+    walk.say(
+        "Below the limit the disc swings as it should. At the limit it jumps to and fro. Beyond, every jump is larger "
+        "than the last. Nothing in nature does that: in one step the spring's force, right where the step began, acts "
+        "on over the middle and far to the other side, where a true spring would long have turned round. The step ends "
+        "further out than it began, so the next force is larger. Energy is not conserved, it is made.");
+    walk.say("The table fits the rule above to the places that the solver went through, and holds the roots beside the "
+             "predicted ones. Growth 1 is a swing that neither grows nor dies; a period shorter than the true one is "
+             "the first sign of too long a step.");
+    if (const auto problem = around_the_limit(walk, s))
+        return *problem;
+    walk.say(ending(*wild));
+
+    walk.head("Stable is not yet accurate");
+    walk.say(
+        "Now an impact: the same disc strikes one wall, without a dashpot. It should come back as fast as it came.");
+    if (const auto problem = accuracy(walk, s))
+        return *problem;
+    walk.say(fmt::format("With 20 steps in a contact the peak force is off by {:.2g} %, with 50 by {:.2g} %. A contact "
+                         "lasts π/ω, so each of 50 steps is π/100 of the limit 2/ω: the usual few percent of it.",
+                         100 * std::abs(walk.fact("force_of_20_steps") - 1),
+                         100 * std::abs(walk.fact("force_of_50_steps") - 1)));
+    const scene::Scene scene = s.scene(limit);
+    const Result<sim2d::WorldPtr> world = start(scene, std::vector<sim2d::BodyState>{});
+    if (!world)
+        return world.problems();
+    const double checked = sim2d::time_step_report(scene, sim2d::shapes_of(**world)).limit;
+    walk.say(fmt::format("A disc in a heap has more than two contacts. `tumble check` reckons with four at once, and "
+                         "refuses a step above {:.4g} s in this scene, {:.0f} % of the limit here.",
+                         checked, 100 * checked / limit));
+    walk.fact("check_limit", checked, "s");
+    const double ratio = 1 / std::sqrt(2.0);
+    walk.question = "The springs become twice as stiff, the disc as heavy as before. By what factor must the step "
+                    "shrink, and what does a ten times softer material save?";
+    walk.answer =
+        fmt::format("By 1/√2 = {:.4g}: ω grows with the root of the stiffness. Ten times softer allows a step √10 = "
+                    "{:.4g} times longer, and that many fewer steps. That is why simulations use grains softer than "
+                    "real ones; the price is overlaps that are too deep and contacts that last too long.",
+                    ratio, std::sqrt(10.0));
+    return walk;
+}
+
+} // namespace
+
+Lesson time_step() {
+    return {
+        .name = "time-step",
+        .title = "How long a step may be: stable, at the limit, beyond",
+        .parameters =
+            {{"restitution", "", 1, {.lo = 0.3, .hi = 1}, "Restitution of one contact; below 1 its dashpot is in play"},
+             {"normal_stiffness_N_per_m", "N/m", 1e5, {.lo = 1, .hi = 1e9}, "Spring of each contact, κ"},
+             {"mass_kg", "kg", 1, {.lo = 1e-6, .hi = 1e3}, "Mass of the disc, m"}},
+        .teach = teach};
+}
+
+} // namespace tumble::lesson

@@ -1,0 +1,28 @@
+#include "lesson/walk.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace tumble::lesson {
+
+double Walk::fact(const std::string& name) const {
+    for (const Fact& fact : facts)
+        if (fact.name == name)
+            return fact.value;
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+std::vector<const Figure*> Walk::figures() const {
+    std::vector<const Figure*> found;
+    for (const Part& part : parts)
+        if (const auto* figure = std::get_if<Figure>(&part))
+            found.push_back(figure);
+    return found;
+}
+
+std::string at_most(double size) {
+    return size > 0 ? fmt::format("{:.0e}", std::pow(10, std::ceil(std::log10(size)))) : "0";
+}
+
+} // namespace tumble::lesson

@@ -1,0 +1,66 @@
+#include "process.h"
+
+#include <nlohmann/json.hpp>
+
+using namespace tumble::test;
+
+TEST_CASE("without a name lessons are listed, with one it is walked through, on stdout") {
+    const Folder folder;
+    const Outcome list = tumble_in(folder, {"lesson"});
+    CHECK(list.code == 0);
+    CHECK(contains(list.out, "two-discs"));
+    CHECK(nlohmann::json::parse(tumble_in(folder, {"lesson", "--json"}).out)[0]["name"] == "two-discs");
+    const Outcome walk = tumble_in(folder, {"lesson", "two-discs", "--wall_speed_m_s", "0.2"});
+    CHECK(walk.code == 0);
+    CHECK(contains(walk.out, "(3.17)"));
+    CHECK(contains(walk.out, "v Δt = 0.2 m/s × 0.01 s = 0.002 m"));
+    CHECK(walk.err.empty());
+}
+
+TEST_CASE("a lesson tells its answer when asked, and its help shows its parameters with their ranges") {
+    const Folder folder;
+    const Outcome answer = tumble_in(folder, {"lesson", "two-discs", "--answer"});
+    CHECK(answer.code == 0);
+    CHECK(contains(answer.out, "By 8:"));
+    const Outcome help = tumble_in(folder, {"lesson", "friction", "--help"});
+    CHECK(help.code == 0);
+    CHECK(help.out.starts_with("  tumble lesson friction --friction 0.3"));
+    CHECK(contains(help.out, "0.05 to 1"));
+}
+
+TEST_CASE("a name, a flag or a value that no lesson takes is told with the right one and exit code 2") {
+    const Folder folder;
+    const Outcome name = tumble_in(folder, {"lesson", "two-disk"});
+    CHECK(name.code == 2);
+    CHECK(contains(name.err, "there is no lesson 'two-disk'"));
+    CHECK(contains(name.err, "did you mean 'two-discs'?"));
+    const Outcome flag = tumble_in(folder, {"lesson", "friction", "--fricton", "0.2"});
+    CHECK(flag.code == 2);
+    CHECK(contains(flag.err, "`tumble lesson friction` has no flag '--fricton'"));
+    CHECK(contains(flag.err, "did you mean '--friction'?"));
+    const Outcome value = tumble_in(folder, {"lesson", "friction", "--friction", "7"});
+    CHECK(value.code == 2);
+    CHECK(contains(value.err, "--friction is 7, out of its range"));
+    CHECK(contains(value.err, "0.05 to 1"));
+    for (const Outcome& outcome : {name, flag, value})
+        CHECK(outcome.out.empty());
+}
+
+TEST_CASE("a lesson as JSON carries its facts and the data of its curves") {
+    const Folder folder;
+    const auto json = nlohmann::json::parse(tumble_in(folder, {"lesson", "two-discs", "--json"}).out);
+    CHECK(json["facts"]["overlap_a_t1"]["value"].get<double>() == doctest::Approx(0.001));
+    CHECK(json["facts"]["overlap_a_t1"]["unit"] == "m");
+    std::size_t points = 0;
+    for (const auto& part : json["parts"])
+        if (part.contains("curves"))
+            points += part["curves"][0]["x"].size();
+    CHECK(points > 0);
+}
+
+TEST_CASE("without gnuplot --out says what to install, and the exit code is 1") {
+    const Folder folder;
+    const Outcome outcome = tumble_in(folder, {"lesson", "two-discs", "--out", "figures"}, {"PATH=/nowhere"});
+    CHECK(outcome.code == 1);
+    CHECK(contains(outcome.err, "apt install gnuplot-nox"));
+}

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace tumble::scene {
 namespace {
@@ -49,8 +50,10 @@ public:
     /// The node at the path, made on the way; nullptr with a problem otherwise.
     Node* find(Node& root) {
         Node* node = &root;
-        for (const std::string_view part : split(key_, '.')) {
-            node = step(*node, std::string(part));
+        root_ = root.as<Table>();
+        const auto parts = split(key_, '.');
+        for (const std::string_view& part : parts) {
+            node = step(*node, std::string(part), &part == &parts.back());
             if (!node)
                 return nullptr;
             path_ += (path_.empty() ? "" : ".") + std::string(part);
@@ -69,12 +72,17 @@ private:
         return nullptr;
     }
 
-    Node* step(Node& node, const std::string& part) {
+    Node* step(Node& node, const std::string& part, bool last) {
         if (part.empty())
             return refuse("a part of the key is empty", form);
         if (Table* table = node.as<Table>()) {
-            if (Entry* entry = table->find(part))
+            Entry* entry = table->find(part);
+            if (!entry && path_ == "pair")
+                entry = table->find(turned(part));
+            if (entry)
                 return &entry->node;
+            if (!last && holds_names() && !table->entries.empty() && !pairs_materials(part))
+                return refuse(fmt::format("there is no [{}.{}]", path_, excerpt(part)), other_name(*table, part));
             table->entries.push_back({part, place_, default_of(part)});
             return &table->entries.back().node;
         }
@@ -82,6 +90,42 @@ private:
             return member(*array, part);
         return refuse(fmt::format("'{}' is {}, there is no '{}' in it", path_, kind_of(node), part),
                       "shorten the key; `tumble list keys` names all of them");
+    }
+
+    /// [material], [body] and [pair] hold tables that the scene names.
+    [[nodiscard]] bool holds_names() const {
+        const KeyTable* table = path_ == table_ ? find_table(table_) : nullptr;
+        return table && table->repeat == Repeat::named;
+    }
+
+    /// [pair.b-a] is [pair.a-b].
+    static std::string turned(const std::string& pair) {
+        const auto dash = pair.find('-');
+        return dash == std::string::npos ? pair : pair.substr(dash + 1) + "-" + pair.substr(0, dash);
+    }
+
+    /// A pair of two materials that the scene has may come key by key.
+    [[nodiscard]] bool pairs_materials(const std::string& part) const {
+        const Entry* entry = path_ == "pair" ? root_->find("material") : nullptr;
+        const Table* materials = entry ? entry->node.as<Table>() : nullptr;
+        const auto dash = part.find('-');
+        return materials && dash != std::string::npos && materials->find(part.substr(0, dash)) &&
+               materials->find(part.substr(dash + 1));
+    }
+
+    /// What to do about a name that the scene does not have.
+    [[nodiscard]] std::string other_name(const Table& table, const std::string& part) const {
+        std::vector<std::string> names, both_ways;
+        for (const Entry& entry : table.entries) {
+            names.push_back(entry.name);
+            both_ways.push_back(entry.name);
+            if (path_ == "pair")
+                both_ways.push_back(turned(entry.name));
+        }
+        const std::string meant = did_you_mean(part, both_ways);
+        return fmt::format("{}  A new one is set as a whole: --set {}.{}={{...}}",
+                           meant.empty() ? fmt::format("there are {}.", fmt::join(names, ", ")) : meant, path_,
+                           excerpt(part));
     }
 
     /// What the list of keys has for a value that is not written: a vector whose second member is set alone keeps the
@@ -121,6 +165,7 @@ private:
     const std::string& key_;
     const Place& place_;
     int dimension_;
+    const Table* root_ = nullptr;
     std::string path_;
     std::string table_; // path in the list of keys, without names and numbers
     Problems problems_;

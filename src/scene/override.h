@@ -16,8 +16,9 @@ struct Override {
 };
 
 /// Puts the value at its place in the tree, making tables on the way where the scene has none. The new values carry
-/// "--set KEY" as their place. Problems: no '=', an empty key, a wrong value, a list that has no such member, a path
-/// through something that holds nothing.
+/// "--set KEY" as their place. Problems: no '=', an empty key, a wrong value, a list that has no such member, a
+/// body, material or pair that the scene does not have (unless it is set as a whole), a path through something that
+/// holds nothing. "pair.b-a" finds [pair.a-b].
 Problems apply(const Override& set, Node& root);
 
 } // namespace tumble::scene

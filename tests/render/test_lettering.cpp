@@ -223,6 +223,18 @@ TEST_CASE("what goes on beyond the view is cut off before the panels") {
     }
 }
 
+TEST_CASE("a curve of zeros has no other number on its axis than 0") {
+    std::shared_ptr<observe::FrameLayout> layout;
+    observe::Frame frame = one_body(layout);
+    frame.time = 1;
+    Painter painter = painter_for(settings_of(640, 360, "dark"), layout, {});
+    const Picture picture = painter.draw(frame, {"energy", "J", {0, 1}, {0, 0}});
+    const Area plot = painter.layout().plot;
+    const Area above{plot.left, plot.top + 0.3 * plot.height(), plot.right, plot.top + 0.6 * plot.height()};
+    CHECK(!has_ink(picture, above, 255 * find_theme("dark")->background));
+    CHECK(has_ink(picture, plot, 255 * find_theme("dark")->background));
+}
+
 TEST_CASE("the time axis of a run that goes on stands still") {
     std::shared_ptr<observe::FrameLayout> layout;
     observe::Frame frame = one_body(layout);

@@ -66,6 +66,35 @@ TEST_CASE("a set that leads nowhere says where the way ends") {
                                             "    check its brackets and quotes\n");
 }
 
+TEST_CASE("a key of a table that the scene does not have makes no new table") {
+    CHECK(refusal("body.con.material=media") ==
+          "--set body.con.material: there is no [body.con]\n"
+          "    did you mean 'cone'?  A new one is set as a whole: --set body.con={...}\n");
+    CHECK(refusal("material.medai.density_kg_m3=1500") ==
+          "--set material.medai.density_kg_m3: there is no [material.medai]\n"
+          "    did you mean 'media'?  A new one is set as a whole: --set material.medai={...}\n");
+    CHECK(refusal("body.nut.radius_mm=3") ==
+          "--set body.nut.radius_mm: there is no [body.nut]\n"
+          "    there are cone.  A new one is set as a whole: --set body.nut={...}\n");
+    CHECK(refusal("pair.lining-medai.friction=0.1").find("did you mean 'lining-media'?") != std::string::npos);
+    const auto scene = load_scene(slice, {{"body.con={radius_mm=3, material=\"media\"}"}});
+    REQUIRE_MESSAGE(scene, to_string(scene.problems()));
+    CHECK(scene->bodies.size() == 2);
+    // Two materials of the scene make a pair key by key, however near its name is to another's.
+    const auto pair = load_scene(slice, {{"material.medib={density_kg_m3=1, youngs_modulus_Pa=1e7, poisson_ratio=0.3}"},
+                                         {"pair.media-medib.friction=0.1"},
+                                         {"pair.media-medib.restitution=0.5"}});
+    REQUIRE_MESSAGE(pair, to_string(pair.problems()));
+    CHECK(pair->pair(0, 2).friction == 0.1);
+}
+
+TEST_CASE("a set finds a pair in either order of its names") {
+    const auto scene = load_scene(slice, {{"pair.lining-media.friction=0.1"}});
+    REQUIRE_MESSAGE(scene, to_string(scene.problems()));
+    CHECK(scene->pair(0, 1).friction == 0.1);
+    CHECK(scene->pair(0, 1).restitution == load_scene(slice)->pair(0, 1).restitution);
+}
+
 TEST_CASE("a set cannot smuggle further keys in") {
     const auto scene = load_scene(slice, {{"title=1\nseed = 3"}});
     REQUIRE(scene); // not a single TOML value, so the whole is text

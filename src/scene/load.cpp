@@ -1,13 +1,71 @@
 #include "scene/load.h"
 
 #include "scene/check_keys.h"
+#include "scene/keys.h"
 #include "scene/read_file.h"
 #include "scene/read_toml.h"
 #include "scene/report.h"
 #include "scene/resolve.h"
 #include "scene/view.h"
 
+#include <algorithm>
+
 namespace tumble::scene {
+namespace {
+
+void note(const std::string& path, const Place& place, Scene& scene) {
+    scene.written[path] = {*place.source, place.line, place.column};
+}
+
+/// Paths as views and problems have them: members of lists by name or number.
+void note_places(const Node& node, const std::string& path, const std::string& keys, Scene& scene) {
+    const Table* table = node.as<Table>();
+    if (!table)
+        return;
+    for (const Entry& entry : table->entries) {
+        const std::string inner = path.empty() ? entry.name : path + "." + entry.name;
+        const std::string inner_keys = keys.empty() ? entry.name : keys + "." + entry.name;
+        const KeyTable* spec = find_table(inner_keys);
+        const Array* list = entry.node.as<Array>();
+        note(inner, entry.node.place, scene);
+        note_places(entry.node, inner, spec ? inner_keys : keys, scene);
+        for (std::size_t i = 0; spec && list && i < list->items.size(); ++i) {
+            const std::string member = inner + "." + label_of(list->items[i], *spec, i);
+            note(member, list->items[i].place, scene);
+            note_places(list->items[i], member, inner_keys, scene);
+        }
+    }
+}
+
+Table* render_of(Node& root) {
+    Table* top = root.as<Table>();
+    Entry* render = top ? top->find("render") : nullptr;
+    return render ? render->node.as<Table>() : nullptr;
+}
+
+std::string color_of(Node& root) {
+    const Table* render = render_of(root);
+    const Entry* color = render ? render->find("color") : nullptr;
+    const std::string* word = color ? color->node.as<std::string>() : nullptr;
+    return word ? *word : std::get<std::string>(find_key(*find_table("render"), "color")->standard);
+}
+
+bool all_from(const Node& node, const std::string& source) {
+    const Array* list = node.as<Array>();
+    const auto inside = [&](const Node& item) { return all_from(item, source); };
+    return *node.place.source == source && (!list || std::all_of(list->items.begin(), list->items.end(), inside));
+}
+
+/// A range was chosen for the colour beside it: with another colour from a set it would mean something else.
+void drop_range_of_another_color(Node& root, const std::string& color_of_file) {
+    Table* render = render_of(root);
+    if (render && color_of(root) != color_of_file)
+        std::erase_if(render->entries, [&](const Entry& entry) {
+            return entry.name == "range" && all_from(entry.node, *root.place.source);
+        });
+}
+
+} // namespace
 
 Result<Scene> load_scene_text(std::string_view toml, const std::filesystem::path& file,
                               const std::vector<Override>& sets) {
@@ -15,12 +73,15 @@ Result<Scene> load_scene_text(std::string_view toml, const std::filesystem::path
     if (!root)
         return root.problems();
     Report report;
+    const std::string color = color_of(*root);
     for (const Override& set : sets)
         report.add(apply(set, *root));
+    drop_range_of_another_color(*root, color);
     check_keys(*root, report);
 
     Scene scene;
     scene.file = file;
+    note_places(*root, "", "", scene);
     const View top(&*root, *find_table(""), "", report);
     const Resolving to{file.parent_path(), report, scene};
     resolve_world(top, to);

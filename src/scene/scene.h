@@ -142,6 +142,13 @@ struct Render {
     std::string plot_measure = "kinetic_energy";
 };
 
+/// Where something was typed: a file with line and column from 1, or "--set KEY" without them (0).
+struct WrittenAt {
+    std::string source;
+    int line = 0;
+    int column = 0;
+};
+
 struct Scene {
     std::filesystem::path file;
     std::string title;
@@ -162,6 +169,7 @@ struct Scene {
     std::vector<Wall> walls;
     Observe observe;
     Render render;
+    std::map<std::string, WrittenAt> written; // keys and tables by path: "time_step_s", "fill.0", "wall.plate.stl"
 
     [[nodiscard]] const contact::PairProperties& pair(int a, int b) const {
         return pairs[static_cast<std::size_t>(a) * materials.size() + static_cast<std::size_t>(b)];

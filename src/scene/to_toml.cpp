@@ -98,6 +98,7 @@ void write_bodies(const Scene& scene, TomlWriter& to) {
 
 struct ShapeWriter {
     TomlWriter& to;
+    const MeshNames& meshes;
 
     void operator()(const PlaneShape& plane) const {
         to.text("shape", "plane");
@@ -141,7 +142,8 @@ struct ShapeWriter {
         to.text("shape", "mesh");
         std::error_code error;
         const auto path = std::filesystem::absolute(mesh.file, error);
-        to.text("stl", (error ? mesh.file : path).string());
+        const auto named = meshes.find(mesh.file);
+        to.text("stl", named != meshes.end() ? named->second : (error ? mesh.file : path).string());
         to.number("scale", mesh.scale);
     }
 };
@@ -202,8 +204,10 @@ void write_output(const Scene& scene, TomlWriter& to) {
     to.table("render", "[render]");
     to.text("camera", render.camera);
     to.text("projection", render.projection);
-    to.vector("eye_m", render.eye);
-    to.vector("target_m", render.target);
+    if (render.eye != render.target) {
+        to.vector("eye_m", render.eye);
+        to.vector("target_m", render.target);
+    }
     to.number("field_of_view_deg", render.field_of_view_deg);
     if (render.view) {
         to.vector("view_lo_m", render.view->lo);
@@ -224,7 +228,7 @@ void write_output(const Scene& scene, TomlWriter& to) {
 
 } // namespace
 
-std::string to_toml(const Scene& scene) {
+std::string to_toml(const Scene& scene, const MeshNames& meshes) {
     TomlWriter to;
     write_world(scene, to);
     write_materials(scene, to);
@@ -234,7 +238,7 @@ std::string to_toml(const Scene& scene) {
         to.text("name", wall.name);
         to.text("material", scene.materials[static_cast<std::size_t>(wall.material)].name);
         to.number("opacity", wall.opacity);
-        std::visit(ShapeWriter{to}, wall.shape);
+        std::visit(ShapeWriter{to, meshes}, wall.shape);
         write_motion(wall.motion, to);
     }
     write_output(scene, to);

@@ -148,10 +148,24 @@ TEST_CASE("what is written once is written the same again") {
     }
 }
 
+TEST_CASE("a resolved scene says what it left to the defaults, so that it means the same where they are others") {
+    const std::string toml = to_toml(loaded(load_scene(TUMBLE_ROOT "/scenes/drop.toml")));
+    for (const char* line : {"\nallow_large_step = false\n", "\ntangential = \"mindlin\"\n", "\nplot = true\n",
+                             "\ncolormap = \"auto\"\n", "\nopacity = 0.25\n"})
+        CHECK_MESSAGE(toml.find(line) != std::string::npos, line << " in\n" << toml);
+}
+
+TEST_CASE("meshes that were copied beside the scene go by the names they have there") {
+    const Scene scene = loaded(load_scene(rich));
+    const std::filesystem::path file = std::get<MeshShape>(scene.walls.at(5).shape).file;
+    CHECK(to_toml(scene).find("stl = \"" + std::filesystem::absolute(file).string() + "\"") != std::string::npos);
+    CHECK(to_toml(scene, {{file, "meshes/a.stl"}}).find("stl = \"meshes/a.stl\"") != std::string::npos);
+}
+
 TEST_CASE("every key of the list arrives in the scene and is written again") {
     const std::string toml = "\n" + to_toml(loaded(load_scene(rich)));
-    // Other ways to say what is written as spheres_m, rows or harmonic; dimension has one value so far.
-    const std::set<std::string> other_ways{"clump", "radius_mm", "file", "speed_rpm", "dimension"};
+    // Other ways to say what is written as spheres_m, rows or harmonic.
+    const std::set<std::string> other_ways{"clump", "radius_mm", "file", "speed_rpm"};
     for (const KeyTable& table : scene_keys())
         for (const Key& key : table.keys) {
             CAPTURE(table.path);

@@ -3,14 +3,19 @@
 #include "observe/frame_file.h"
 #include "observe/whole_file.h"
 #include "run/fill_plan.h"
+#include "run/measure_names.h"
 #include "run/picture_sink.h"
 #include "run/run_report.h"
+#include "run/scene_check.h"
 #include "run/snapshot.h"
 #include "run/state_sinks.h"
 #include "scene/to_toml.h"
+#include "scene/written.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace tumble::run {
 
@@ -21,6 +26,8 @@ namespace {
 constexpr double overlap_worth_a_word = 0.05;
 constexpr double closure_worth_a_word = 0.01;
 
+constexpr double refresh_every = 1; // s of wall time between versions of run.json
+
 std::filesystem::path folder_for(const scene::Scene& scene, const RunOptions& options) {
     return options.folder.empty() ? std::filesystem::path("out") / scene.file.stem() : options.folder;
 }
@@ -30,10 +37,31 @@ double turned_over(const Books& books) {
            books.lost_normal_damping + books.lost_tangential_damping + books.lost_sliding + books.lost_history;
 }
 
+/// What the sums of the books may miss by rounding alone: n terms, n roundings.
+double rounding_of(const Books& books) {
+    return std::numeric_limits<double>::epsilon() * static_cast<double>(books.bodies) *
+           (std::abs(books.gravity) + std::abs(books.inserted));
+}
+
+/// A frame with numbers that are none could not be read again.
+bool finite(const observe::Frame& frame) {
+    const auto all = [](const std::vector<Eigen::Vector3d>& values) {
+        return std::all_of(values.begin(), values.end(), [](const Eigen::Vector3d& v) { return v.allFinite(); });
+    };
+    return all(frame.position) && all(frame.velocity) && all(frame.angular_velocity);
+}
+
+std::int64_t count_pictures(const std::filesystem::path& folder) {
+    std::int64_t count = 0;
+    std::error_code error;
+    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+        count += entry->path().extension() == ".png" ? 1 : 0;
+    return count;
+}
+
 Problems in_scene(Problems problems, const scene::Scene& scene) {
     for (Problem& problem : problems)
-        if (problem.file.empty())
-            problem.file = scene.file.string();
+        problem = scene::placed(scene, std::move(problem));
     return problems;
 }
 
@@ -57,29 +85,31 @@ RunInWork::RunInWork(const scene::Scene& scene, const RunOptions& options, RunLi
     summary_.seed = scene.seed;
     summary_.threads = options.threads;
     summary_.video = options.video;
+    summary_.video_file = video_file();
 }
 
 Result<std::unique_ptr<RunInWork>> RunInWork::prepare(const scene::Scene& scene, const RunOptions& options,
                                                       RunListener& listener) {
-    Problems problems = observe::choose_measures(scene.observe.measures).problems();
-    if (options.pictures || options.video)
-        append(problems, check_pictures(scene.render));
-    if (!problems.empty())
+    if (const Problems problems = check_measures(scene); !problems.empty())
         return in_scene(problems, scene);
+    const Result<std::vector<MeshCopy>> meshes = read_meshes(scene);
+    if (!meshes)
+        return meshes.problems();
     Result<sim3d::WorldPtr> world = sim3d::build_world(scene, options.threads);
     if (!world)
         return world.problems();
     const auto bodies = static_cast<std::size_t>(all_bodies_wanted(scene, sim3d::shapes_of(**world)));
     const std::int64_t last = std::llround(scene.duration / scene.time_step);
-    const auto count = static_cast<std::size_t>(Schedule(scene.render.every, scene.time_step).count(last));
+    const auto count = static_cast<std::size_t>(Schedule(scene.render.every, scene.time_step).count_with_last(last));
     Result<FolderInWork> folder = FolderInWork::open(folder_for(scene, options), options.overwrite,
                                                      count * observe::frame_bytes(bodies, scene.walls.size()));
     if (!folder)
         return folder.problems();
     std::unique_ptr<RunInWork> run(new RunInWork(scene, options, listener, std::move(*world), std::move(*folder)));
-    for (const auto part : {&RunInWork::choose_what_to_see, &RunInWork::write_beginnings})
-        if (const Result<Done> done = (run.get()->*part)(); !done)
-            return in_scene(done.problems(), scene);
+    if (const Result<Done> chosen = run->choose_what_to_see(); !chosen)
+        return in_scene(chosen.problems(), scene);
+    if (const Result<Done> written = run->write_beginnings(*meshes); !written)
+        return in_scene(written.problems(), scene);
     Result<FrameSinks> sinks = run->open_sinks();
     if (!sinks)
         return in_scene(sinks.problems(), scene);
@@ -102,13 +132,17 @@ Result<Done> RunInWork::choose_what_to_see() {
     return Done{};
 }
 
-Result<Done> RunInWork::write_beginnings() {
+Result<Done> RunInWork::write_beginnings(const std::vector<MeshCopy>& meshes) {
     const RunFolder& paths = folder_.paths();
+    scene::Scene resolved = scene_;
+    if (resolved.observe.measures.empty())
+        resolved.observe.measures = observe::usual_measures();
     std::vector<std::string> heads{"time_s"};
     for (const observe::Measure& measure : measures_)
         heads.push_back(measure.column());
     Problems problems;
-    append(problems, observe::write_whole(paths.scene(), scene::to_toml(scene_)).problems());
+    append(problems, write_meshes(meshes, paths).problems());
+    append(problems, observe::write_whole(paths.scene(), scene::to_toml(resolved, names_of(meshes))).problems());
     append(problems, observe::write_layout(observe::layout_path(paths.frames()), *layout_).problems());
     append(problems, observe::write_whole(paths.summary(), to_json(summary_).dump(2) + "\n").problems());
     auto series = observe::SeriesWriter::create(paths.series(), heads);
@@ -153,6 +187,8 @@ bool RunInWork::stop_wanted() const {
 
 void RunInWork::step_to_the_end() {
     listener_.started(summary_.folder, progress());
+    for (std::string& sentence : check_built(scene_, *world_).warnings)
+        warn(std::move(sentence));
     observe_now();
     while (summary_.state == "running") {
         const std::int64_t step = sim3d::steps_of(*world_);
@@ -174,8 +210,10 @@ void RunInWork::step_to_the_end() {
             fail({*problem});
         else
             observe_now();
+        refresh_summary();
         listener_.progressed(progress());
     }
+    keep_last_state();
 }
 
 void RunInWork::observe_now() {
@@ -190,10 +228,30 @@ void RunInWork::observe_now() {
     if (row)
         if (const Result<Done> added = add_row(frame, sim3d::books_of(*world_)); !added)
             fail(added.problems());
-    if (shot)
+    if (shot) {
         queue_->push({std::move(frame), shots_++, plot_});
+        last_shot_ = step;
+    }
     if (const Problems problems = queue_->problems(); !problems.empty())
         fail(problems);
+}
+
+/// What the schedule misses: the state at the end, at Ctrl-C or at a failure is what one wants to see.
+void RunInWork::keep_last_state() {
+    if (last_shot_ == sim3d::steps_of(*world_))
+        return;
+    observe::Frame frame = snapshot(*world_, layout_);
+    if (finite(frame))
+        queue_->push({std::move(frame), shots_++, plot_});
+}
+
+/// So that run.json says how far a run came that is killed. A disk that is full is told by the frames.
+void RunInWork::refresh_summary() {
+    if (pace_.since_made() < refreshed_ + refresh_every)
+        return;
+    take_stock();
+    (void)observe::write_whole(folder_.paths().summary(), to_json(summary_).dump(2) + "\n");
+    refreshed_ = pace_.since_made();
 }
 
 Result<Done> RunInWork::add_row(const observe::Frame& frame, const Books& books) {
@@ -230,11 +288,13 @@ Progress RunInWork::progress() const {
     now.steps = all_steps_;
     now.steps_per_s = pace_.steps_per_s();
     now.left_s = now.steps_per_s > 0 ? static_cast<double>(all_steps_ - now.step) / now.steps_per_s : 0;
+    const double passed = pace_.since_made();
+    now.waiting_share = queue_ && passed > 0 ? queue_->waited_s() / passed : 0;
     now.books = sim3d::books_of(*world_);
     return now;
 }
 
-void RunInWork::sum_up() {
+void RunInWork::take_stock() {
     summary_.time = sim3d::time_of(*world_);
     summary_.steps = sim3d::steps_of(*world_);
     summary_.books = sim3d::books_of(*world_);
@@ -242,10 +302,15 @@ void RunInWork::sum_up() {
     summary_.phases = sim3d::phase_times(*world_);
     summary_.stepping_s = pace_.seconds();
     summary_.wall_s = pace_.since_made();
+    summary_.frames_s = queue_->worked_s();
+    summary_.waited_s = queue_->waited_s();
     summary_.frames = queue_->taken();
     summary_.pictures = options_.pictures ? summary_.frames : 0;
-    summary_.unfilled = sim3d::unfilled(*world_);
     summary_.energy_turnover = std::max(summary_.energy_turnover, turned_over(summary_.books));
+}
+
+void RunInWork::judge() {
+    summary_.unfilled = sim3d::unfilled(*world_);
     for (const std::string& sentence : summary_.unfilled)
         warn("not all bodies found room: " + sentence);
     if (summary_.overlap_ratio_max > overlap_worth_a_word)
@@ -253,7 +318,7 @@ void RunInWork::sum_up() {
                          "be closer to nature",
                          100 * summary_.overlap_ratio_max));
     const double missed = std::abs(summary_.books.closure);
-    if (missed > closure_worth_a_word * summary_.energy_turnover)
+    if (missed > closure_worth_a_word * summary_.energy_turnover && missed > rounding_of(summary_.books))
         warn(fmt::format("the energy balance misses {:.3g} J of {:.3g} J: try a smaller time step", missed,
                          summary_.energy_turnover));
 }
@@ -261,7 +326,11 @@ void RunInWork::sum_up() {
 RunSummary RunInWork::finish() {
     if (const Problems problems = queue_->close(); !problems.empty())
         fail(problems);
-    sum_up();
+    take_stock();
+    // A sink that failed may have kept a frame that others did not.
+    summary_.frames = static_cast<std::int64_t>(observe::list_frames(folder_.paths().frames()).size());
+    summary_.pictures = count_pictures(folder_.paths().pictures());
+    judge();
     folder_.release_reserve();
     const auto written = observe::write_whole(folder_.paths().summary(), to_json(summary_).dump(2) + "\n");
     if (!written)

@@ -3,7 +3,10 @@
 #include "observe/frame_file.h"
 #include "observe/measures.h"
 #include "run/fill_plan.h"
+#include "run/measure_names.h"
 #include "run/schedule.h"
+#include "scene/read_file.h"
+#include "scene/written.h"
 #include "sim3d/solver.h"
 
 #include <algorithm>
@@ -48,7 +51,7 @@ void check_bodies(const scene::Scene& scene, const std::vector<sim3d::BodyShape>
 void check_cost(const scene::Scene& scene, std::size_t columns, SceneCheck& check) {
     check.steps = std::llround(scene.duration / scene.time_step);
     check.rows = Schedule(scene.observe.every, scene.time_step).count(check.steps);
-    check.frames = Schedule(scene.render.every, scene.time_step).count(check.steps);
+    check.frames = Schedule(scene.render.every, scene.time_step).count_with_last(check.steps);
     const auto bodies = static_cast<double>(check.wanted);
     check.memory_bytes =
         bytes_of_program + bodies * bytes_per_body + static_cast<double>(check.spheres) * bytes_per_sphere;
@@ -73,9 +76,11 @@ void look_for_oddities(const scene::Scene& scene, SceneCheck& check) {
     if (scene.walls.empty())
         say("there is no wall: bodies fall out of the domain unless it is periodic");
     if (scene.observe.every < scene.time_step)
-        say("observe.every_s is shorter than a step: every step gets one row");
+        say(fmt::format("observe.every_s is shorter than a step: every step gets one row, {} in all", check.rows));
     if (scene.render.every < scene.time_step)
-        say("render.every_s is shorter than a step: every step gets one frame");
+        say(fmt::format(
+            "render.every_s is shorter than a step: every step gets one frame, {} in all; the run writes {}",
+            check.frames, scene::in_words(static_cast<std::size_t>(check.disk_bytes))));
     if (scene.observe.every > scene.duration)
         say("observe.every_s is longer than the run: only its first instant gets a row");
     if (check.placed < check.wanted)
@@ -99,23 +104,27 @@ nlohmann::ordered_json to_json(const sim3d::TimeStepReport& report) {
 } // namespace
 
 Result<SceneCheck> check_scene(const scene::Scene& scene, int threads) {
-    const auto measures = observe::choose_measures(scene.observe.measures);
-    Problems problems = measures.problems();
+    Problems problems = check_measures(scene);
     for (Problem& problem : problems)
-        problem.file = scene.file.string();
+        problem = scene::placed(scene, std::move(problem));
     const Result<sim3d::WorldPtr> world = sim3d::build_world(scene, threads);
     const Problems more = world.problems();
     problems.insert(problems.end(), more.begin(), more.end());
     if (!problems.empty())
         return problems;
-    const std::vector<sim3d::BodyShape>& shapes = sim3d::shapes_of(**world);
+    return check_built(scene, **world);
+}
+
+SceneCheck check_built(const scene::Scene& scene, const sim3d::World& world) {
+    const std::vector<sim3d::BodyShape>& shapes = sim3d::shapes_of(world);
     SceneCheck check;
     check_bodies(scene, shapes, check);
-    check.placed = static_cast<std::int64_t>(sim3d::bodies_of(**world).size());
+    check.placed = static_cast<std::int64_t>(sim3d::bodies_of(world).size());
     for (const scene::Wall& wall : scene.walls)
         check.walls.push_back(wall.name);
     check.time_step = sim3d::time_step_report(scene, shapes);
-    check_cost(scene, measures->size(), check);
+    const auto measures = observe::choose_measures(scene.observe.measures);
+    check_cost(scene, measures ? measures->size() : 0, check);
     look_for_oddities(scene, check);
     return check;
 }

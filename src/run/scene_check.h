@@ -2,6 +2,7 @@
 
 #include "base/problem.h"
 #include "scene/scene.h"
+#include "sim3d/solver.h"
 #include "sim3d/time_step.h"
 
 #include <cstdint>
@@ -42,6 +43,9 @@ struct SceneCheck {
     double assumed_rate = 0; // body-steps per s
     std::vector<std::string> warnings;
 };
+
+/// The same of a world that is built.
+SceneCheck check_built(const scene::Scene& scene, const sim3d::World& world);
 
 /// Builds everything as a run would, takes no step, writes nothing. Problems: all that would keep the scene from
 /// running, an unstable time step among them.

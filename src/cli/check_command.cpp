@@ -4,6 +4,7 @@
 #include "cli/exit_code.h"
 #include "cli/scene_arguments.h"
 #include "run/scene_check.h"
+#include "scene/read_file.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -69,13 +70,17 @@ std::string step_text(const scene::TimeStepReport& report) {
     return table(rows);
 }
 
-std::string cost_text(const run::SceneCheck& check) {
-    return table({{"steps", fmt::format("{}", check.steps)},
-                  {"written", fmt::format("{} rows, {} frames, about {:.3g} MB without pictures", check.rows,
-                                          check.frames, check.disk_bytes / 1e6)},
-                  {"memory", fmt::format("about {:.2g} MB", check.memory_bytes / 1e6)},
-                  {"time", fmt::format("about {} on one core, taking {:.1g} body-steps/s", duration(3600 * check.hours),
-                                       check.assumed_rate)}});
+std::string cost_text(const run::SceneCheck& check, const scene::Render& settings) {
+    const auto size = [](double bytes) { return scene::in_words(static_cast<std::size_t>(bytes)); };
+    return table(
+        {{"steps", fmt::format("{}", check.steps)},
+         {"written", fmt::format("{} rows, {} frames, about {} without pictures", check.rows, check.frames,
+                                 size(check.disk_bytes))},
+         {"drawn", fmt::format("with --frames or --video {} of {} x {}, beside the steps: not in the time below",
+                               counted(check.frames, "picture", "pictures"), settings.width, settings.height)},
+         {"memory", fmt::format("about {}", size(check.memory_bytes))},
+         {"time", fmt::format("about {} on one core, taking {:.1g} body-steps/s", duration(3600 * check.hours),
+                              check.assumed_rate)}});
 }
 
 int check_it(const CheckArguments& arguments) {
@@ -98,7 +103,7 @@ int check_it(const CheckArguments& arguments) {
     if (!check->walls.empty())
         say(walls_text(*check) + "\n");
     say(step_text(check->time_step) + "\n");
-    say(cost_text(*check) + warnings_text(*check));
+    say(cost_text(*check, scene->render) + warnings_text(*check));
     return fine;
 }
 
@@ -106,7 +111,7 @@ int check_it(const CheckArguments& arguments) {
 
 void add_check_command(CLI::App& program, Action& action) {
     CLI::App* command = program.add_subcommand(
-        "check", "  tumble check scenes/drop.toml\n\n"
+        "check", "Example: tumble check scenes/drop.toml\n\n"
                  "Says what a scene means: masses, counts, sizes, time step against its limits, memory,\n"
                  "disk and time, and warns of what is hardly meant. Takes no step and writes nothing. Exit\n"
                  "code 2 where `run` would refuse the scene.");

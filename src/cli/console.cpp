@@ -76,14 +76,19 @@ std::string counted(long long number, std::string_view one, std::string_view man
 }
 
 std::string duration(double seconds) {
-    if (!(seconds < 1e9))
+    if (!(seconds < 1e11))
         return "for ever";
     if (seconds < 60)
         return fmt::format("{:.{}f} s", seconds, seconds < 10 ? 1 : 0);
     const auto whole = static_cast<long long>(seconds + 0.5);
     if (whole < 3600)
         return fmt::format("{} min {} s", whole / 60, whole % 60);
-    return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
+    constexpr long long day = 24 * 3600;
+    if (whole < 2 * day)
+        return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
+    if (whole < 2 * 365 * day)
+        return fmt::format("{} days", whole / day);
+    return fmt::format("{} years", whole / (365 * day));
 }
 
 } // namespace tumble::cli

@@ -30,7 +30,7 @@ std::string table(const std::vector<std::vector<std::string>>& rows);
 /// "1 body", "12 bodies".
 std::string counted(long long number, std::string_view one, std::string_view many);
 
-/// "3.2 s", "4 min 10 s", "2 h 5 min".
+/// "3.2 s", "4 min 10 s", "2 h 5 min", "385 days", "12 years".
 std::string duration(double seconds);
 
 } // namespace tumble::cli

@@ -2,6 +2,7 @@
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/progress_line.h"
+#include "cli/scene_arguments.h"
 #include "cli/stop_flag.h"
 #include "cli/time_range.h"
 #include "run/redraw.h"
@@ -35,6 +36,8 @@ int export_it(ExportArguments& arguments) {
     line.end();
     if (!done)
         return refuse(done.problems(), arguments.json, wrong);
+    if (!done->reason.empty())
+        return refuse(done->reason, arguments.json, failed);
     for (const std::string& warning : done->warnings)
         if (!arguments.quiet)
             note("warning: " + warning);
@@ -55,14 +58,16 @@ int export_it(ExportArguments& arguments) {
 } // namespace
 
 void add_export_command(CLI::App& program, Action& action) {
-    CLI::App* command = program.add_subcommand("export", "  tumble export out/drop --vtk drop-paraview\n\n"
+    CLI::App* command = program.add_subcommand("export", "Example: tumble export out/drop --vtk drop-paraview\n\n"
                                                          "Writes the frames of a run for other tools.");
     const auto arguments = std::make_shared<ExportArguments>();
     command->add_option("RUN", arguments->run, "Folder of a run")->required();
     command->add_option("--vtk", arguments->options.paraview, "Folder for ParaView's VTP and PVD files")
-        ->type_name("DIR");
+        ->type_name("DIR")
+        ->check(refuse_dash);
     command->add_option("--dump", arguments->options.text_dump, "LIGGGHTS-style text file of all spheres")
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->check(refuse_dash);
     command->add_option("--time", arguments->time, "Only frames from A to B, s; either may be missing")
         ->type_name("A:B");
     command->add_flag("--force", arguments->options.overwrite, "Replace what is there");

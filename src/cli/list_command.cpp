@@ -110,7 +110,7 @@ int list_keys(const ListArguments& arguments) {
 } // namespace
 
 void add_list_command(CLI::App& program, Action& action) {
-    CLI::App* command = program.add_subcommand("list", "  tumble list measures\n\n"
+    CLI::App* command = program.add_subcommand("list", "Example: tumble list measures\n\n"
                                                        "Lists what can be named: scenes, laws, measures, keys.");
     const auto arguments = std::make_shared<ListArguments>();
     command->add_option("WHAT", arguments->what, "scenes, laws, measures or keys")

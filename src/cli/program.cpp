@@ -91,7 +91,7 @@ int act(const Action& action) {
 } // namespace
 
 int run_program(int count, char** words) {
-    CLI::App program{"  tumble run scenes/drop.toml --frames\n\n"
+    CLI::App program{"Example: tumble run scenes/drop.toml --frames\n\n"
                      "Simulates granular media: scene files in, pictures and numbers out.",
                      "tumble"};
     program.set_version_flag("--version", "tumble " + run::version(), "Print the version and leave");

@@ -13,8 +13,9 @@ namespace tumble::cli {
 
 namespace {
 
-constexpr double redraw_every = 0.1;     // s, on a terminal
-constexpr double first_line_after = 5;   // s, elsewhere
+constexpr double redraw_every = 0.1;   // s, on a terminal
+constexpr double first_line_after = 5; // s, elsewhere
+constexpr double waiting_worth_a_word = 0.1;
 constexpr double lines_stretch_by = 1.3; // each line comes when so many times the time of the last one has passed
 
 std::size_t terminal_width() {
@@ -33,9 +34,12 @@ std::string bar(double share) {
 
 std::string in_words(const run::Progress& now) {
     const double kinetic = now.books.kinetic_translation + now.books.kinetic_rotation;
-    return fmt::format("t = {:.4g} of {:.4g} s, {}, {:.3g} steps/s, {} left, kinetic energy {}", now.time, now.duration,
-                       counted(now.books.bodies, "body", "bodies"), now.steps_per_s, duration(now.left_s),
-                       format_si(kinetic, "J", 3));
+    const std::string waits = now.waiting_share >= waiting_worth_a_word
+                                  ? fmt::format(", {:.0f} % of the time waits for frames", 100 * now.waiting_share)
+                                  : "";
+    return fmt::format("t = {:.4g} of {:.4g} s, {}, {:.3g} steps/s, {} left{}, kinetic energy {}", now.time,
+                       now.duration, counted(now.books.bodies, "body", "bodies"), now.steps_per_s, duration(now.left_s),
+                       waits, format_si(kinetic, "J", 3));
 }
 
 } // namespace

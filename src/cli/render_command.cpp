@@ -55,11 +55,16 @@ int redraw_run(RenderArguments& arguments) {
     arguments.scene.file = arguments.what / "scene.toml";
     if (const auto found = run::find_run(arguments.what); !found)
         return refuse(found.problems(), arguments.json, wrong);
+    if (const auto problems = refuse_sets_of_the_run(arguments.scene.sets, arguments.scene.file); !problems.empty())
+        return refuse(problems, arguments.json, wrong);
     const Result<scene::Scene> scene = arguments.scene.load();
     if (!scene)
         return refuse(scene.problems(), arguments.json, wrong);
     run::RedrawOptions options;
     options.settings = scene->render;
+    options.title = scene->title;
+    for (const scene::Wall& wall : scene->walls)
+        options.wall_opacity.push_back(wall.opacity);
     options.video = arguments.video;
     options.overwrite = arguments.force;
     options.when.duration = scene->duration;
@@ -78,6 +83,8 @@ int redraw_run(RenderArguments& arguments) {
     line.end();
     if (!done)
         return refuse(done.problems(), arguments.json, wrong);
+    if (!done->reason.empty())
+        return refuse(done->reason, arguments.json, failed);
     return tell_replayed(*done, options, arguments);
 }
 
@@ -110,7 +117,7 @@ int draw_scene(RenderArguments& arguments) {
 
 void add_render_command(CLI::App& program, Action& action) {
     CLI::App* command = program.add_subcommand(
-        "render", "  tumble render out/drop --camera side --color vy --video drop.mp4\n\n"
+        "render", "Example: tumble render out/drop --camera side --color speed --video drop.mp4\n\n"
                   "Draws the frames of a run again, with other colours and cameras, without simulating. Given a scene\n"
                   "instead of a run's folder it runs the scene first.");
     const auto arguments = std::make_shared<RenderArguments>();
@@ -119,7 +126,8 @@ void add_render_command(CLI::App& program, Action& action) {
     command->add_option("--video", arguments->video, "Make an MP4 (needs ffmpeg)")->type_name("F.mp4");
     command->add_flag("--frames", arguments->frames, "PNG files; the default without --video");
     command->add_option("--out", arguments->out, "Folder for the PNG files, or for the run of a scene")
-        ->type_name("DIR");
+        ->type_name("DIR")
+        ->check(refuse_dash);
     command->add_option("--time", arguments->time, "Only frames from A to B, s; either may be missing")
         ->type_name("A:B");
     arguments->scene.add_sets_to(*command);

@@ -1,11 +1,49 @@
 #include "cli/render_settings.h"
 
+#include "base/text.h"
 #include "cli/scene_arguments.h"
+#include "scene/keys.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace tumble::cli {
 
+namespace {
+
+std::string words_of(const char* key) {
+    return fmt::format("{}", fmt::join(scene::find_key(*scene::find_table("render"), key)->words, ", "));
+}
+
+/// Whether a picture of a run that is over can still follow the key: what the run did and kept is what it is.
+bool redrawable(const std::string& key) {
+    const std::vector<std::string_view> parts = split(key, '.');
+    if (parts[0] == "render")
+        return parts.size() > 1 && parts[1] != "every_s";
+    return key == "title" || (parts.size() == 3 && parts[0] == "wall" && parts[2] == "opacity");
+}
+
+} // namespace
+
+Problems refuse_sets_of_the_run(const std::vector<std::string>& sets, const std::filesystem::path& scene) {
+    Problems problems;
+    for (const std::string& set : sets) {
+        const std::string key(trimmed(set.substr(0, set.find('='))));
+        if (!redrawable(key))
+            problems.push_back(
+                {.file = "--set " + key,
+                 .key = key,
+                 .what = "this run is over, and drawing it again cannot change that",
+                 .fix = fmt::format(
+                     "keys of [render] but every_s, title and wall.NAME.opacity can be set here; for others "
+                     "run the scene anew: tumble run {} --out DIR --set {}",
+                     scene.string(), set)});
+    }
+    return problems;
+}
+
 void add_render_settings(CLI::App& command, std::vector<std::string>& sets) {
-    const auto add = [&](const char* flag, const char* type, const char* sentence, auto to_sets) {
+    const auto add = [&](const char* flag, const char* type, const std::string& sentence, auto to_sets) {
         command
             .add_option_function<std::string>(
                 flag, [&sets, to_sets](const std::string& text) { to_sets(sets, text); }, sentence)
@@ -24,9 +62,9 @@ void add_render_settings(CLI::App& command, std::vector<std::string>& sets) {
     add("--camera", "front|top|side|free", "Where the eye stands", word("render.camera"));
     add("--eye", "X,Y,Z", "Place of the free camera, m", list("render.eye_m"));
     add("--target", "X,Y,Z", "What the free camera looks at, m", list("render.target_m"));
-    add("--color", "QUANTITY", "What colours the bodies: speed, vx, vy, vz, ...", word("render.color"));
+    add("--color", "QUANTITY", "What colours the bodies: " + words_of("color"), word("render.color"));
     add("--range", "LO,HI", "Values at the ends of the colour scale, SI", list("render.range"));
-    add("--colormap", "NAME", "Colour scale: viridis, cividis, inferno, coolwarm, ...", word("render.colormap"));
+    add("--colormap", "NAME", "Colour scale: " + words_of("colormap"), word("render.colormap"));
     add("--background", "dark|white", "Behind the picture", word("render.background"));
     add("--plot", "MEASURE", "Measure in the small plot", word("render.plot_measure"));
     add("--size", "WxH", "Pixels, such as 1920x1080", [](std::vector<std::string>& all, const std::string& text) {

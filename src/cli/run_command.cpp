@@ -38,14 +38,16 @@ int run_it(RunArguments& arguments) {
 } // namespace
 
 void add_run_command(CLI::App& program, Action& action) {
-    CLI::App* command = program.add_subcommand("run", "  tumble run scenes/drop.toml --frames --set duration_s=0.1\n\n"
-                                                      "Runs a scene and leaves all of it in a folder, out/drop here.");
+    CLI::App* command =
+        program.add_subcommand("run", "Example: tumble run scenes/drop.toml --frames --set duration_s=0.1\n\n"
+                                      "Runs a scene and leaves all of it in a folder, out/drop here.");
     const auto arguments = std::make_shared<RunArguments>();
     run::RunOptions& options = arguments->options;
     options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     arguments->scene.add_to(*command);
     command->add_option("--out", options.folder, "Folder for the run; out/NAME of the scene file without it")
-        ->type_name("DIR");
+        ->type_name("DIR")
+        ->check(refuse_dash);
     command->add_flag("--frames", options.pictures, "Draw every frame as PNG, in pictures/");
     command->add_flag("--video", options.video, "Make video.mp4 of all frames (needs ffmpeg)");
     command->add_flag("--vtk", options.paraview, "Write VTP and PVD files for ParaView, in paraview/");

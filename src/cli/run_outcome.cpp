@@ -13,6 +13,12 @@ namespace tumble::cli {
 
 namespace {
 
+/// In the run's folder, or by its whole path when it lies elsewhere.
+std::string name_of_video(const run::RunSummary& summary) {
+    const std::filesystem::path& file = summary.video_file;
+    return (file.parent_path() == summary.folder ? file.filename() : file).string();
+}
+
 std::string sentences(const run::RunSummary& summary) {
     std::string text =
         fmt::format("{}: {} at t = {:.6g} s after {}, {}\n", summary.folder.string(), summary.state, summary.time,
@@ -22,12 +28,15 @@ std::string sentences(const run::RunSummary& summary) {
     if (summary.pictures > 0)
         text += ", " + counted(summary.pictures, "picture in pictures/", "pictures in pictures/");
     if (summary.video && summary.frames > 0)
-        text += ", video.mp4 (" + video_pace(summary.video_slowdown) + ")";
+        text += ", " + name_of_video(summary) + " (" + video_pace(summary.video_slowdown) + ")";
     text += "\n";
     if (summary.stepping_s > 0)
         text += fmt::format("  took {}: {:.3g} steps/s, {:.3g} body-steps/s on {}\n", duration(summary.wall_s),
                             static_cast<double>(summary.steps) / summary.stepping_s,
                             summary.body_steps / summary.stepping_s, counted(summary.threads, "thread", "threads"));
+    if (summary.pictures > 0 || summary.video || summary.waited_s > 0.1 * summary.wall_s)
+        text += fmt::format("  drawing and writing frames took {} beside the steps, which waited {} for it\n",
+                            duration(summary.frames_s), duration(summary.waited_s));
     text += fmt::format("  the energy balance misses {} of {}", format_si(summary.books.closure, "J", 3),
                         format_si(summary.energy_turnover, "J", 3));
     return text;

@@ -32,6 +32,10 @@ Result<scene::Scene> SceneArguments::load() const {
     return scene::load_scene(file, overrides);
 }
 
+std::string refuse_dash(const std::string& name) {
+    return name == "-" ? "'-' is not a place to write to: give the name of a file or folder" : "";
+}
+
 std::string quoted(const std::string& word) {
     std::string text = "\"";
     for (const char c : word) {

@@ -27,17 +27,6 @@ Result<ArrayFile> read_arrays(const std::filesystem::path& file, const std::stri
     return from_bytes(*bytes, kind, file);
 }
 
-std::optional<std::int64_t> frame_number(const std::filesystem::path& file) {
-    const std::string name = file.filename().string();
-    if (name.size() <= prefix.size() + suffix.size() || !name.starts_with(prefix) || !name.ends_with(suffix))
-        return std::nullopt;
-    const std::string digits = name.substr(prefix.size(), name.size() - prefix.size() - suffix.size());
-    const auto is_digit = [](unsigned char c) { return std::isdigit(c) != 0; };
-    if (digits.size() > 12 || !std::all_of(digits.begin(), digits.end(), is_digit))
-        return std::nullopt;
-    return std::stoll(digits);
-}
-
 } // namespace
 
 Result<Done> write_layout(const std::filesystem::path& file, const FrameLayout& layout) {
@@ -74,6 +63,17 @@ std::filesystem::path frame_path(const std::filesystem::path& folder, std::int64
 
 std::filesystem::path layout_path(const std::filesystem::path& folder) {
     return folder / "layout.tumble";
+}
+
+std::optional<std::int64_t> frame_number(const std::filesystem::path& file) {
+    const std::string name = file.filename().string();
+    if (name.size() <= prefix.size() + suffix.size() || !name.starts_with(prefix) || !name.ends_with(suffix))
+        return std::nullopt;
+    const std::string digits = name.substr(prefix.size(), name.size() - prefix.size() - suffix.size());
+    const auto is_digit = [](unsigned char c) { return std::isdigit(c) != 0; };
+    if (digits.size() > 12 || !std::all_of(digits.begin(), digits.end(), is_digit))
+        return std::nullopt;
+    return std::stoll(digits);
 }
 
 std::vector<std::filesystem::path> list_frames(const std::filesystem::path& folder) {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace tumble::observe {
 
@@ -23,6 +24,9 @@ Result<Frame> read_frame(const std::filesystem::path& file, const std::shared_pt
 std::filesystem::path frame_path(const std::filesystem::path& folder, std::int64_t number);
 /// "layout.tumble" in the folder.
 std::filesystem::path layout_path(const std::filesystem::path& folder);
+
+/// 12 of "frame_000012.tumble", whatever its folder; nothing for files with other names.
+std::optional<std::int64_t> frame_number(const std::filesystem::path& file);
 
 /// All frames of a folder, by number. Files with other names are left out.
 std::vector<std::filesystem::path> list_frames(const std::filesystem::path& folder);

@@ -134,13 +134,12 @@ std::string pvd(const std::vector<TimedFile>& files) {
     return text + "</Collection>\n</VTKFile>\n";
 }
 
-Result<Done> ParaviewWriter::write(const Frame& frame) {
+Result<Done> ParaviewWriter::write(const Frame& frame, std::int64_t number) {
     struct Kind {
         const char* name;
         std::string (*content)(const Frame&);
         std::vector<TimedFile>& files;
     };
-    const std::size_t number = bodies_.size();
     for (const Kind& kind : {Kind{"bodies", bodies_vtp, bodies_}, Kind{"spheres", spheres_vtp, spheres_},
                              Kind{"walls", walls_vtp, walls_}}) {
         const std::string name = fmt::format("{}_{:06}.vtp", kind.name, number);

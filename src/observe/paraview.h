@@ -2,6 +2,7 @@
 
 #include "observe/frame.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -29,7 +30,8 @@ std::string pvd(const std::vector<TimedFile>& files);
 class ParaviewWriter {
 public:
     explicit ParaviewWriter(std::filesystem::path folder) : folder_(std::move(folder)) {}
-    Result<Done> write(const Frame& frame);
+    /// `number` is the frame's, in the names of its files.
+    Result<Done> write(const Frame& frame, std::int64_t number);
 
 private:
     std::filesystem::path folder_;

@@ -29,8 +29,7 @@ std::string joined(const std::vector<std::string>& words) {
 Problem cannot_write(const std::filesystem::path& file, int error) {
     return {.file = file.string(),
             .what = fmt::format("cannot be written: {}", std::strerror(error)),
-            .fix = error == ENOSPC ? "free some space or choose another folder with --out"
-                                   : "choose a folder that can be written with --out"};
+            .fix = error == ENOSPC ? "free some space, or write to another disk" : "write to a folder that is yours"};
 }
 
 Result<double> read_cell(std::string_view cell) {

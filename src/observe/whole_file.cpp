@@ -18,7 +18,7 @@ using Stream = std::unique_ptr<std::FILE, Close>;
 Problem failed(const std::filesystem::path& file, const char* verb, int error) {
     return {.file = file.string(),
             .what = fmt::format("cannot be {}: {}", verb, std::strerror(error)),
-            .fix = error == ENOSPC ? "free some space or choose another folder with --out" : ""};
+            .fix = error == ENOSPC ? "free some space, or write to another disk" : ""};
 }
 
 } // namespace

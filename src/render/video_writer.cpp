@@ -4,6 +4,8 @@
 #include "render/child_process.h"
 #include "render/file_swap.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <chrono>
 #include <fcntl.h>
@@ -77,6 +79,13 @@ Result<VideoWriter> VideoWriter::open(const std::filesystem::path& file, int wid
                        .what = fmt::format("a video of {} x {} pixels at {} frames a second cannot be written", width,
                                            height, frames_per_second),
                        .fix = "take at least 2 x 2 pixels and a positive rate"};
+    }
+    std::string ending = file.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (ending != ".mp4") {
+        return Problem{.file = file.string(),
+                       .what = "a video is an MP4 file, and this name has another ending",
+                       .fix = "call it " + std::filesystem::path(file).replace_extension(".mp4").string()};
     }
     ChildProcess asked({"ffmpeg", "-hide_banner", "-nostdin", "-h", "encoder=libx264"});
     if (asked.error() == ENOENT) {

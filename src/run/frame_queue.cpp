@@ -1,11 +1,18 @@
 #include "run/frame_queue.h"
 
+#include <chrono>
 #include <exception>
 
 namespace tumble::run {
 
 namespace {
+using Clock = std::chrono::steady_clock;
+
 constexpr std::size_t most_waiting = 2;
+
+double since(Clock::time_point begun) {
+    return std::chrono::duration<double>(Clock::now() - begun).count();
+}
 
 /// What a sink's work gives; an exception, as when memory runs out, becomes a problem, for nobody catches it on this
 /// thread.
@@ -37,11 +44,15 @@ void FrameQueue::serve() {
         const bool well = problems_.empty();
         lock.unlock();
         changed_.notify_all();
+        const Clock::time_point begun = Clock::now();
         if (well)
             hand_on(shot);
+        add_work(since(begun));
     }
+    const Clock::time_point begun = Clock::now();
     for (const auto& sink : sinks_)
         remember(problems_of([&] { return sink->finish(); }));
+    add_work(since(begun));
 }
 
 void FrameQueue::hand_on(const Shot& shot) {
@@ -62,9 +73,21 @@ void FrameQueue::remember(const Problems& more) {
     changed_.notify_all();
 }
 
+void FrameQueue::add_work(double seconds) {
+    const std::lock_guard lock(mutex_);
+    worked_s_ += seconds;
+}
+
+double FrameQueue::worked_s() {
+    const std::lock_guard lock(mutex_);
+    return worked_s_;
+}
+
 void FrameQueue::push(Shot shot) {
+    const Clock::time_point begun = Clock::now();
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return waiting_.size() < most_waiting || !problems_.empty(); });
+    waited_s_ += since(begun);
     if (!problems_.empty())
         return;
     waiting_.push_back(std::move(shot));
@@ -88,8 +111,10 @@ Problems FrameQueue::close() {
         closing_ = true;
     }
     changed_.notify_all();
+    const Clock::time_point begun = Clock::now();
     if (thread_.joinable())
         thread_.join();
+    waited_s_ += since(begun);
     return problems();
 }
 

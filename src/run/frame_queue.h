@@ -30,10 +30,15 @@ public:
     /// Frames that every sink took.
     [[nodiscard]] std::int64_t taken();
 
+    /// s of wall time that the sinks worked, and that push and close waited for them.
+    [[nodiscard]] double worked_s();
+    [[nodiscard]] double waited_s() const { return waited_s_; }
+
 private:
     void serve();
     void hand_on(const Shot& shot);
     void remember(const Problems& more);
+    void add_work(double seconds);
 
     FrameSinks sinks_; // touched by the thread only
     std::mutex mutex_;
@@ -41,6 +46,8 @@ private:
     std::deque<Shot> waiting_;
     Problems problems_;
     std::int64_t taken_ = 0;
+    double worked_s_ = 0;
+    double waited_s_ = 0; // touched by the caller only
     bool closing_ = false;
     std::jthread thread_;
 };

@@ -1,6 +1,5 @@
 #include "run/picture_sink.h"
 
-#include "observe/measures.h"
 #include "render/painter.h"
 #include "render/png_writer.h"
 #include "render/video_writer.h"
@@ -50,13 +49,6 @@ private:
 };
 
 } // namespace
-
-Problems check_pictures(const scene::Render& settings) {
-    Problems problems = observe::choose_measures({settings.plot_measure}).problems();
-    for (Problem& problem : problems)
-        problem.key = "render.plot_measure";
-    return problems;
-}
 
 Result<std::unique_ptr<FrameSink>> keep_pictures(const scene::Render& settings,
                                                  std::shared_ptr<const observe::FrameLayout> layout,

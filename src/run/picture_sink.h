@@ -14,9 +14,6 @@ struct PictureTargets {
     std::filesystem::path video;  // MP4
 };
 
-/// What can be said about pictures before there is anything to draw: a plot of an unknown measure.
-Problems check_pictures(const scene::Render& settings);
-
 /// Draws every frame and hands it to PNG files, a video or both. Problems: those of the painter (unknown names, no
 /// OpenGL), a folder or video that cannot be made. `fit` (m) will be in the picture; when it is empty the first frame.
 Result<std::unique_ptr<FrameSink>> keep_pictures(const scene::Render& settings,

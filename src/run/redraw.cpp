@@ -1,8 +1,10 @@
 #include "run/redraw.h"
 
+#include "run/measure_names.h"
 #include "run/picture_sink.h"
 #include "run/state_sinks.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace tumble::run {
@@ -48,9 +50,13 @@ private:
         if (!fs::is_directory(place_, ignored))
             return;
         std::vector<fs::path> old;
-        for (const fs::directory_entry& entry : fs::directory_iterator(place_, ignored))
-            if (entry.path().extension() == extension || entry.path().extension() == ".pvd")
+        for (const fs::directory_entry& entry : fs::directory_iterator(place_, ignored)) {
+            fs::path name = entry.path();
+            if (name.extension() == ".part") // of a redrawing that was killed
+                name.replace_extension();
+            if (name.extension() == extension || name.extension() == ".pvd")
                 old.push_back(entry.path());
+        }
         for (const fs::path& file : old)
             fs::remove(file, ignored);
     }
@@ -59,14 +65,23 @@ private:
     bool fresh_ = false;
 };
 
+std::shared_ptr<const observe::FrameLayout> restyled(observe::FrameLayout layout, const RedrawOptions& options) {
+    if (!options.title.empty())
+        layout.title = options.title;
+    for (std::size_t i = 0; i < std::min(layout.walls.size(), options.wall_opacity.size()); ++i)
+        layout.walls[i].opacity = options.wall_opacity[i];
+    return std::make_shared<const observe::FrameLayout>(std::move(layout));
+}
+
 } // namespace
 
 Result<Replayed> redraw(const fs::path& run, const RedrawOptions& options, const TellFrames& tell) {
-    if (const Problems problems = check_pictures(options.settings); !problems.empty())
+    if (const Problems problems = check_plot(options.settings); !problems.empty())
         return problems;
-    const Result<Recording> recording = open_recording(run, options.when);
+    Result<Recording> recording = open_recording(run, options.when);
     if (!recording)
         return recording.problems();
+    recording->layout = restyled(*recording->layout, options);
     Target pictures(options.pictures);
     Target video(options.video);
     for (auto [target, extension] : {std::pair{&pictures, ".png"}, std::pair{&video, ".mp4"}})
@@ -80,8 +95,8 @@ Result<Replayed> redraw(const fs::path& run, const RedrawOptions& options, const
     sinks.push_back(std::move(*sink));
     ReplayOptions when = options.when;
     when.plot_measure = options.settings.plot_measure;
-    const Result<Replayed> replayed = replay(*recording, when, sinks, tell);
-    if (replayed) {
+    const Replayed replayed = replay(*recording, when, sinks, tell);
+    if (replayed.reason.empty()) {
         pictures.keep();
         video.keep();
     }
@@ -111,8 +126,8 @@ Result<Replayed> export_run(const fs::path& run, const ExportOptions& options, c
         problems = add(keep_as_text(options.text_dump));
     if (!problems.empty())
         return problems;
-    const Result<Replayed> replayed = replay(*recording, options.when, sinks, tell);
-    if (replayed) {
+    const Replayed replayed = replay(*recording, options.when, sinks, tell);
+    if (replayed.reason.empty()) {
         paraview.keep();
         text.keep();
     }

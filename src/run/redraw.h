@@ -7,14 +7,16 @@ namespace tumble::run {
 
 struct RedrawOptions {
     scene::Render settings;
-    std::filesystem::path pictures; // folder for PNG files; empty: none
-    std::filesystem::path video;    // MP4; empty: none
+    std::string title;                // empty: the run's
+    std::vector<double> wall_opacity; // one a wall of the scene; empty: the run's
+    std::filesystem::path pictures;   // folder for PNG files; empty: none
+    std::filesystem::path video;      // MP4; empty: none
     bool overwrite = false;
     ReplayOptions when;
 };
 
 /// Draws the frames of a run again, without simulating. Problems: no run, nothing drawable, targets that exist already
-/// or cannot be written; a target that was begun in vain is removed.
+/// or cannot be made. What breaks later is Replayed::reason; a target that was begun in vain is removed.
 Result<Replayed> redraw(const std::filesystem::path& run, const RedrawOptions& options, const TellFrames& tell);
 
 struct ExportOptions {

@@ -3,9 +3,12 @@
 #include "observe/frame_file.h"
 #include "observe/measures.h"
 #include "observe/series.h"
+#include "observe/whole_file.h"
 #include "render/camera.h"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace tumble::run {
 
@@ -33,6 +36,75 @@ std::string left_out(const Problems& problems) {
     return problems.empty() ? "" : fmt::format("left out {}: {}", problems[0].file, problems[0].what);
 }
 
+/// What run.json says of a run that did not reach its end; nothing for one that did.
+std::vector<std::string> unfinished(const RunFolder& folder) {
+    const Result<std::string> text = observe::read_whole(folder.summary());
+    const auto json = nlohmann::json::parse(text ? *text : "", nullptr, false);
+    if (!json.is_object() || !json.contains("state") || !json["state"].is_string())
+        return {"run.json cannot be read, so that nobody knows whether the run reached its end"};
+    const std::string state = json["state"];
+    if (state == "finished")
+        return {};
+    const std::string became = state == "running" ? "did not end: it was killed, or is still going on"
+                                                  : (state == "failed" ? "failed" : "was stopped");
+    if (!json.contains("time_s") || !json["time_s"].is_number())
+        return {"this run " + became};
+    return {fmt::format("this run {}; run.json knows of t = {:.6g} s", became, json["time_s"].get<double>())};
+}
+
+/// s by which a frame may miss the time that it stands for, roundings included.
+double slack_of(const observe::Frame& frame) {
+    return frame.step > 0 ? 0.5 * (1 + 1e-9) * frame.time / static_cast<double>(frame.step) : 0;
+}
+
+/// Frames and what is wrong with others, read once from first to last.
+struct Survey {
+    std::vector<std::filesystem::path> wanted;
+    Eigen::AlignedBox3d bounds; // m, of the wanted
+    Problems damaged;
+    double first = std::numeric_limits<double>::infinity(); // s
+    double last = -std::numeric_limits<double>::infinity(); // s
+    double nearest = 0;                                     // s
+    double away = std::numeric_limits<double>::infinity();  // s, of the nearest to the stretch of time
+};
+
+Survey survey(const RunFolder& folder, const std::shared_ptr<const observe::FrameLayout>& layout,
+              const ReplayOptions& options) {
+    Survey found;
+    for (const std::filesystem::path& file : observe::list_frames(folder.frames())) {
+        const Result<observe::Frame> frame = observe::read_frame(file, layout);
+        if (!frame) {
+            const Problems problems = frame.problems();
+            found.damaged.insert(found.damaged.end(), problems.begin(), problems.end());
+            continue;
+        }
+        found.first = std::min(found.first, frame->time);
+        found.last = std::max(found.last, frame->time);
+        const double away = std::max({options.from - frame->time, frame->time - options.to, 0.0});
+        if (away < found.away)
+            found.nearest = frame->time;
+        found.away = std::min(found.away, away);
+        if (away > slack_of(*frame))
+            continue;
+        found.wanted.push_back(file);
+        found.bounds.extend(render::bounds_of(*frame));
+    }
+    return found;
+}
+
+Problems nothing_to_show(const std::filesystem::path& root, const Survey& found) {
+    Problems problems = found.damaged;
+    if (found.first <= found.last)
+        problems.insert(problems.begin(),
+                        {.file = root.string(),
+                         .what = "there is no readable frame in the time asked for",
+                         .fix = fmt::format("the nearest is at {:.6g} s; they go from {:.6g} to {:.6g} s",
+                                            found.nearest, found.first, found.last)});
+    else if (problems.empty())
+        problems.push_back({.file = root.string(), .what = "this run has kept no frame", .fix = "run the scene again"});
+    return problems;
+}
+
 } // namespace
 
 Result<Recording> open_recording(const std::filesystem::path& root, const ReplayOptions& options) {
@@ -42,35 +114,23 @@ Result<Recording> open_recording(const std::filesystem::path& root, const Replay
     const auto layout = observe::read_layout(observe::layout_path(folder->frames()));
     if (!layout)
         return layout.problems();
-    Recording recording{*folder, *layout, {}, {}, {}};
-    double latest = 0;
-    for (const std::filesystem::path& file : observe::list_frames(folder->frames())) {
-        const Result<observe::Frame> frame = observe::read_frame(file, *layout);
-        if (!frame) {
-            recording.warnings.push_back(left_out(frame.problems()));
-            continue;
-        }
-        latest = std::max(latest, frame->time);
-        if (frame->time < options.from || frame->time > options.to)
-            continue;
-        recording.frames.push_back(file);
-        recording.bounds.extend(render::bounds_of(*frame));
-    }
-    if (recording.frames.empty())
-        return Problem{.file = root.string(),
-                       .what = "there is no readable frame in the time asked for",
-                       .fix = fmt::format("its last readable frame is at {} s", latest)};
+    const Survey found = survey(*folder, *layout, options);
+    if (found.wanted.empty())
+        return nothing_to_show(root, found);
+    Recording recording{*folder, *layout, found.wanted, unfinished(*folder), found.bounds};
+    for (const Problem& problem : found.damaged)
+        recording.warnings.push_back(left_out({problem}));
     return recording;
 }
 
-Result<Replayed> replay(const Recording& recording, const ReplayOptions& options, const FrameSinks& sinks,
-                        const TellFrames& tell) {
+Replayed replay(const Recording& recording, const ReplayOptions& options, const FrameSinks& sinks,
+                const TellFrames& tell) {
     Replayed replayed;
     replayed.warnings = recording.warnings;
     Shot shot;
     shot.plot = plot_line(recording.folder, options.plot_measure);
     shot.plot.until = options.duration;
-    Problems problems;
+    Problems& problems = replayed.reason;
     const auto all = static_cast<std::int64_t>(recording.frames.size());
     for (const std::filesystem::path& file : recording.frames) {
         if (options.stop && options.stop->load(std::memory_order_relaxed)) {
@@ -83,6 +143,7 @@ Result<Replayed> replay(const Recording& recording, const ReplayOptions& options
             continue;
         }
         shot.frame = std::move(*frame);
+        shot.number = observe::frame_number(file).value_or(0);
         for (const auto& sink : sinks)
             if (problems.empty())
                 problems = sink->take(shot).problems();
@@ -90,14 +151,12 @@ Result<Replayed> replay(const Recording& recording, const ReplayOptions& options
             break;
         replayed.first = replayed.frames == 0 ? shot.frame.time : replayed.first;
         replayed.last = shot.frame.time;
-        shot.number = ++replayed.frames;
+        ++replayed.frames;
         tell(replayed.frames, all);
     }
     for (const auto& sink : sinks)
         if (const Problems more = sink->finish().problems(); problems.empty())
             problems = more;
-    if (!problems.empty())
-        return problems;
     return replayed;
 }
 

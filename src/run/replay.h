@@ -26,7 +26,8 @@ struct Replayed {
     double first = 0; // s
     double last = 0;  // s
     bool stopped = false;
-    std::vector<std::string> warnings; // frames that could not be read and were left out
+    Problems reason;                   // why it broke off, as on a full disk; empty otherwise
+    std::vector<std::string> warnings; // frames that could not be read and were left out, a run that did not end
 };
 
 /// Done and all, in frames.
@@ -38,15 +39,15 @@ struct Recording {
     std::shared_ptr<const observe::FrameLayout> layout;
     std::vector<std::filesystem::path> frames;
     std::vector<std::string> warnings;
-
     Eigen::AlignedBox3d bounds; // m, of all bodies and walls in these frames
 };
 
-/// Problems: no run's folder, a broken layout, no readable frame in the stretch of time.
+/// Frames sit at the steps nearest to their times, so half a step counts as no difference. Problems: no run's folder, a
+/// broken layout, no readable frame in the stretch of time.
 Result<Recording> open_recording(const std::filesystem::path& root, const ReplayOptions& options);
 
-/// Hands every frame to every sink in order and finishes them. Problems: those of the sinks.
-Result<Replayed> replay(const Recording& recording, const ReplayOptions& options, const FrameSinks& sinks,
-                        const TellFrames& tell);
+/// Hands every frame to every sink in order, under the number it has in the run, and finishes them.
+Replayed replay(const Recording& recording, const ReplayOptions& options, const FrameSinks& sinks,
+                const TellFrames& tell);
 
 } // namespace tumble::run

@@ -4,6 +4,7 @@
 #include "observe/frame_file.h"
 #include "scene/read_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -35,18 +36,42 @@ fs::path set_aside_in(const fs::path& root) {
     return root / ".replaced";
 }
 
-/// Everything that a run writes, and nothing else.
+/// A folder that a run or a redrawing fills, and the endings of what they put there.
+struct FilledFolder {
+    fs::path place;
+    std::vector<std::string> endings;
+
+    [[nodiscard]] bool made(fs::path file) const {
+        if (file.extension() == ".part")
+            file.replace_extension();
+        return std::find(endings.begin(), endings.end(), file.extension()) != endings.end();
+    }
+};
+
+std::vector<FilledFolder> folders_of(const RunFolder& run) {
+    return {{run.frames(), {".tumble"}},
+            {run.pictures(), {".png"}},
+            {run.redrawn(), {".png"}},
+            {run.paraview(), {".vtp", ".pvd"}},
+            {run.meshes(), {".stl"}}};
+}
+
+/// Everything that a run writes or a redrawing adds, files that were left half-written among it, and nothing else.
 std::vector<fs::path> parts_of(const RunFolder& run) {
-    return {run.scene(),     run.summary(), run.series(),   run.video(),
-            run.text_dump(), run.frames(),  run.pictures(), run.paraview()};
+    std::vector<fs::path> parts;
+    for (const fs::path& file : {run.scene(), run.summary(), run.series(), run.video(), run.text_dump()}) {
+        parts.push_back(file);
+        parts.emplace_back(file.string() + ".part");
+    }
+    for (const FilledFolder& folder : folders_of(run))
+        parts.push_back(folder.place);
+    return parts;
 }
 
 void remove_run(const RunFolder& run) {
     std::error_code ignored;
-    for (const fs::path& part : parts_of(run)) {
+    for (const fs::path& part : parts_of(run))
         fs::remove_all(part, ignored);
-        fs::remove(part.string() + ".part", ignored);
-    }
 }
 
 /// An earlier run is only renamed until the new one has begun, so that a refusal costs nothing.
@@ -67,6 +92,24 @@ void put_back(const RunFolder& run) {
         if (const fs::path old = set_aside_in(run.root) / part.filename(); fs::exists(old, ignored))
             fs::rename(old, part, ignored);
     fs::remove(set_aside_in(run.root), ignored);
+}
+
+/// What somebody else put into the folders of the earlier run goes back to where it lay.
+void bring_back_others(const RunFolder& run) {
+    const fs::path aside = set_aside_in(run.root);
+    for (const FilledFolder& folder : folders_of(run)) {
+        std::error_code error;
+        std::vector<fs::path> others;
+        for (fs::recursive_directory_iterator entry(aside / folder.place.filename(), error), end;
+             !error && entry != end; entry.increment(error))
+            if (std::error_code ignored; !entry->is_directory(ignored) && !folder.made(entry->path()))
+                others.push_back(entry->path());
+        for (const fs::path& other : others) {
+            const fs::path home = run.root / other.lexically_relative(aside);
+            fs::create_directories(home.parent_path(), error);
+            fs::rename(other, home, error);
+        }
+    }
 }
 
 /// The topmost folder of `root` that does not exist yet.
@@ -118,8 +161,7 @@ std::optional<Problem> check_space(const fs::path& root, std::uintmax_t bytes) {
     if (statvfs(place.c_str(), &disk) != 0)
         return std::nullopt;
     std::uintmax_t available = std::uintmax_t{disk.f_bavail} * disk.f_frsize;
-    const RunFolder run{root};
-    for (const fs::path& old : {run.frames(), run.pictures(), run.paraview(), run.series(), run.video()})
+    for (const fs::path& old : parts_of(RunFolder{root}))
         available += bytes_in(old);
     if (available >= bytes)
         return std::nullopt;
@@ -164,6 +206,7 @@ FolderInWork::~FolderInWork() {
 
 void FolderInWork::keep() {
     kept_ = true;
+    bring_back_others(paths_);
     std::error_code ignored;
     fs::remove_all(set_aside_in(paths_.root), ignored);
 }

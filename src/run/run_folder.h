@@ -18,6 +18,8 @@ struct RunFolder {
     [[nodiscard]] std::filesystem::path frames() const { return root / "frames"; }
     [[nodiscard]] std::filesystem::path pictures() const { return root / "pictures"; }
     [[nodiscard]] std::filesystem::path video() const { return root / "video.mp4"; }
+    [[nodiscard]] std::filesystem::path redrawn() const { return root / "redrawn"; }
+    [[nodiscard]] std::filesystem::path meshes() const { return root / "meshes"; }
     [[nodiscard]] std::filesystem::path paraview() const { return root / "paraview"; }
     [[nodiscard]] std::filesystem::path text_dump() const { return root / "spheres.dump"; }
 };
@@ -26,9 +28,9 @@ struct RunFolder {
 /// unless `keep` is called everything that it made is removed again.
 class FolderInWork {
 public:
-    /// Makes the folder, or takes an empty one; with `overwrite` keep() will remove what an earlier run left there, and
-    /// only that. `bytes` is what the run will write at least. Problems: it holds something, cannot be made or written,
-    /// too little space.
+    /// Makes the folder, or takes an empty one; with `overwrite` keep() will remove what an earlier run and its
+    /// redrawings left there, and only that. `bytes` is what the run will write at least. Problems: it holds something,
+    /// cannot be made or written, too little space.
     static Result<FolderInWork> open(const std::filesystem::path& root, bool overwrite, std::uintmax_t bytes);
 
     FolderInWork(FolderInWork&& other) noexcept;

@@ -3,16 +3,19 @@
 #include "observe/frame_file.h"
 #include "observe/whole_file.h"
 #include "run/fill_plan.h"
+#include "run/measure_names.h"
 #include "run/picture_sink.h"
 #include "run/run_report.h"
-#include "run/scene_doubts.h"
+#include "run/scene_check.h"
 #include "run/state_sinks.h"
 #include "run/view_box.h"
 #include "scene/to_toml.h"
 #include "scene/written.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace tumble::run {
 
@@ -20,6 +23,8 @@ namespace {
 
 // A percent of energy is more than the step should cost.
 constexpr double closure_worth_a_word = 0.01;
+
+constexpr double refresh_every = 1; // s of wall time between versions of run.json
 
 std::filesystem::path folder_for(const scene::Scene& scene, const RunOptions& options) {
     return options.folder.empty() ? std::filesystem::path("out") / scene.file.stem() : options.folder;
@@ -29,6 +34,28 @@ double turned_over(const Books& books) {
     return books.kinetic_translation + books.kinetic_rotation + books.stored_normal + books.stored_tangential +
            books.lost_normal_damping + books.lost_tangential_damping + books.lost_sliding + books.lost_history +
            books.lost_global_damping;
+}
+
+/// What the sums of the books may miss by rounding alone: n terms, n roundings.
+double rounding_of(const Books& books) {
+    return std::numeric_limits<double>::epsilon() * static_cast<double>(books.bodies) *
+           (std::abs(books.gravity) + std::abs(books.inserted));
+}
+
+/// A frame with numbers that are none could not be read again.
+bool finite(const observe::Frame& frame) {
+    const auto all = [](const std::vector<Eigen::Vector3d>& values) {
+        return std::all_of(values.begin(), values.end(), [](const Eigen::Vector3d& v) { return v.allFinite(); });
+    };
+    return all(frame.position) && all(frame.velocity) && all(frame.angular_velocity);
+}
+
+std::int64_t count_pictures(const std::filesystem::path& folder) {
+    std::int64_t count = 0;
+    std::error_code error;
+    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+        count += entry->path().extension() == ".png" ? 1 : 0;
+    return count;
 }
 
 Problems in_scene(Problems problems, const scene::Scene& scene) {
@@ -58,36 +85,36 @@ RunInWork::RunInWork(const scene::Scene& scene, const RunOptions& options, RunLi
     summary_.threads = options.threads;
     summary_.video = options.video;
     summary_.video_slowdown = scene.render.slowdown();
+    summary_.video_file = video_file();
 }
 
 Result<std::unique_ptr<RunInWork>> RunInWork::prepare(const scene::Scene& scene, const RunOptions& options,
                                                       RunListener& listener) {
-    Problems problems = observe::choose_measures(scene.observe.measures).problems();
-    if (options.pictures || options.video)
-        append(problems, check_pictures(scene.render));
-    if (!problems.empty())
+    if (const Problems problems = check_measures(scene); !problems.empty())
         return in_scene(problems, scene);
+    const Result<std::vector<MeshCopy>> meshes = read_meshes(scene);
+    if (!meshes)
+        return meshes.problems();
     Result<SimulationPtr> simulation = simulate(scene, options.threads);
     if (!simulation)
         return simulation.problems();
     const auto bodies = static_cast<std::size_t>(all_bodies_wanted(scene, (*simulation)->bodies()));
     const std::int64_t last = std::llround(scene.duration / scene.time_step);
-    const auto count = static_cast<std::size_t>(Schedule(scene.render.every, scene.time_step).count(last));
+    const auto count = static_cast<std::size_t>(Schedule(scene.render.every, scene.time_step).count_with_last(last));
     Result<FolderInWork> folder = FolderInWork::open(folder_for(scene, options), options.overwrite,
                                                      count * observe::frame_bytes(bodies, scene.walls.size()));
     if (!folder)
         return folder.problems();
     std::unique_ptr<RunInWork> run(new RunInWork(scene, options, listener, std::move(*simulation), std::move(*folder)));
-    for (const auto part : {&RunInWork::choose_what_to_see, &RunInWork::write_beginnings})
-        if (const Result<Done> done = (run.get()->*part)(); !done)
-            return in_scene(done.problems(), scene);
+    if (const Result<Done> chosen = run->choose_what_to_see(); !chosen)
+        return in_scene(chosen.problems(), scene);
+    if (const Result<Done> written = run->write_beginnings(*meshes); !written)
+        return in_scene(written.problems(), scene);
     Result<FrameSinks> sinks = run->open_sinks();
     if (!sinks)
         return in_scene(sinks.problems(), scene);
     run->queue_ = std::make_unique<FrameQueue>(std::move(*sinks));
     run->folder_.keep();
-    for (const std::string& doubt : scene_doubts(scene, run->simulation_->bodies()))
-        run->warn(doubt);
     return run;
 }
 
@@ -106,13 +133,17 @@ Result<Done> RunInWork::choose_what_to_see() {
     return Done{};
 }
 
-Result<Done> RunInWork::write_beginnings() {
+Result<Done> RunInWork::write_beginnings(const std::vector<MeshCopy>& meshes) {
     const RunFolder& paths = folder_.paths();
+    scene::Scene resolved = scene_;
+    if (resolved.observe.measures.empty())
+        resolved.observe.measures = observe::usual_measures();
     std::vector<std::string> heads{"time_s"};
     for (const observe::Measure& measure : measures_)
         heads.push_back(measure.column());
     Problems problems;
-    append(problems, observe::write_whole(paths.scene(), scene::to_toml(scene_)).problems());
+    append(problems, write_meshes(meshes, paths).problems());
+    append(problems, observe::write_whole(paths.scene(), scene::to_toml(resolved, names_of(meshes))).problems());
     append(problems, observe::write_layout(observe::layout_path(paths.frames()), *layout_).problems());
     append(problems, observe::write_whole(paths.summary(), to_json(summary_).dump(2) + "\n").problems());
     auto series = observe::SeriesWriter::create(paths.series(), heads);
@@ -158,6 +189,8 @@ bool RunInWork::stop_wanted() const {
 
 void RunInWork::step_to_the_end() {
     listener_.started(summary_.folder, progress());
+    for (std::string& sentence : check_built(scene_, *simulation_).warnings)
+        warn(std::move(sentence));
     observe_now();
     while (summary_.state == "running") {
         const std::int64_t step = simulation_->steps();
@@ -179,8 +212,10 @@ void RunInWork::step_to_the_end() {
             fail({*problem});
         else
             observe_now();
+        refresh_summary();
         listener_.progressed(progress());
     }
+    keep_last_state();
 }
 
 void RunInWork::observe_now() {
@@ -195,10 +230,30 @@ void RunInWork::observe_now() {
     if (row)
         if (const Result<Done> added = add_row(frame, simulation_->books()); !added)
             fail(added.problems());
-    if (shot)
+    if (shot) {
         queue_->push({std::move(frame), shots_++, plot_});
+        last_shot_ = step;
+    }
     if (const Problems problems = queue_->problems(); !problems.empty())
         fail(problems);
+}
+
+/// What the schedule misses: the state at the end, at Ctrl-C or at a failure is what one wants to see.
+void RunInWork::keep_last_state() {
+    if (last_shot_ == simulation_->steps())
+        return;
+    observe::Frame frame = simulation_->frame();
+    if (finite(frame))
+        queue_->push({std::move(frame), shots_++, plot_});
+}
+
+/// So that run.json says how far a run came that is killed. A disk that is full is told by the frames.
+void RunInWork::refresh_summary() {
+    if (pace_.since_made() < refreshed_ + refresh_every)
+        return;
+    take_stock();
+    (void)observe::write_whole(folder_.paths().summary(), to_json(summary_).dump(2) + "\n");
+    refreshed_ = pace_.since_made();
 }
 
 Result<Done> RunInWork::add_row(const observe::Frame& frame, const Books& books) {
@@ -235,11 +290,13 @@ Progress RunInWork::progress() const {
     now.steps = all_steps_;
     now.steps_per_s = pace_.steps_per_s();
     now.left_s = now.steps_per_s > 0 ? static_cast<double>(all_steps_ - now.step) / now.steps_per_s : 0;
+    const double passed = pace_.since_made();
+    now.waiting_share = queue_ && passed > 0 ? queue_->waited_s() / passed : 0;
     now.books = simulation_->books();
     return now;
 }
 
-void RunInWork::sum_up() {
+void RunInWork::take_stock() {
     summary_.time = simulation_->time();
     summary_.steps = simulation_->steps();
     summary_.books = simulation_->books();
@@ -247,10 +304,15 @@ void RunInWork::sum_up() {
     summary_.phases = simulation_->phase_times();
     summary_.stepping_s = pace_.seconds();
     summary_.wall_s = pace_.since_made();
+    summary_.frames_s = queue_->worked_s();
+    summary_.waited_s = queue_->waited_s();
     summary_.frames = queue_->taken();
     summary_.pictures = options_.pictures ? summary_.frames : 0;
-    summary_.unfilled = simulation_->unfilled();
     summary_.energy_turnover = std::max(summary_.energy_turnover, turned_over(summary_.books));
+}
+
+void RunInWork::judge() {
+    summary_.unfilled = simulation_->unfilled();
     for (const std::string& sentence : summary_.unfilled)
         warn("not all bodies found room: " + sentence);
     if (summary_.overlap_ratio_max > scene_.contact.accepted_overlap)
@@ -258,7 +320,7 @@ void RunInWork::sum_up() {
                          "most {:.3g} %: take stiffer materials or slower impacts, or say contact.accepted_overlap",
                          100 * summary_.overlap_ratio_max, 100 * scene_.contact.accepted_overlap));
     const double missed = std::abs(summary_.books.closure);
-    if (missed > closure_worth_a_word * summary_.energy_turnover)
+    if (missed > closure_worth_a_word * summary_.energy_turnover && missed > rounding_of(summary_.books))
         warn(fmt::format("the energy balance misses {:.3g} J of {:.3g} J: try a smaller time step", missed,
                          summary_.energy_turnover));
 }
@@ -266,7 +328,11 @@ void RunInWork::sum_up() {
 RunSummary RunInWork::finish() {
     if (const Problems problems = queue_->close(); !problems.empty())
         fail(problems);
-    sum_up();
+    take_stock();
+    // A sink that failed may have kept a frame that others did not.
+    summary_.frames = static_cast<std::int64_t>(observe::list_frames(folder_.paths().frames()).size());
+    summary_.pictures = count_pictures(folder_.paths().pictures());
+    judge();
     folder_.release_reserve();
     const auto written = observe::write_whole(folder_.paths().summary(), to_json(summary_).dump(2) + "\n");
     if (!written)

@@ -3,6 +3,7 @@
 #include "observe/measures.h"
 #include "observe/series.h"
 #include "run/frame_queue.h"
+#include "run/mesh_copies.h"
 #include "run/pace.h"
 #include "run/run_folder.h"
 #include "run/run_scene.h"
@@ -35,13 +36,16 @@ private:
 
     Result<Done> choose_what_to_see();
     Result<FrameSinks> open_sinks();
-    Result<Done> write_beginnings();
+    Result<Done> write_beginnings(const std::vector<MeshCopy>& meshes);
     [[nodiscard]] std::filesystem::path video_file() const;
     void observe_now();
+    void keep_last_state();
+    void refresh_summary();
     Result<Done> add_row(const observe::Frame& frame, const Books& books);
     void fail(const Problems& problems);
     void warn(std::string sentence);
-    void sum_up();
+    void take_stock();
+    void judge();
     [[nodiscard]] Progress progress() const;
     [[nodiscard]] bool stop_wanted() const;
 
@@ -61,6 +65,8 @@ private:
     Pace pace_;
     std::int64_t all_steps_ = 0;
     std::int64_t shots_ = 0;
+    std::int64_t last_shot_ = -1; // step
+    double refreshed_ = 0;        // s of wall time since the run was made
     RunSummary summary_;
 };
 

@@ -66,7 +66,10 @@ nlohmann::ordered_json to_json(const RunSummary& summary) {
     json["pictures"] = summary.pictures;
     json["video"] = summary.video;
     json["video_slowdown"] = summary.video_slowdown;
+    json["video_file"] = summary.video_file.string();
     json["wall_s"] = number(summary.wall_s);
+    json["frames_s"] = number(summary.frames_s);
+    json["waited_for_frames_s"] = number(summary.waited_s);
     const double stepping = summary.stepping_s;
     json["steps_per_s"] = number(stepping > 0 ? static_cast<double>(summary.steps) / stepping : 0);
     json["body_steps_per_s"] = number(stepping > 0 ? summary.body_steps / stepping : 0);

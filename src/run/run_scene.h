@@ -30,9 +30,10 @@ struct Progress {
     double time = 0;     // s
     double duration = 0; // s
     std::int64_t step = 0;
-    std::int64_t steps = 0; // in all
-    double steps_per_s = 0; // of wall time, lately
-    double left_s = 0;      // s of wall time, guessed
+    std::int64_t steps = 0;   // in all
+    double steps_per_s = 0;   // of wall time, lately
+    double waiting_share = 0; // of the wall time so far, spent waiting for frames to be drawn and written
+    double left_s = 0;        // s of wall time, guessed
     Books books;
 };
 
@@ -63,10 +64,13 @@ struct RunSummary {
     std::int64_t frames = 0;
     std::int64_t pictures = 0;
     bool video = false;
-    double video_slowdown = 1; // s of watching per s of the run
-    double wall_s = 0;         // s, all
-    double stepping_s = 0;     // s, inside the solver
-    double body_steps = 0;     // bodies times steps, summed as bodies came in
+    std::filesystem::path video_file; // empty without a video
+    double video_slowdown = 1;        // s of watching per s of the run
+    double wall_s = 0;                // s, all
+    double stepping_s = 0;            // s, inside the solver
+    double frames_s = 0;              // s, drawing and writing frames, beside the steps
+    double waited_s = 0;              // s, in which the steps stood still for that
+    double body_steps = 0;            // bodies times steps, summed as bodies came in
     std::vector<PhaseTime> phases;
     Books books;                  // at the end
     double energy_turnover = 0;   // J, what closure is to be compared with

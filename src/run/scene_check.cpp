@@ -3,9 +3,11 @@
 #include "observe/frame_file.h"
 #include "observe/measures.h"
 #include "run/fill_plan.h"
+#include "run/measure_names.h"
 #include "run/scene_doubts.h"
 #include "run/schedule.h"
 #include "scene/extent.h"
+#include "scene/read_file.h"
 #include "scene/written.h"
 
 #include <algorithm>
@@ -59,7 +61,7 @@ void check_walls(const scene::Scene& scene, SceneCheck& check) {
 void check_cost(const scene::Scene& scene, std::size_t columns, SceneCheck& check) {
     check.steps = std::llround(scene.duration / scene.time_step);
     check.rows = Schedule(scene.observe.every, scene.time_step).count(check.steps);
-    check.frames = Schedule(scene.render.every, scene.time_step).count(check.steps);
+    check.frames = Schedule(scene.render.every, scene.time_step).count_with_last(check.steps);
     const auto bodies = static_cast<double>(check.wanted);
     check.memory_bytes =
         bytes_of_program + bodies * bytes_per_body + static_cast<double>(check.parts) * bytes_per_sphere;
@@ -86,9 +88,11 @@ void look_for_oddities(const scene::Scene& scene, SceneCheck& check) {
     if (scene.walls.empty())
         say("there is no wall: bodies fall out of the domain unless it is periodic");
     if (scene.observe.every < scene.time_step)
-        say("observe.every_s is shorter than a step: every step gets one row");
+        say(fmt::format("observe.every_s is shorter than a step: every step gets one row, {} in all", check.rows));
     if (scene.render.every < scene.time_step)
-        say("render.every_s is shorter than a step: every step gets one frame");
+        say(fmt::format(
+            "render.every_s is shorter than a step: every step gets one frame, {} in all; the run writes {}",
+            check.frames, scene::in_words(static_cast<std::size_t>(check.disk_bytes))));
     if (scene.observe.every > scene.duration)
         say("observe.every_s is longer than the run: only its first instant gets a row");
     if (const std::int64_t later = check.wanted - check.placed - check.too_late; later > 0)
@@ -117,8 +121,7 @@ nlohmann::ordered_json to_json(const scene::TimeStepReport& report) {
 } // namespace
 
 Result<SceneCheck> check_scene(const scene::Scene& scene, int threads) {
-    const auto measures = observe::choose_measures(scene.observe.measures);
-    Problems problems = measures.problems();
+    Problems problems = check_measures(scene);
     for (Problem& problem : problems)
         problem = scene::placed(scene, std::move(problem));
     const Result<SimulationPtr> simulation = simulate(scene, threads);
@@ -126,14 +129,19 @@ Result<SceneCheck> check_scene(const scene::Scene& scene, int threads) {
     problems.insert(problems.end(), more.begin(), more.end());
     if (!problems.empty())
         return problems;
+    return check_built(scene, **simulation);
+}
+
+SceneCheck check_built(const scene::Scene& scene, const Simulation& simulation) {
     SceneCheck check;
     check.dimension = scene.dimension;
-    const std::vector<SimulatedBody> bodies = (*simulation)->bodies();
+    const std::vector<SimulatedBody> bodies = simulation.bodies();
     check_bodies(scene, bodies, check);
-    check.placed = static_cast<std::int64_t>((*simulation)->frame().bodies());
+    check.placed = static_cast<std::int64_t>(simulation.frame().bodies());
     check_walls(scene, check);
-    check.time_step = (*simulation)->time_step();
-    check_cost(scene, measures->size(), check);
+    check.time_step = simulation.time_step();
+    const auto measures = observe::choose_measures(scene.observe.measures);
+    check_cost(scene, measures ? measures->size() : 0, check);
     check.warnings = scene_doubts(scene, bodies);
     look_for_oddities(scene, check);
     return check;

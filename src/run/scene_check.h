@@ -46,6 +46,9 @@ struct SceneCheck {
     std::vector<std::string> warnings;
 };
 
+/// The same of a world that is built.
+SceneCheck check_built(const scene::Scene& scene, const Simulation& simulation);
+
 /// Builds everything as a run would, takes no step, writes nothing. Problems: all that would keep the scene from
 /// running, an unstable time step among them.
 Result<SceneCheck> check_scene(const scene::Scene& scene, int threads);

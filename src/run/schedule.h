@@ -34,6 +34,11 @@ public:
         return number + 1;
     }
 
+    /// The same with the last step itself, which is always kept.
+    [[nodiscard]] std::int64_t count_with_last(std::int64_t last) const {
+        return count(last) + (every_ < step_ || step_of(count(last) - 1) == last ? 0 : 1);
+    }
+
 private:
     [[nodiscard]] std::int64_t step_of(std::int64_t number) const {
         return std::llround(static_cast<double>(number) * every_ / step_);

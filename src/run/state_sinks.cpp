@@ -26,7 +26,7 @@ private:
 class ParaviewSink final : public FrameSink {
 public:
     explicit ParaviewSink(std::filesystem::path folder) : writer_(std::move(folder)) {}
-    Result<Done> take(const Shot& shot) override { return writer_.write(shot.frame); }
+    Result<Done> take(const Shot& shot) override { return writer_.write(shot.frame, shot.number); }
 
 private:
     observe::ParaviewWriter writer_;
@@ -35,7 +35,7 @@ private:
 Problem cannot_write(const std::filesystem::path& file, int error) {
     return {.file = file.string(),
             .what = std::string("cannot be written: ") + std::strerror(error),
-            .fix = error == ENOSPC ? "free some space or choose another folder with --out DIR" : ""};
+            .fix = error == ENOSPC ? "free some space, or write to another disk" : ""};
 }
 
 class TextSink final : public FrameSink {

@@ -8,7 +8,9 @@ KeyTable observe() {
     table.sentence = "What is written to `series.csv`.";
     table.keys = {
         number("every_s", "s", above(0, 1e6), "Time between rows.").otherwise(0.01),
-        words("measures", {}, "Which measures; `tumble list measures` names them. Without it all that apply.")
+        words("measures", {},
+              "Which measures, by name or group; `tumble list measures` names them. Without it the usual ones, which "
+              "docs/measures.md lists.")
             .otherwise(std::vector<std::string>{}),
     };
     return table;
@@ -39,13 +41,14 @@ KeyTable render() {
                "Lowest corner of what must be in the picture; without it all walls "
                "and bodies."),
         vector("view_hi_m", "m", from(-1e4, 1e4), "Highest corner of it."),
-        text("color", "Quantity that colours the bodies: `speed`, `vx`, `vy`, `vz`, `spin`.")
+        word("color", {"speed", "vx", "vy", "vz", "spin"}, "Quantity that colours the bodies.")
             .otherwise(std::string("speed")),
-        KeyMaker("range", KeyType::span, "", {},
-                 "Values at the two ends of the colour scale, in the quantity's SI unit; without it what occurs."),
-        text("colormap", "Colour scale: `auto` (coolwarm for quantities with a sign, else viridis), `viridis`, "
-                         "`cividis`, `inferno`, "
-                         "`coolwarm`.")
+        KeyMaker(
+            "range", KeyType::span, "", {},
+            "Values at the two ends of the colour scale, in the quantity's SI unit; without it what occurs. It goes "
+            "with the `color` beside it: a command line that names another colour and no range leaves it out."),
+        word("colormap", {"auto", "viridis", "cividis", "inferno", "coolwarm"},
+             "Colour scale; auto is coolwarm for quantities with a sign, else viridis.")
             .otherwise(std::string("auto")),
         word("background", {"dark", "white"}, "Behind the picture.").otherwise(std::string("dark")),
         integer("width_px", from(64, 8192), "Width of the picture.").otherwise(std::int64_t{1280}),
@@ -54,7 +57,7 @@ KeyTable render() {
         number("frames_per_second", "1/s", above(0, 240), "Frames of the video per second of watching.")
             .otherwise(25.0),
         flag("plot", "Draw a small live plot over the picture.").otherwise(true),
-        text("plot_measure", "The measure it shows.").otherwise(std::string("kinetic_energy")),
+        text("plot_measure", "The one measure it shows.").otherwise(std::string("kinetic_energy")),
     };
     return table;
 }

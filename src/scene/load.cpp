@@ -1,11 +1,14 @@
 #include "scene/load.h"
 
 #include "scene/check_keys.h"
+#include "scene/keys.h"
 #include "scene/read_file.h"
 #include "scene/read_toml.h"
 #include "scene/report.h"
 #include "scene/resolve.h"
 #include "scene/view.h"
+
+#include <algorithm>
 
 namespace tumble::scene {
 namespace {
@@ -34,6 +37,34 @@ void note_places(const Node& node, const std::string& path, const std::string& k
     }
 }
 
+Table* render_of(Node& root) {
+    Table* top = root.as<Table>();
+    Entry* render = top ? top->find("render") : nullptr;
+    return render ? render->node.as<Table>() : nullptr;
+}
+
+std::string color_of(Node& root) {
+    const Table* render = render_of(root);
+    const Entry* color = render ? render->find("color") : nullptr;
+    const std::string* word = color ? color->node.as<std::string>() : nullptr;
+    return word ? *word : std::get<std::string>(find_key(*find_table("render"), "color")->standard);
+}
+
+bool all_from(const Node& node, const std::string& source) {
+    const Array* list = node.as<Array>();
+    const auto inside = [&](const Node& item) { return all_from(item, source); };
+    return *node.place.source == source && (!list || std::all_of(list->items.begin(), list->items.end(), inside));
+}
+
+/// A range was chosen for the colour beside it: with another colour from a set it would mean something else.
+void drop_range_of_another_color(Node& root, const std::string& color_of_file) {
+    Table* render = render_of(root);
+    if (render && color_of(root) != color_of_file)
+        std::erase_if(render->entries, [&](const Entry& entry) {
+            return entry.name == "range" && all_from(entry.node, *root.place.source);
+        });
+}
+
 } // namespace
 
 Result<Scene> load_scene_text(std::string_view toml, const std::filesystem::path& file,
@@ -42,8 +73,10 @@ Result<Scene> load_scene_text(std::string_view toml, const std::filesystem::path
     if (!root)
         return root.problems();
     Report report;
+    const std::string color = color_of(*root);
     for (const Override& set : sets)
         report.add(apply(set, *root));
+    drop_range_of_another_color(*root, color);
     check_keys(*root, report);
 
     Scene scene;

@@ -1,5 +1,6 @@
 #include "scene/read_file.h"
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fmt/format.h>
@@ -9,10 +10,12 @@
 namespace tumble::scene {
 
 std::string in_words(std::size_t bytes) {
-    constexpr std::size_t mebibyte = 1024 * 1024;
-    if (bytes >= mebibyte)
-        return fmt::format("{:.4g} MiB", static_cast<double>(bytes) / static_cast<double>(mebibyte));
-    return fmt::format("{} bytes", bytes);
+    constexpr std::array<const char*, 5> units{"bytes", "KiB", "MiB", "GiB", "TiB"};
+    auto value = static_cast<double>(bytes);
+    std::size_t unit = 0;
+    for (; value >= 999.5 && unit + 1 < units.size(); ++unit)
+        value /= 1024;
+    return fmt::format("{:.3g} {}", value, units[unit]);
 }
 
 Result<std::string> read_file(const std::filesystem::path& path, std::size_t cap) {

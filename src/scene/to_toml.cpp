@@ -132,6 +132,7 @@ void write_bodies(const Scene& scene, TomlWriter& to) {
 struct ShapeWriter {
     TomlWriter& to;
     int dimension;
+    const MeshNames& meshes;
 
     void operator()(const SegmentShape& segment) const {
         to.text("shape", "segment");
@@ -198,7 +199,8 @@ struct ShapeWriter {
         to.text("shape", "mesh");
         std::error_code error;
         const auto path = std::filesystem::absolute(mesh.file, error);
-        to.text("stl", (error ? mesh.file : path).string());
+        const auto named = meshes.find(mesh.file);
+        to.text("stl", named != meshes.end() ? named->second : (error ? mesh.file : path).string());
         to.number("scale", mesh.scale);
     }
 
@@ -290,7 +292,7 @@ void write_output(const Scene& scene, TomlWriter& to) {
 
 } // namespace
 
-std::string to_toml(const Scene& scene) {
+std::string to_toml(const Scene& scene, const MeshNames& meshes) {
     TomlWriter to(scene.dimension);
     write_world(scene, to);
     write_materials(scene, to);
@@ -300,10 +302,10 @@ std::string to_toml(const Scene& scene) {
         to.text("name", wall.name);
         to.text("material", scene.materials[static_cast<std::size_t>(wall.material)].name);
         if (scene.dimension == 2) {
-            std::visit(ShapeWriter{to, 2}, wall.outline);
+            std::visit(ShapeWriter{to, 2, meshes}, wall.outline);
         } else {
             to.number("opacity", wall.opacity);
-            std::visit(ShapeWriter{to, 3}, wall.shape);
+            std::visit(ShapeWriter{to, 3, meshes}, wall.shape);
         }
         write_motion(wall.motion, scene.dimension, to);
     }

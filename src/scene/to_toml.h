@@ -2,12 +2,18 @@
 
 #include "scene/scene.h"
 
+#include <filesystem>
+#include <map>
 #include <string>
 
 namespace tumble::scene {
 
-/// The resolved scene as TOML that loads again to the same values, bit for bit. It stands alone: spheres of bodies and
-/// motions are written out, meshes are named by absolute path.
-std::string to_toml(const Scene& scene);
+/// What a mesh file is called in the TOML, for files that were copied beside it.
+using MeshNames = std::map<std::filesystem::path, std::string>;
+
+/// The resolved scene as TOML that loads again to the same values, bit for bit, also where other defaults reign: every
+/// key is written. Spheres of bodies and motions are written out; meshes have their name in `meshes`, else their
+/// absolute path.
+std::string to_toml(const Scene& scene, const MeshNames& meshes = {});
 
 } // namespace tumble::scene

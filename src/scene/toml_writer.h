@@ -8,8 +8,8 @@
 
 namespace tumble::scene {
 
-/// Writes keys of one table of the list under its head, each value so that reading it gives the same bits. Keys at
-/// their default are left out.
+/// Writes keys of one table of the list under its head, each value so that reading it gives the same bits. A name that
+/// the list does not hold is a mistake of the program.
 class TomlWriter {
 public:
     /// `dimension` of the scene, 2 or 3: how many numbers of a vector are written, and which keys there are.

@@ -42,11 +42,23 @@ TEST_CASE("every help opens with an example and goes to stdout") {
     for (const std::string command : {"run", "render", "check", "list", "lesson", "export"}) {
         const Outcome outcome = tumble_in(folder, {command, "--help"});
         CHECK(outcome.code == 0);
-        CHECK_MESSAGE(outcome.out.starts_with("  tumble " + command + " "), outcome.out.substr(0, 80));
+        CHECK_MESSAGE(outcome.out.starts_with("Example: tumble " + command + " "), outcome.out.substr(0, 80));
         CHECK(outcome.err.empty());
     }
-    CHECK(tumble_in(folder, {"--help"}).out.starts_with("  tumble "));
+    CHECK(tumble_in(folder, {"--help"}).out.starts_with("Example: tumble "));
     CHECK(tumble_in(folder, {"--version"}).out.starts_with("tumble "));
+}
+
+TEST_CASE("check and run alike refuse a plot of an unknown measure, with its line") {
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(0.01) + "plot_measure = \"kinetic_enrgy\"\n");
+    for (const std::string command : {"check", "run"}) {
+        const Outcome outcome = tumble_in(folder, {command, "ball.toml"});
+        CHECK(outcome.code == 2);
+        CHECK(contains(outcome.err, "ball.toml:34:16: there is no measure 'kinetic_enrgy'"));
+        CHECK(contains(outcome.err, "did you mean 'kinetic_energy'?"));
+    }
+    CHECK(contains(tumble_in(folder, {"render", "--help"}).out, "speed, vx, vy, vz, spin"));
 }
 
 TEST_CASE("a mistake in a scene is told with file, line and column, on stderr and as JSON") {

@@ -32,6 +32,10 @@ private:
     bool mounted_ = false;
 };
 
+std::size_t files_in(const fs::path& folder) {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
 } // namespace
 
 TEST_CASE("a disk that is too small for the frames is refused before the first step") {
@@ -62,6 +66,27 @@ TEST_CASE("a disk that runs full ends the run with code 1, whole files and the r
     CHECK(series.ends_with("\n"));
     for (const auto& entry : fs::recursive_directory_iterator(folder.path / "disk"))
         CHECK(entry.path().extension() != ".part");
+    CHECK(summary["frames"] == files_in(folder.path / "disk/run/frames") - 1); // the layout is no frame
+    CHECK(summary["pictures"] == files_in(folder.path / "disk/run/pictures"));
     const Outcome drawn = tumble_in(folder, {"render", "disk/run", "--out", "drawn", "--time", "0:0.01", "--quiet"});
     CHECK_MESSAGE(drawn.code == 0, drawn.err);
+}
+
+TEST_CASE("a disk that runs full while a run is redrawn or exported has code 1, and advice that the command can take") {
+    const Folder folder;
+    const SmallDisk disk(folder.path / "disk", "20k");
+    if (!disk)
+        return;
+    put(folder.path / "ball.toml", bouncing_ball(2)); // 201 frames, some 200 bytes each as text
+    REQUIRE(tumble_in(folder, {"run", "ball.toml", "--quiet"}).code == 0);
+    for (const std::vector<std::string>& words :
+         std::vector<std::vector<std::string>>{{"render", "out/ball", "--out", "disk/drawn"},
+                                               {"export", "out/ball", "--vtk", "disk/vtk"},
+                                               {"export", "out/ball", "--dump", "disk/all.dump"}}) {
+        const Outcome outcome = tumble_in(folder, words);
+        CHECK(outcome.code == 1);
+        CHECK(contains(outcome.err, "No space left on device"));
+        CHECK_FALSE(outcome.err.find("--out") != std::string::npos);
+        CHECK(fs::is_empty(folder.path / "disk"));
+    }
 }

@@ -98,9 +98,14 @@ TEST_CASE("Ctrl-C reaches ffmpeg too, and the video is whole all the same") {
 TEST_CASE("a killed run is redrawn and exported from what it left") {
     const Folder folder;
     Process process = long_run(folder);
+    REQUIRE(eventually([&] { return summary_in(folder.path / "out/ball")["time_s"] > 0; }));
     process.send(SIGKILL);
     CHECK(process.wait().code == 137);
-    CHECK(summary_in(folder.path / "out/ball")["state"] == "running");
+    const auto summary = summary_in(folder.path / "out/ball");
+    CHECK(summary["state"] == "running");
+    CHECK(summary["frames"] > 0);
+    CHECK(contains(tumble_in(folder, {"export", "out/ball", "--dump", "a.dump", "--time", ":0.01"}).err,
+                   "this run did not end"));
     const Outcome drawn = tumble_in(folder, {"render", "out/ball", "--camera", "side", "--color", "vy", "--time",
                                              ":0.01", "--out", "drawn", "--quiet"});
     CHECK_MESSAGE(drawn.code == 0, drawn.err);
@@ -158,13 +163,52 @@ TEST_CASE("wrong times and sizes of a drawing are said") {
     }
     const Outcome late = tumble_in(folder, {"render", "out/ball", "--time", "5:"});
     CHECK(late.code == 2);
-    CHECK(contains(late.err, "its last readable frame is at 0.02 s"));
+    CHECK(contains(late.err, "the nearest is at 0.02 s"));
     CHECK(tumble_in(folder, {"render", "out/ball", "--size", "wide"}).code == 2);
     const Outcome camera = tumble_in(folder, {"render", "out/ball", "--camera", "fornt"});
     CHECK(camera.code == 2);
     CHECK(contains(camera.err, "front"));
     CHECK(tumble_in(folder, {"render", "out/none"}).code == 2);
     CHECK_FALSE(fs::exists(folder.path / "out/ball/redrawn"));
+}
+
+TEST_CASE("a redrawing takes the keys that concern it and refuses those of the run") {
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(0.02));
+    REQUIRE(tumble_in(folder, {"run", "ball.toml", "--quiet"}).code == 0);
+    const Outcome refused = tumble_in(folder, {"render", "out/ball", "--set", "duration_s=9", "--set", "title=New"});
+    CHECK(refused.code == 2);
+    CHECK(contains(refused.err, "--set duration_s: this run is over"));
+    CHECK_FALSE(refused.err.find("--set title") != std::string::npos);
+    CHECK(tumble_in(folder, {"render", "out/ball", "--set", "render.every_s=1"}).code == 2);
+    CHECK_FALSE(fs::exists(folder.path / "out/ball/redrawn"));
+    const Outcome drawn = tumble_in(folder, {"render", "out/ball", "--set", "wall.floor.opacity=1", "--set",
+                                             "title=New", "--set", "render.background=white", "--quiet"});
+    CHECK_MESSAGE(drawn.code == 0, drawn.err);
+}
+
+TEST_CASE("a video with another ending than .mp4 is refused by render, before anything is run or drawn") {
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(0.02));
+    REQUIRE(tumble_in(folder, {"run", "ball.toml", "--quiet"}).code == 0);
+    for (const std::string what : {"out/ball", "ball.toml"}) {
+        const Outcome outcome = tumble_in(folder, {"render", what, "--video", "x.avi", "--out", "there"});
+        CHECK(outcome.code == 2);
+        CHECK(contains(outcome.err, "call it x.mp4"));
+    }
+    CHECK_FALSE(fs::exists(folder.path / "there"));
+}
+
+TEST_CASE("no folder or file is made of a dash") {
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(0.02));
+    REQUIRE(tumble_in(folder, {"run", "ball.toml", "--quiet"}).code == 0);
+    for (const std::vector<std::string>& words :
+         std::vector<std::vector<std::string>>{{"run", "ball.toml", "--out", "-"},
+                                               {"render", "out/ball", "--out", "-"},
+                                               {"export", "out/ball", "--vtk", "-"}})
+        CHECK(tumble_in(folder, words).code == 2);
+    CHECK_FALSE(fs::exists(folder.path / "-"));
 }
 
 TEST_CASE("a scene is rendered by running it") {
@@ -188,4 +232,7 @@ TEST_CASE("a video comes out of run and of render where ffmpeg is installed") {
     REQUIRE(tumble_in(folder, {"render", "out/ball", "--video", "side.mp4", "--camera", "side", "--quiet"}).code == 0);
     CHECK(fs::file_size(folder.path / "side.mp4") > 1000);
     CHECK_FALSE(any_part(folder.path));
+    const Outcome named = tumble_in(folder, {"render", "ball.toml", "--video", "top.mp4", "--out", "top"});
+    CHECK(named.code == 0);
+    CHECK(contains(named.out, ", top.mp4\n"));
 }

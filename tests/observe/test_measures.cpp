@@ -1,6 +1,7 @@
 #include "frames.h"
 #include "observe/measures.h"
 
+#include <algorithm>
 #include <doctest/doctest.h>
 #include <set>
 
@@ -104,4 +105,13 @@ TEST_CASE("docs/measures.md defines every measure and names its group") {
         if (!measure.group.empty())
             CHECK_MESSAGE(page.find("`" + measure.group + "`") != std::string::npos, measure.group);
     }
+}
+
+TEST_CASE("docs/measures.md names the usual measures in the order they are written") {
+    std::string list;
+    for (const std::string& name : observe::usual_measures())
+        list += (list.empty() ? "`" : ", `") + name + "`";
+    std::string page = content_of(TUMBLE_ROOT "/docs/measures.md");
+    std::replace(page.begin(), page.end(), '\n', ' ');
+    CHECK(page.find(list) != std::string::npos);
 }

@@ -127,9 +127,9 @@ TEST_CASE("the series lists every frame at its time, and every file is well-form
     const Folder folder;
     observe::ParaviewWriter writer(folder.path);
     observe::Frame frame = some_frame();
-    REQUIRE(writer.write(frame).ok());
+    REQUIRE(writer.write(frame, 0).ok());
     frame.time = 0.5;
-    REQUIRE(writer.write(frame).ok());
+    REQUIRE(writer.write(frame, 1).ok());
     const std::string series = content_of(folder.path / "walls.pvd");
     CHECK(series.find("<DataSet timestep=\"0.25\" part=\"0\" file=\"walls_000000.vtp\"/>") != std::string::npos);
     CHECK(series.find("<DataSet timestep=\"0.5\" part=\"0\" file=\"walls_000001.vtp\"/>") != std::string::npos);

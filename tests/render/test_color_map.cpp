@@ -1,4 +1,6 @@
 #include "render/color_map.h"
+#include "render/quantity.h"
+#include "scene/keys.h"
 
 #include <bit>
 #include <cmath>
@@ -9,6 +11,10 @@ using namespace tumble::render;
 using Eigen::Vector3d;
 
 namespace {
+
+std::vector<std::string> words_of(const char* key) {
+    return scene::find_key(*scene::find_table("render"), key)->words;
+}
 
 /// CIELAB of an sRGB colour (0 to 1), white D65; IEC 61966-2-1 and CIE 15.
 Vector3d lab(const Vector3d& srgb) {
@@ -99,4 +105,12 @@ TEST_CASE("an unknown colour scale is answered with the nearest one") {
     REQUIRE(!map.ok());
     CHECK(map.problems().front().key == "render.colormap");
     CHECK(map.problems().front().fix.find("did you mean 'viridis'?") == 0);
+}
+
+TEST_CASE("a scene may name exactly the colour scales and quantities that there are") {
+    CHECK(words_of("colormap") == color_map_names());
+    std::vector<std::string> names;
+    for (const Quantity& quantity : quantities())
+        names.push_back(quantity.name);
+    CHECK(words_of("color") == names);
 }

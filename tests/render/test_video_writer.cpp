@@ -155,6 +155,18 @@ TEST_CASE("a video that is given up, or has no frames, leaves no file") {
     CHECK(folder.files() == 0);
 }
 
+TEST_CASE("a name with another ending than .mp4 is refused, for what is inside would not be what it says") {
+    const Folder folder;
+    for (const char* name : {"a.avi", "a", "a.mp4.gif"}) {
+        const auto video = VideoWriter::open(folder.path / name, 64, 64, 25);
+        REQUIRE(!video.ok());
+        CHECK(video.problems().front().what == "a video is an MP4 file, and this name has another ending");
+    }
+    CHECK(VideoWriter::open(folder.path / "a.avi", 64, 64, 25).problems().front().fix ==
+          "call it " + (folder.path / "a.mp4").string());
+    CHECK(folder.files() == 0);
+}
+
 TEST_CASE("a frame of another size is refused") {
     const Folder programs;
     const Folder folder;

@@ -61,6 +61,88 @@ TEST_CASE("a run is redrawn with other settings, in whole or in part, without si
     CHECK(count_files(options.pictures, ".png") == 1); // older pictures do not stay among the new ones
 }
 
+TEST_CASE("a cut takes the frames at its ends, which sit at the nearest step, and keeps their numbers") {
+    const Folder folder;
+    run::RunOptions running;
+    running.folder = folder.path / "ball";
+    run::RunListener listener;
+    // Frames at steps 0, 167, 333, 500, 667 of 3e-5 s: 0.00501, 0.00999, 0.015, 0.02001.
+    REQUIRE(run::run_scene(loaded(falling_ball, {"time_step_s=3e-5"}), running, listener).ok());
+    run::ExportOptions options;
+    options.paraview = folder.path / "vtk";
+    options.when.from = 0.01;
+    options.when.to = 0.02;
+    const auto done = run::export_run(running.folder, options, silent);
+    REQUIRE_MESSAGE(done.ok(), to_string(done.problems()));
+    CHECK(done->frames == 3);
+    CHECK(done->first == doctest::Approx(0.00999));
+    CHECK(done->last == doctest::Approx(0.02001));
+    for (const char* name : {"bodies_000002.vtp", "bodies_000003.vtp", "bodies_000004.vtp"})
+        CHECK_MESSAGE(fs::exists(options.paraview / name), name);
+    run::RedrawOptions drawing;
+    drawing.settings = loaded(falling_ball).render;
+    drawing.pictures = folder.path / "drawn";
+    drawing.when = options.when;
+    REQUIRE(run::redraw(running.folder, drawing, silent).ok());
+    CHECK(fs::exists(drawing.pictures / "frame_000004.png"));
+    CHECK_FALSE(fs::exists(drawing.pictures / "frame_000000.png"));
+}
+
+TEST_CASE("a redrawing may give walls another opacity and the picture another title") {
+    const Folder folder;
+    const fs::path run = finished_run(folder);
+    run::RedrawOptions options;
+    options.settings =
+        loaded(falling_ball, {"render.camera=top", "render.width_px=640", "render.height_px=360"}).render;
+    options.when.to = 0;
+    const auto drawn = [&](const char* name) {
+        options.pictures = folder.path / name;
+        REQUIRE(run::redraw(run, options, silent).ok());
+        return content_of(options.pictures / "frame_000000.png");
+    };
+    const std::string usual = drawn("usual");
+    options.title = "A ball that falls";
+    options.wall_opacity = {0.25};
+    CHECK(drawn("same") == usual);
+    options.wall_opacity = {1};
+    CHECK(drawn("opaque") != usual);
+    options.wall_opacity = {0.25};
+    options.title = "Another";
+    CHECK(drawn("titled") != usual);
+}
+
+TEST_CASE("a redrawing says of a run that did not end how it ended") {
+    const Folder folder;
+    const fs::path run = finished_run(folder);
+    run::ExportOptions options;
+    options.overwrite = true;
+    options.text_dump = folder.path / "all.dump";
+    const auto warned = [&](const std::string& summary) {
+        put(run / "run.json", summary);
+        const auto done = run::export_run(run, options, silent);
+        REQUIRE_MESSAGE(done.ok(), to_string(done.problems()));
+        return done->warnings.empty() ? "" : done->warnings[0];
+    };
+    CHECK(warned(R"({"state": "finished", "time_s": 0.02})").empty());
+    CHECK(warned(R"({"state": "running", "time_s": 0.01})") ==
+          "this run did not end: it was killed, or is still going on; run.json knows of t = 0.01 s");
+    CHECK(warned(R"({"state": "stopped", "time_s": 0.01})") == "this run was stopped; run.json knows of t = 0.01 s");
+    CHECK(warned("{") == "run.json cannot be read, so that nobody knows whether the run reached its end");
+}
+
+TEST_CASE("where every frame is damaged the first is named, with what is wrong with it") {
+    const Folder folder;
+    const fs::path run = finished_run(folder);
+    for (const fs::path& file : observe::list_frames(run / "frames"))
+        put(file, content_of(file).substr(0, 100));
+    run::ExportOptions options;
+    options.text_dump = folder.path / "all.dump";
+    const Problems problems = run::export_run(run, options, silent).problems();
+    REQUIRE(problems.size() == 5);
+    CHECK(problems[0].file == (run / "frames/frame_000000.tumble").string());
+    CHECK(problems[0].what.find("time asked for") == std::string::npos);
+}
+
 TEST_CASE("frames of a killed run that cannot be read are left out with a warning") {
     const Folder folder;
     const fs::path run = finished_run(folder);
@@ -93,6 +175,7 @@ TEST_CASE("what is no run, or has no frame in the time asked for, is refused and
     const Problems problems = run::redraw(run, options, silent).problems();
     REQUIRE(problems.size() == 1);
     CHECK(problems[0].what == "there is no readable frame in the time asked for");
+    CHECK(problems[0].fix == "the nearest is at 0.02 s; they go from 0 to 0.02 s");
     options.when.from = 0;
     options.settings.color = "colour of money";
     CHECK_FALSE(run::redraw(run, options, silent).ok());

@@ -112,6 +112,114 @@ TEST_CASE("nothing is overwritten, and force replaces only what a run wrote") {
     CHECK(content_of(folder.path / "series.csv").starts_with("time_s,"));
 }
 
+TEST_CASE("force takes away all that the earlier run, its redrawings and a kill left, and nothing of anybody else") {
+    const Folder folder;
+    const scene::Scene scene = loaded(falling_ball, {"duration_s=0.002"});
+    run::RunOptions options;
+    options.folder = folder.path;
+    fs::create_directories(folder.path / "redrawn" / "side_vy");
+    fs::create_directories(folder.path / "pictures");
+    fs::create_directories(folder.path / "meshes");
+    for (const char* name :
+         {"redrawn/side_vy/frame_000000.png", "redrawn/side_vy/frame_000001.png.part", "video.mp4.part",
+          "run.json.part", "pictures/frame_000099.png", "meshes/0.stl", ".reserve"})
+        put(folder.path / name, "old");
+    for (const char* name : {"pictures/choice.txt", "redrawn/side_vy/best.svg", "mine.mp4"})
+        put(folder.path / name, "mine");
+    options.overwrite = true;
+    CHECK(ran(scene, options).state == "finished");
+    CHECK(entries(folder.path) == std::vector<std::string>{"frames", "mine.mp4", "pictures", "redrawn", "run.json",
+                                                           "scene.toml", "series.csv"});
+    CHECK(entries(folder.path / "pictures") == std::vector<std::string>{"choice.txt"});
+    CHECK(entries(folder.path / "redrawn" / "side_vy") == std::vector<std::string>{"best.svg"});
+}
+
+TEST_CASE("the last state is kept as a frame where the schedule misses it") {
+    const Folder folder;
+    run::RunOptions options;
+    options.folder = folder.path / "ball";
+    double end = 0.007;
+    SUBCASE("at the end") {
+        CHECK(ran(loaded(falling_ball, {"duration_s=0.007"}), options).frames == 3);
+    }
+    SUBCASE("after a failure") {
+        const auto summary = ran(loaded(falling_ball, {"fill.0.velocity_m_s=[13, 0, 0]"}), options);
+        CHECK(summary.state == "failed"); // 0.1 m to the side of the domain
+        end = summary.time;
+        CHECK(end == doctest::Approx(0.1 / 13).epsilon(0.1));
+    }
+    const auto layout = observe::read_layout(observe::layout_path(options.folder / "frames"));
+    REQUIRE(layout.ok());
+    const auto files = observe::list_frames(options.folder / "frames");
+    REQUIRE(files.size() == 3);
+    CHECK(observe::read_frame(files.back(), *layout)->time == doctest::Approx(end));
+}
+
+TEST_CASE("the first row of the series describes the state that the run starts from") {
+    const Folder folder;
+    run::RunOptions options;
+    options.folder = folder.path / "ball";
+    ran(loaded(falling_ball, {"observe.measures=[\"bodies\", \"energies\", \"energy_closure\", \"kinetic\"]",
+                              "fill.0.velocity_m_s=[0, 2, 0]", "duration_s=0.002"}),
+        options);
+    const auto series = observe::read_series(options.folder / "series.csv");
+    REQUIRE(series.ok());
+    const auto first = [&](const std::string& name) { return series->find(name)->front(); };
+    const double mass = 2500 * 4.0 / 3.0 * M_PI * 1e-6;
+    CHECK(first("bodies") == 1);
+    CHECK(first("kinetic_translation_J") == doctest::Approx(0.5 * mass * 4));
+    CHECK(first("gravity_energy_J") == doctest::Approx(mass * 9.81 * 0.5));
+    CHECK(first("inserted_energy_J") == doctest::Approx(mass * (2 + 9.81 * 0.5)));
+    CHECK(std::abs(first("energy_closure_J")) < 1e-15);
+}
+
+TEST_CASE("a run says what check warns of, and run.json keeps it") {
+    const Folder folder;
+    struct Ears : run::RunListener {
+        std::vector<std::string> heard;
+        void warned(const std::string& sentence) override { heard.push_back(sentence); }
+    } ears;
+    run::RunOptions options;
+    options.folder = folder.path / "ball";
+    const auto summary =
+        run::run_scene(loaded(falling_ball, {"duration_s=0.001", "render.every_s=1e-6"}), options, ears);
+    REQUIRE(summary.ok());
+    REQUIRE(ears.heard.size() == 1);
+    CHECK(ears.heard[0].starts_with("render.every_s is shorter than a step: every step gets one frame, 101 in all"));
+    CHECK(nlohmann::json::parse(content_of(options.folder / "run.json"))["warnings"][0] == ears.heard[0]);
+}
+
+TEST_CASE("a body at rest without gravity misses no energy worth a warning") {
+    const Folder folder;
+    run::RunOptions options;
+    options.folder = folder.path / "ball";
+    const auto summary =
+        ran(loaded(falling_ball, {"gravity_m_s2=[1e-9, -1, 0]", "duration_s=1e-5", "observe.every_s=1e-5"}), options);
+    CHECK(summary.warnings.empty());
+}
+
+TEST_CASE("meshes come along: the folder runs again where the first files are gone, even into itself") {
+    const Folder folder;
+    const std::string mesh = content_of(TUMBLE_ROOT "/tests/scene/data/tetrahedron.stl");
+    put(folder.path / "lid.stl", mesh);
+    put(folder.path / "ball.toml", falling_ball + "[[wall]]\nname = \"lid\"\nstl = \"lid.stl\"\nscale = 0.001\n"
+                                                  "material = \"glass\"\n");
+    const auto scene = scene::load_scene(folder.path / "ball.toml", {{"duration_s=0.001"}});
+    REQUIRE_MESSAGE(scene.ok(), to_string(scene.problems()));
+    run::RunOptions options;
+    options.folder = folder.path / "a";
+    ran(*scene, options);
+    CHECK(content_of(folder.path / "a/meshes/0.stl") == mesh);
+    fs::remove(folder.path / "lid.stl");
+    fs::rename(folder.path / "a", folder.path / "b");
+    const auto again = scene::load_scene(folder.path / "b/scene.toml");
+    REQUIRE_MESSAGE(again.ok(), to_string(again.problems()));
+    options.folder = folder.path / "b";
+    options.overwrite = true;
+    ran(*again, options);
+    CHECK(content_of(folder.path / "b/meshes/0.stl") == mesh);
+}
+
 TEST_CASE("a run that cannot start costs the one that it was to replace nothing") {
     const Folder folder;
     run::RunOptions options;
@@ -120,12 +228,13 @@ TEST_CASE("a run that cannot start costs the one that it was to replace nothing"
     const std::string series = content_of(options.folder / "series.csv");
     const std::string summary = content_of(options.folder / "run.json");
     options.overwrite = true;
-    options.pictures = true;
-    CHECK_FALSE(refused(loaded(falling_ball, {"render.color=\"sped\""}), options).empty());
+    options.video = true;
+    options.video_file = folder.path / "nowhere" / "a.mp4"; // refused where ffmpeg is missing, too
+    CHECK_FALSE(refused(loaded(falling_ball), options).empty());
     CHECK(entries(options.folder) == std::vector<std::string>{"frames", "run.json", "scene.toml", "series.csv"});
     CHECK(content_of(options.folder / "series.csv") == series);
     CHECK(content_of(options.folder / "run.json") == summary);
-    CHECK(observe::list_frames(options.folder / "frames").size() == 1);
+    CHECK(observe::list_frames(options.folder / "frames").size() == 2);
 }
 
 TEST_CASE("a stop between two steps leaves a usable folder that says so") {
@@ -151,7 +260,11 @@ TEST_CASE("a stop between two steps leaves a usable folder that says so") {
     REQUIRE(series.ok());
     CHECK(static_cast<std::int64_t>(series->rows()) == summary->rows);
     CHECK(nlohmann::json::parse(content_of(options.folder / "run.json"))["state"] == "stopped");
-    CHECK(static_cast<std::int64_t>(observe::list_frames(options.folder / "frames").size()) == summary->frames);
+    const auto files = observe::list_frames(options.folder / "frames");
+    CHECK(static_cast<std::int64_t>(files.size()) == summary->frames);
+    const auto layout = observe::read_layout(observe::layout_path(options.folder / "frames"));
+    REQUIRE(layout.ok());
+    CHECK(observe::read_frame(files.back(), *layout)->step == summary->steps); // what was seen last
 }
 
 TEST_CASE("what cannot start leaves nothing behind") {
@@ -164,11 +277,19 @@ TEST_CASE("what cannot start leaves nothing behind") {
         CHECK(problems[0].what == "there is no measure 'circulaton'");
         CHECK(problems[0].file == "--set observe.measures");
     }
-    SUBCASE("an unknown colour of the pictures") {
-        options.pictures = true;
-        const Problems problems = refused(loaded(falling_ball, {"render.color=\"sped\""}), options);
-        REQUIRE_FALSE(problems.empty());
-        CHECK(problems[0].file == "--set render.color");
+    SUBCASE("an unknown measure of the plot, also where nothing is drawn") {
+        std::string text = falling_ball;
+        text += "plot_measure = \"circulaton\"\n";
+        const Problems problems = refused(loaded(text), options);
+        REQUIRE(problems.size() == 1);
+        CHECK(to_string(problems[0]) == "ball.toml:36:16: there is no measure 'circulaton'\n    did you mean "
+                                        "'circulation'? `tumble list measures` names all of them");
+    }
+    SUBCASE("a plot of several measures at once") {
+        const Problems problems = refused(loaded(falling_ball, {"render.plot_measure=kinetic"}), options);
+        REQUIRE(problems.size() == 1);
+        CHECK(problems[0].what == "'kinetic' names 2 measures, and the small plot shows one");
+        CHECK(problems[0].fix == "write one of kinetic_translation, kinetic_rotation");
     }
     SUBCASE("a time step above the stable limit") {
         CHECK_FALSE(refused(loaded(falling_ball, {"time_step_s=1e-3"}), options).empty());

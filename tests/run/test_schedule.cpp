@@ -38,3 +38,10 @@ TEST_CASE("the count is what passing them one by one gives") {
             CHECK(Schedule(every, 1e-5).count(last) == seen);
         }
 }
+
+TEST_CASE("the last step counts once more only where no event falls on it") {
+    CHECK(Schedule(0.001, 1e-5).count_with_last(1000) == 11);
+    CHECK(Schedule(0.001, 1e-5).count_with_last(1050) == 12);
+    CHECK(Schedule(1e-6, 1e-5).count_with_last(100) == 101);
+    CHECK(Schedule(1, 1e-5).count_with_last(0) == 1);
+}

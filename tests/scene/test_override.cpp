@@ -37,6 +37,21 @@ TEST_CASE("a set reaches plain keys, members of lists by number and walls by nam
     CHECK(scene->observe.measures == std::vector<std::string>{"kinetic_energy"});
 }
 
+TEST_CASE("a set that changes the colour takes the file's range away, unless a set brings another") {
+    const auto range_after = [](const std::vector<Override>& sets) {
+        const auto scene = load_scene(TUMBLE_ROOT "/tests/scene/data/rich.toml", sets); // vz, -0.5 to 0.7
+        REQUIRE_MESSAGE(scene, to_string(scene.problems()));
+        return scene->render.range;
+    };
+    const std::array<double, 2> of_file{-0.5, 0.7};
+    CHECK(range_after({}) == of_file);
+    CHECK(range_after({{"render.color=vz"}}) == of_file);
+    CHECK(range_after({{"render.color=vy"}}) == std::nullopt);
+    CHECK(range_after({{"render.color=vy"}, {"render.color=vz"}}) == of_file);
+    CHECK(range_after({{"render.range=[0, 2]"}, {"render.color=vy"}}) == std::array<double, 2>{0, 2});
+    CHECK(range_after({{"render.color=vy"}, {"render.range.1=3"}}) == std::array<double, 2>{-0.5, 3});
+}
+
 TEST_CASE("a set passes the same checks as the file and is reported under its own name") {
     CHECK(refusal("material.media.densty_kg_m3=1500") ==
           "--set material.media.densty_kg_m3: [material.media] has no key 'densty_kg_m3'\n"

@@ -153,12 +153,26 @@ TEST_CASE("what is written once is written the same again") {
     }
 }
 
+TEST_CASE("a resolved scene says what it left to the defaults, so that it means the same where they are others") {
+    const std::string toml = to_toml(loaded(load_scene(TUMBLE_ROOT "/scenes/drop.toml")));
+    for (const char* line : {"\nallow_large_step = false\n", "\ntangential = \"mindlin\"\n", "\nplot = true\n",
+                             "\ncolormap = \"auto\"\n", "\nopacity = 0.25\n"})
+        CHECK_MESSAGE(toml.find(line) != std::string::npos, line << " in\n" << toml);
+}
+
+TEST_CASE("meshes that were copied beside the scene go by the names they have there") {
+    const Scene scene = loaded(load_scene(rich));
+    const std::filesystem::path file = std::get<MeshShape>(scene.walls.at(5).shape).file;
+    CHECK(to_toml(scene).find("stl = \"" + std::filesystem::absolute(file).string() + "\"") != std::string::npos);
+    CHECK(to_toml(scene, {{file, "meshes/a.stl"}}).find("stl = \"meshes/a.stl\"") != std::string::npos);
+}
+
 TEST_CASE("every key of the list arrives in the scene and is written again") {
     // Other ways to say what is written as spheres_m, discs_m, rows, harmonic or friction; three dimensions are usual.
     std::set<std::string> other_ways{"clump", "radius_mm", "file", "speed_rpm", "friction_angle_deg", "dimension"};
     for (const int dimension : {3, 2}) {
-        if (dimension == 2) // discs have no mesh to scale, and the linear law is their usual one
-            other_ways.insert({"scale", "normal"});
+        if (dimension == 2) // discs have no mesh to scale
+            other_ways.insert("scale");
         const std::string toml = "\n" + to_toml(loaded(load_scene(dimension == 3 ? rich : flat)));
         for (const KeyTable& table : scene_keys())
             for (const Key& key : table.keys) {

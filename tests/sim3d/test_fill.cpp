@@ -1,6 +1,8 @@
 #include "sim3d/sandbox.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 
 using namespace tumble;
@@ -27,6 +29,29 @@ scene::Fill fill_of(int body, std::int64_t count) {
 }
 
 } // namespace
+
+TEST_CASE("before the first step the books hold the bodies with the energy that they brought, and close") {
+    Sandbox box({"media", 1666, 4.6e7, 0.2887}, {0.67, 0.58}, 1e-5);
+    box.scene.gravity = {0, -9.81, 0};
+    const double r = 3e-3;
+    box.start({placed(box.ball(r), {0, 0.1, 0}, {3, 4, 0}, {0, 0, 20}), placed(0, {0.1, -0.2, 0})});
+    const Books books = books_of(*box.world);
+    const double mass = 1666 * 4.0 / 3.0 * std::numbers::pi * r * r * r;
+    CHECK(books.step == 0);
+    CHECK(books.time == 0);
+    CHECK(books.bodies == 2);
+    CHECK(books.kinetic_translation == doctest::Approx(0.5 * mass * 25));
+    CHECK(books.kinetic_rotation == doctest::Approx(0.5 * 0.4 * mass * r * r * 400));
+    CHECK(books.gravity == doctest::Approx(mass * 9.81 * (0.1 - 0.2)));
+    CHECK(books.inserted == doctest::Approx(books.kinetic_translation + books.kinetic_rotation + books.gravity));
+    CHECK(std::abs(books.closure) < 1e-15 * books.kinetic_translation);
+    CHECK(books.speed_max == doctest::Approx(5));
+    CHECK(books.angular_speed_max == doctest::Approx(20));
+    box.run(1); // the books of the first step are those of the same instant
+    CHECK(books_of(*box.world).time == 0);
+    CHECK(books_of(*box.world).gravity == doctest::Approx(books.gravity));
+    CHECK(books_of(*box.world).kinetic_translation == doctest::Approx(books.kinetic_translation));
+}
 
 TEST_CASE("a fill places what it is asked for, inside the walls, and nothing overlaps") {
     Sandbox box = jar();

@@ -85,4 +85,20 @@ void book_energy(World& world) {
     books.closure = closure_of(books);
 }
 
+Books opening_books(const World& world) {
+    Books books;
+    books.bodies = world.bodies();
+    books.inserted = world.ledger.inserted;
+    for (const BodyState& body : bodies_of(world)) {
+        const ShapeConstants& shape = world.shape_constants[static_cast<std::size_t>(body.shape)];
+        books.kinetic_translation += 0.5 * shape.mass * body.velocity.squaredNorm();
+        books.kinetic_rotation += 0.5 * shape.inertia * body.angular_velocity * body.angular_velocity;
+        books.gravity -= shape.mass * world.scene.gravity.head<2>().dot(body.position);
+        books.speed_max = std::max(books.speed_max, body.velocity.norm());
+        books.angular_speed_max = std::max(books.angular_speed_max, std::abs(body.angular_velocity));
+    }
+    books.closure = closure_of(books);
+    return books;
+}
+
 } // namespace tumble::sim2d

@@ -40,7 +40,8 @@ std::optional<Problem> insert(World& world, const std::vector<struct BodyState>&
 double time_of(const World& world); // s
 std::int64_t steps_of(const World& world);
 /// The account of the last step taken: its forces, stored energies and kinetic energies are those at the step's start,
-/// at Books::time, one dt before time_of(world).
+/// at Books::time, one dt before time_of(world). Before the first step: the state as it was put in, its contacts unseen
+/// (a fill leaves none).
 Books books_of(const World& world);
 
 struct Disc {

@@ -26,5 +26,7 @@ void collect_pushes(World& world, Chunk& chunk);
 void integrate(World& world, Chunk& chunk);
 /// Adds up every chunk's account of the step and lets time pass.
 void book_energy(World& world);
+/// The account before any step: bodies, their energies and what they brought; nothing has been asked about contacts.
+Books opening_books(const World& world);
 
 } // namespace tumble::sim2d

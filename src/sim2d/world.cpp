@@ -101,7 +101,7 @@ std::int64_t steps_of(const World& world) {
 }
 
 Books books_of(const World& world) {
-    return world.books;
+    return world.step > 0 ? world.books : opening_books(world);
 }
 
 const std::vector<BodyShape>& shapes_of(const World& world) {

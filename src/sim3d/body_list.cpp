@@ -34,6 +34,8 @@ void wrap(World& world) {
             if (periods == 0)
                 continue;
             x -= length * periods;
+            // Where gravity has a part along the period, a body that comes in again brings the height that it lost.
+            world.ledger.inserted += world.motion[slot].mass * world.scene.gravity[axis] * length * periods;
             if (world.wraps.empty())
                 world.wraps.assign(world.motion.size(), {0, 0, 0});
             world.wraps[slot][k] = static_cast<int>(periods);

@@ -101,3 +101,17 @@ TEST_CASE("global damping lets a free disc's velocity and spin die away as exp(-
     CHECK(box.body_at(0).angular_velocity == doctest::Approx(7 * left).epsilon(1e-5));
     CHECK(std::abs(books_of(*box.world).closure) < 1e-5 * books_of(*box.world).inserted);
 }
+
+TEST_CASE("before the first step the books hold the bodies with the energy that they brought, and close") {
+    Sandbox box({}, 1e-4);
+    box.scene.gravity = {0, -9.81, 0};
+    const int disc = box.disc(0.1);
+    box.put({at(disc, {0, 0.5}, {3, 4}, 20), at(disc, {1, -2})});
+    const double mass = box.shape(disc).mass;
+    const Books books = books_of(*box.world);
+    CHECK(books.bodies == 2);
+    CHECK(books.kinetic_translation == doctest::Approx(0.5 * mass * 25));
+    CHECK(books.kinetic_rotation == doctest::Approx(0.5 * 0.5 * mass * 0.01 * 400));
+    CHECK(books.gravity == doctest::Approx(mass * 9.81 * (0.5 - 2)));
+    CHECK(std::abs(books.closure) < 1e-14 * books.kinetic_translation);
+}

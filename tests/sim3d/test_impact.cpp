@@ -222,3 +222,14 @@ TEST_CASE("without pulling forces a linear impact ends when the force does, as S
         CHECK(std::abs(books_of(*box.world).closure) < 1e-3 * 0.5 * mass);
     }
 }
+
+TEST_CASE("the books close also where gravity points along a period") {
+    Sandbox box({"glass", 2500, 1e7, 0.25}, {0.5, 0.3}, 1e-4);
+    box.scene.gravity = {3, -4, 5};
+    box.scene.domain = {{{0, 0, 0}, {0.5, 0.6, 0.7}}, {true, true, true}};
+    box.start({placed(box.ball(0.01), {0.1, 0.2, 0.3}, {1, 0, 0})});
+    box.run(20000); // through the box a dozen times
+    const Books books = books_of(*box.world);
+    CHECK(books.kinetic_translation > 50 * 0.5 * ball_mass(0.01, 2500));
+    CHECK(std::abs(books.closure) < 1e-9 * books.kinetic_translation);
+}

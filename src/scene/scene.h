@@ -174,13 +174,6 @@ struct WrittenAt {
     int column = 0;
 };
 
-/// Where something was typed: a file with line and column from 1, or "--set KEY" without them (0).
-struct WrittenAt {
-    std::string source;
-    int line = 0;
-    int column = 0;
-};
-
 struct Scene {
     std::filesystem::path file;
     std::string title;

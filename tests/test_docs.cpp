@@ -133,10 +133,11 @@ TEST_CASE("every link in README and docs leads somewhere") {
         }
 }
 
-TEST_CASE("docs/index.md leads to every page of docs") {
+TEST_CASE("docs/index.md leads to every page of docs, to lessons by their own index") {
     std::set<fs::path> linked{root / "docs" / "index.md", root / "README.md"};
-    for (const Link& link : links_of(root / "docs" / "index.md"))
-        linked.insert((root / "docs" / link.file).lexically_normal());
+    for (const fs::path& index : {root / "docs" / "index.md", root / "docs" / "lessons" / "index.md"})
+        for (const Link& link : links_of(index))
+            linked.insert((index.parent_path() / link.file).lexically_normal());
     for (const fs::path& page : pages())
         CHECK_MESSAGE(linked.contains(page), page.string());
 }

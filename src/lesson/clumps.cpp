@@ -95,14 +95,9 @@ std::optional<Problem> parallel(Walk& walk, const Setup& s) {
     walk.say(fmt::format(
         "Bodies of 1, 2, 4 and 9 spheres, all of {:.4g} g, land at {:.4g} m/s; one contact alone has e = {:.4g}.",
         1e3 * s.mass, s.speed, s.e));
-    Grid grid{{{"spheres"},
-               {"e, solver"},
-               {"e, theory"},
-               {"overlap / that of one"},
-               {"time / that of one"},
-               {"undamped: n^-1/2"},
-               {"e, shared dashpots"}},
-              {}};
+    Grid grid{
+        {{"spheres"}, {"e, solver"}, {"e, theory"}, {"overlap / one's"}, {"time / one's"}, {"n^-1/2"}, {"e, shared"}},
+        {}};
     const Result<Landing> one = s.land(1, false);
     if (!one)
         return one.problems().front();
@@ -117,10 +112,10 @@ std::optional<Problem> parallel(Walk& walk, const Setup& s) {
         walk.fact(fmt::format("shared_restitution_{}", n), shared->restitution);
     }
     walk.parts.emplace_back(grid);
-    walk.say("Stiffer makes the landing shorter and less deep. More damped makes it duller: a restitution measured on "
-             "single spheres is not the restitution of the bodies made of them. The last column has "
-             "`share_among_body_contacts = true`: while n contacts of one pair of bodies touch, each dashpot counts "
-             "1/√n, and the pair is damped as one contact is.");
+    walk.say("Stiffer makes the landing shorter and less deep, without dashpots by n^-1/2. More damped makes it "
+             "duller: a restitution measured on single spheres is not the restitution of the bodies made of them. The "
+             "last column has `share_among_body_contacts = true`: while n contacts of one pair of bodies touch, each "
+             "dashpot counts 1/√n, and the pair is damped as one contact is.");
     Figure figure{.name = "landing",
                   .title = "Restitution of a flat landing on n spheres",
                   .x = {"restitution of one contact", ""},

@@ -122,8 +122,7 @@ std::optional<Problem> inclines(Walk& walk, double mu) {
     walk.parts.emplace_back(grid);
     walk.parts.emplace_back(figure);
     walk.say(fmt::format("Theory and solver differ by at most {:.1g} of g. The thesis finds the coefficients of its "
-                         "media in the same way, by tilting a plane until a specimen begins to slide; three discs or "
-                         "spheres stuck together are what keeps it from rolling.",
+                         "media in the same way, by tilting a plane until a particle begins to slide (figure 4.7).",
                          worst));
     walk.fact("worst_acceleration", worst);
     return std::nullopt;

@@ -75,7 +75,7 @@ Result<Impact> strike_sphere(const contact::Material& material, const contact::P
 
 double damping_ratio(double restitution) {
     const double ln_e = std::log(restitution);
-    return -ln_e / std::hypot(ln_e, std::numbers::pi);
+    return std::abs(ln_e) / std::hypot(ln_e, std::numbers::pi);
 }
 
 HertzImpact hertz_impact(double E_eff, double radius, double mass, double speed) {

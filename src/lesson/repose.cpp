@@ -85,9 +85,8 @@ Result<Walk> teach(const Values& values) {
                                   {fmt::format("wedges, μ = {:.3g}", mu), "angle_wedges", wedge(), mu}};
     Walk walk;
     walk.say(fmt::format(
-        "{:.0f} bodies fall one after the other onto the middle of a rough floor, and what stays is a heap. Its "
-        "slope is called the angle of repose. It is nowhere in the scene: it comes out, and there is no formula for "
-        "it.",
+        "{:.0f} bodies fall one after the other onto the middle of a rough floor, and what stays is a heap. Its slope "
+        "is called the angle of repose. It is nowhere in the scene: it comes out, and there is no formula for it.",
         count));
     Figure figure{.name = "heaps",
                   .title = "Free surfaces of three heaps",
@@ -112,18 +111,16 @@ Result<Walk> teach(const Values& values) {
     walk.parts.emplace_back(grid);
     walk.parts.emplace_back(figure);
     walk.say(
-        "Without friction discs run apart. With it they still roll, so their heap is flat, far below arctan μ, at "
-        "which a block "
-        "would begin to slide (`tumble lesson friction`). Three discs bound together cannot roll, and stand steeper. "
-        "Shape "
-        "does as much as friction: a measured angle of repose does not tell one from the other. A heap this small is a "
-        "sample of one, other fills differ by some degrees; scenes/repose-2d.toml has a larger one.");
+        fmt::format("Without friction discs run apart. With it they still roll, so their heap is flat, far below "
+                    "arctan μ, at which a block would begin to slide (`tumble lesson friction`). Three discs bound "
+                    "together do not roll so easily; their heap stands {:.2g} times as steep. Shape does as much as "
+                    "friction: a measured angle of repose does not tell one from the other. A heap this small is a "
+                    "sample of one, other fills differ by some degrees; scenes/repose-2d.toml has a larger one.",
+                    walk.fact("angle_wedges") / walk.fact("angle_discs")));
     walk.question = "A code has only single discs, and its heap is too flat beside the experiment. What is often added "
-                    "to the law in "
-                    "place of the shape?";
+                    "to the law in place of the shape?";
     walk.answer = "A moment that resists rolling. It stands for the corners that a disc does not have, and must be "
-                  "fitted. There is no "
-                  "such law here yet; clumps take the shape itself.";
+                  "fitted. There is no such law here yet; clumps take the shape itself.";
     return walk;
 }
 

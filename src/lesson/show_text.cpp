@@ -114,7 +114,7 @@ std::string to_text(const Lesson& lesson, const Values& values, const Walk& walk
     text += text_of(with);
     for (const Part& part : walk.parts)
         text += "\n" + std::visit([](const auto& one) { return text_of(one); }, part);
-    text += "\nQuestion: " + wrapped(walk.question, width, "");
+    text += "\n" + wrapped("Question: " + walk.question, width);
     return text + wrapped(fmt::format("(`tumble lesson {} --answer` tells the answer.)", lesson.name), width);
 }
 

@@ -105,8 +105,8 @@ Result<bool> explodes(const Setup& setup, double dt) {
 
 /// The longest step that does not explode, by halving the interval.
 Result<double> limit_seen(const Setup& setup) {
-    double stable = 0.5 * setup.critical_step(), wild = 1.5 * setup.critical_step();
-    for (int k = 0; k < 17; ++k) {
+    double stable = 0.6 * setup.critical_step(), wild = 1.5 * setup.critical_step();
+    for (int k = 0; k < 20; ++k) {
         const double middle = 0.5 * (stable + wild);
         const Result<bool> answer = explodes(setup, middle);
         if (!answer)
@@ -180,11 +180,11 @@ std::string ending(const Course& course) {
     if (!course.stopped.empty())
         return fmt::format("It goes on until the solver notices. The third run ended so: \"{}\".", course.stopped);
     const double widest = *std::max_element(course.x.begin(), course.x.end());
-    return fmt::format("In this cage the explosion ends itself: once the swing is wider than the squeeze, one contact "
-                       "opens, and on one spring the same step is short enough again. The disc then rattles, up to "
-                       "{:.3g} times the squeeze from the middle, with energy from nowhere. In a heap there is always "
-                       "another contact, and grains fly.",
-                       widest / squeeze);
+    return fmt::format(
+        "In this cage the explosion ends itself: once the swing is wider than the squeeze, one contact opens, and on "
+        "one spring the same step is short enough again. The disc then rattles, up to {:.3g} times the squeeze from "
+        "the middle, with energy from nowhere. In a heap there is always another contact, and grains fly.",
+        widest / squeeze);
 }
 
 /// Peak force and restitution of an undamped impact, against how finely it is stepped.
@@ -215,10 +215,10 @@ Result<Walk> teach(const Values& values) {
                              2 * std::numbers::pi / s.omega));
     walk.say("The solver takes the force of the moment, and carries the disc along with it for a whole step (3.13, "
              "3.14). Put together, three places in a row are bound to each other:");
-    walk.formula("x(k+1) = (2 − (ω Δt)² − 2 ζ ω Δt) x(k) − (1 − 2 ζ ω Δt) x(k−1)");
-    walk.say("Swings of such a rule stay bounded as long as no root of λ² = p λ − q is larger than 1. The first root "
-             "to leave does so at λ = −1: the disc jumps from one side to the other in every step, a little further "
-             "each time.");
+    walk.formula("x(k+1) = p x(k) − q x(k−1),   p = 2 − (ω Δt)² − 2 ζ ω Δt,   q = 1 − 2 ζ ω Δt");
+    walk.say("ζ is the damping ratio of both dashpots together, 0 for a restitution of 1. Swings of such a rule stay "
+             "bounded as long as no root of λ² = p λ − q is larger than 1. The first root to leave does so at λ = −1: "
+             "the disc jumps from one side to the other in every step, a little further each time.");
     walk.formula(fmt::format("Δt_max = 2/ω (√(1 + ζ²) − ζ) = {:.6g} s   (ζ = {:.4g})", limit, s.zeta),
                  "docs/bodies.md");
     const Result<double> seen = limit_seen(s);

@@ -229,8 +229,8 @@ Result<Walk> teach(const Values& values) {
     walk.parts.emplace_back(path_figure(setup, *seen));
     walk.parts.emplace_back(force_figure(setup, *seen, fine, finer));
     walk.say(fmt::format(
-        "In the second figure the lines were made with a step a hundred times shorter. The contacts in the middle "
-        "answer later than those at the walls, because the push has to travel; and the step of {:.3g} s, {:.0f} % of "
+        "In the second figure the lines were made with a step a hundred times shorter. The contact in the middle "
+        "answers later than those at the walls, because the push has to travel; and the step of {:.3g} s, {:.0f} % of "
         "the longest stable one (2/ω = {:.4g} s), follows the true course without being on it.",
         setup.dt, 100 * setup.dt / critical, critical));
     walk.fact("loop_difference", worst_difference(*seen, hand));

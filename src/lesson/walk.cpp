@@ -1,5 +1,6 @@
 #include "lesson/walk.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -22,7 +23,7 @@ std::vector<const Figure*> Walk::figures() const {
 }
 
 std::string at_most(double size) {
-    return size > 0 ? fmt::format("{:.0e}", std::pow(10, std::ceil(std::log10(size)))) : "0";
+    return fmt::format("{:.0e}", std::pow(10, std::ceil(std::log10(std::max(size, 1e-16)))));
 }
 
 } // namespace tumble::lesson

@@ -87,7 +87,7 @@ struct Walk {
     [[nodiscard]] std::vector<const Figure*> figures() const;
 };
 
-/// The power of ten above a size that is only rounding: "1e-13". "0" for 0.
+/// The power of ten above a size that is only rounding: "1e-13"; at least 1e-16.
 std::string at_most(double size);
 
 } // namespace tumble::lesson

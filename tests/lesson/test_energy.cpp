@@ -15,5 +15,5 @@ TEST_CASE("energy: a ball comes back to e^2 and e^4 of its height, and the books
     CHECK(walk.fact("height_1") == doctest::Approx(e * e * h).epsilon(0.01));
     CHECK(walk.fact("height_2") == doctest::Approx(std::pow(e, 4) * h).epsilon(0.02));
     CHECK(walk.fact("lost_first") == doctest::Approx((1 - e * e) * energy).epsilon(0.01));
-    CHECK(walk.fact("closure") < 1e-4);
+    CHECK(walk.fact("closure") < 1e-3); // a hundred steps a contact, second order
 }

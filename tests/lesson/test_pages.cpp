@@ -1,0 +1,28 @@
+#include "folder.h"
+#include "lesson/show.h"
+#include "taught.h"
+
+#include <filesystem>
+
+using namespace tumble;
+using namespace tumble::lesson;
+
+namespace {
+
+const std::filesystem::path pages = std::filesystem::path(TUMBLE_ROOT) / "docs" / "lessons";
+const char* const remedy = " is stale: build/dev/tumble lesson --pages docs/lessons";
+
+} // namespace
+
+TEST_CASE("docs/lessons says what the program teaches, and every figure is there") {
+    for (const Lesson& lesson : all_lessons()) {
+        const Walk walk = testing::taught(lesson.name);
+        const bool fresh =
+            test::content_of(pages / (lesson.name + ".md")) == to_page(lesson, *read_values(lesson), walk);
+        CHECK_MESSAGE(fresh, "docs/lessons/" << lesson.name << ".md" << remedy);
+        for (const Figure* figure : walk.figures())
+            CHECK(std::filesystem::exists(pages / lesson.name / (figure->name + ".svg")));
+    }
+    const bool fresh = test::content_of(pages / "index.md") == contents_page();
+    CHECK_MESSAGE(fresh, "docs/lessons/index.md" << remedy);
+}

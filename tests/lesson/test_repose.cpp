@@ -1,0 +1,15 @@
+#include "taught.h"
+
+#include <cmath>
+#include <numbers>
+
+using namespace tumble::lesson;
+using namespace tumble::lesson::testing;
+
+TEST_CASE("repose: friction makes a heap, shape makes it steeper, and discs stay below the angle of friction") {
+    const Walk walk = taught("repose");
+    CHECK(walk.fact("angle_smooth") < 3);
+    CHECK(walk.fact("angle_discs") > walk.fact("angle_smooth"));
+    CHECK(walk.fact("angle_wedges") > walk.fact("angle_discs"));
+    CHECK(walk.fact("angle_discs") < std::atan(0.5) * 180 / std::numbers::pi);
+}

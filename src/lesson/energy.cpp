@@ -183,8 +183,8 @@ Result<Walk> teach(const Values& values) {
     walk.parts.emplace_back(heights);
     walk.say(fmt::format("The solver lost {:.5g} mJ in the first bounce. It differs a little from the closed form "
                          "because e is the restitution of a free impact, and here gravity goes on pulling while the "
-                         "ball is in touch. At no step do the books miss more than {:.1g} of the energy; that is the "
-                         "error of sums taken in steps, and falls with the square of the step.",
+                         "ball is in touch. At no step do the books miss more than {:.1g} of the energy, which is the "
+                         "error of sums taken in steps.",
                          milli * taken, drop->closure / s.energy()));
     walk.fact("energy", s.energy(), "J");
     walk.fact("lost_first", taken, "J");

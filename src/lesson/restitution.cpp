@@ -84,7 +84,8 @@ std::optional<Problem> loops(Walk& walk, const Setup& s) {
             return hit.problems().front();
         Curve curve{fmt::format("e = {:.3g}", e), Style::line, {}, {}};
         for (std::size_t k = 1; k < hit->force.size(); k += 5)
-            curve.add(1e3 * hit->overlap[k], hit->force[k]);
+            if (hit->overlap[k] > 0)
+                curve.add(1e3 * hit->overlap[k], hit->force[k]);
         figure.curves.push_back(std::move(curve));
         pull = std::max(pull, -hit->force_min / hit->force_max);
     }
@@ -139,7 +140,7 @@ std::optional<Problem> speeds(Walk& walk, const Setup& s) {
     Figure figure{.name = "duration",
                   .title = "How long an elastic impact lasts (sphere, Hertz)",
                   .x = {"speed", "m/s", true},
-                  .y = {"contact time", "us", true},
+                  .y = {"contact time", "us"},
                   .curves = {{"Hertz, closed form", Style::line, {}, {}}, {"solver", Style::points, {}, {}}}};
     double worst = 0;
     for (const double factor : {0.01, 0.1, 1.0, 4.0}) {

@@ -3,6 +3,7 @@
 #include "taught.h"
 
 #include <filesystem>
+#include <string>
 
 using namespace tumble;
 using namespace tumble::lesson;
@@ -10,7 +11,7 @@ using namespace tumble::lesson;
 namespace {
 
 const std::filesystem::path pages = std::filesystem::path(TUMBLE_ROOT) / "docs" / "lessons";
-const char* const remedy = " is stale: build/dev/tumble lesson --pages docs/lessons";
+const std::string remedy = " is stale: build/dev/tumble lesson --pages docs/lessons";
 
 } // namespace
 

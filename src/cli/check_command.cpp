@@ -98,8 +98,8 @@ int check_it(const CheckArguments& arguments) {
         return fine;
     }
     say(scene->title + "\n");
-    say(bodies_text(*check) +
-        fmt::format("\nall: {} of {:.4g} kg\n", counted(check->wanted, "body", "bodies"), check->mass));
+    say(bodies_text(*check) + fmt::format("\nall: {} of {:.4g} kg, {} of them at the start\n",
+                                          counted(check->wanted, "body", "bodies"), check->mass, check->placed));
     if (!check->walls.empty())
         say(walls_text(*check) + "\n");
     say(step_text(check->time_step) + "\n");

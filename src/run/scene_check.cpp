@@ -95,8 +95,6 @@ void look_for_oddities(const scene::Scene& scene, SceneCheck& check) {
             check.frames, scene::in_words(static_cast<std::size_t>(check.disk_bytes))));
     if (scene.observe.every > scene.duration)
         say("observe.every_s is longer than the run: only its first instant gets a row");
-    if (const std::int64_t later = check.wanted - check.placed - check.too_late; later > 0)
-        say(fmt::format("{} of {} bodies stand at the start; {} come later", check.placed, check.wanted, later));
 }
 
 /// JSON has no infinity: null where a wall does not end.

@@ -1,5 +1,6 @@
 // A few bodies in free flight or against the plane y = 0, every step written down: for comparing single contacts.
 #include "base/text.h"
+#include "sim3d/solver.h"
 #include "support/arguments.h"
 #include "support/media.h"
 #include "support/report.h"

@@ -1,5 +1,5 @@
 #include "run/scenes.h"
-#include "run/snapshot.h"
+#include "run/simulation.h"
 #include "run/view_box.h"
 
 using namespace tumble;
@@ -9,9 +9,9 @@ namespace {
 
 Eigen::AlignedBox3d box_of(const std::vector<std::string>& sets) {
     const scene::Scene scene = loaded(falling_ball, sets);
-    const auto world = sim3d::build_world(scene, 1);
-    REQUIRE_MESSAGE(world.ok(), to_string(world.problems()));
-    return run::view_box(scene, *run::layout_of(scene, sim3d::shapes_of(**world)));
+    const auto simulation = run::simulate(scene, 1);
+    REQUIRE_MESSAGE(simulation.ok(), to_string(simulation.problems()));
+    return run::view_box(scene, *(*simulation)->layout());
 }
 
 } // namespace

@@ -118,8 +118,8 @@ void add_lesson(CLI::App& all, const Lesson& lesson, Action& action) {
         lesson.parameters.empty()
             ? ""
             : fmt::format(" --{} {}", lesson.parameters.front().name, scene::plain(lesson.parameters.front().standard));
-    CLI::App* command =
-        all.add_subcommand(lesson.name, fmt::format("  tumble lesson {}{}\n\n{}.", lesson.name, example, lesson.title));
+    CLI::App* command = all.add_subcommand(
+        lesson.name, fmt::format("Example: tumble lesson {}{}\n\n{}.", lesson.name, example, lesson.title));
     const auto arguments = std::make_shared<WalkArguments>();
     for (const lesson::Parameter& parameter : lesson.parameters)
         command
@@ -143,7 +143,7 @@ void add_lesson(CLI::App& all, const Lesson& lesson, Action& action) {
 
 void add_lesson_command(CLI::App& program, Action& action) {
     CLI::App* command = program.add_subcommand(
-        "lesson", "  tumble lesson two-discs --out figures\n\n"
+        "lesson", "Example: tumble lesson two-discs --out figures\n\n"
                   "Fundamentals of the method, step by step, computed by the solvers themselves. Without a name:\n"
                   "lists the lessons.");
     const auto arguments = std::make_shared<LessonArguments>();

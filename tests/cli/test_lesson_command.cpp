@@ -24,7 +24,7 @@ TEST_CASE("a lesson tells its answer when asked, and its help shows its paramete
     CHECK(contains(answer.out, "By 8:"));
     const Outcome help = tumble_in(folder, {"lesson", "friction", "--help"});
     CHECK(help.code == 0);
-    CHECK(help.out.starts_with("  tumble lesson friction --friction 0.3"));
+    CHECK(help.out.starts_with("Example: tumble lesson friction --friction 0.3"));
     CHECK(contains(help.out, "0.05 to 1"));
 }
 

@@ -151,10 +151,14 @@ std::optional<Problem> speeds(Walk& walk, const Setup& s) {
         const HertzImpact theory = s.elastic(v);
         grid.rows.push_back({v, 1e3 * linear->duration, 1e6 * hertz->duration, 1e6 * theory.duration,
                              100 * hertz->overlap_max / s.radius, hertz->restitution});
-        figure.curves[0].add(v, 1e6 * theory.duration);
         figure.curves[1].add(v, 1e6 * hertz->duration);
         worst = std::max({worst, std::abs(hertz->duration / theory.duration - 1),
                           std::abs(hertz->overlap_max / theory.overlap - 1)});
+    }
+    constexpr int points = 60; // smooth on its logarithmic axis
+    for (int k = 0; k <= points; ++k) {
+        const double v = s.speed * 0.01 * std::pow(400.0, static_cast<double>(k) / points);
+        figure.curves[0].add(v, 1e6 * s.elastic(v).duration);
     }
     walk.parts.emplace_back(grid);
     walk.parts.emplace_back(figure);

@@ -132,8 +132,8 @@ private:
     }
 
     Problems decide_it() {
-        evidence_ = {baseline_.residual, baseline_.slopes, effects_, directions_, d_.causes};
-        d_.decision = decide(evidence_, measurement_.settings, [this](const std::vector<int>& causes) { return refit(causes); });
+        d_.evidence = {baseline_.residual, baseline_.slopes, effects_, directions_, d_.causes};
+        d_.decision = decide(d_.evidence, measurement_.settings, [this](const std::vector<int>& causes) { return refit(causes); });
         const VectorXd errors = errors_of(baseline_.slopes);
         for (int k = 0; k < model_->nuisances(); ++k) {
             const Parameter& parameter = model_->parameters()[static_cast<std::size_t>(k)];
@@ -324,7 +324,6 @@ private:
     Fit baseline_;
     MatrixXd effects_;
     Directions directions_;
-    Evidence evidence_;
 };
 
 } // namespace

@@ -30,6 +30,7 @@ struct Diagnosis {
     double chi_square = 0; // of the baseline, with `readings` readings
     int readings = 0;
     std::vector<Cause> causes;
+    Evidence evidence; // what the decision was made from
     Decision decision;
     std::optional<Gain> gain;
     std::vector<Proposal> proposals; // best first

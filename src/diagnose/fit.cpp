@@ -9,7 +9,7 @@ namespace tumble::diagnose {
 
 namespace {
 
-constexpr double visible_step = 1.5; // standard errors of all readings together
+constexpr double visible_step = 4; // standard errors of all readings together
 constexpr int tunings = 4;
 
 /// Parameters with a prior have a row of their own.

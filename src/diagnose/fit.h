@@ -19,7 +19,7 @@ struct Fit {
 struct FitOptions {
     bool progressive = false;   // begin with 30 % of every record, then 50, 70, 100 %
     double tolerance = 0.01;    // nats
-    int most_steps = 12;        // per horizon
+    int most_steps = 12;        // per horizon; half of them at those before the last
     const MatrixXd* slopes = nullptr; // known at the start, for the free parameters
 };
 
@@ -29,7 +29,7 @@ Result<Fit> fit(Model& model, const Noise& noise, const VectorXd& start, const s
                 const FitOptions& options = {});
 
 /// Change of the whitened prediction (and priors) per unit of a parameter, by central differences; at a bound to one
-/// side. With `tune` the parameter's step is first brought to where it changes the readings by about 1.5 standard errors.
+/// side. With `tune` the parameter's step is first brought to where it changes the readings by about 4 standard errors.
 Result<VectorXd> slope_of(Model& model, const Noise& noise, const VectorXd& values, int parameter, bool tune,
                           double horizon = 1);
 

@@ -11,7 +11,7 @@ namespace tumble::diagnose {
 
 namespace {
 
-constexpr double rows_per_reading = 16;  // of a run, between two readings: kinks are resolved well below a reading
+constexpr double rows_per_reading = 8;  // of a run, between two readings: kinks are resolved well below a reading
 constexpr std::size_t most_remembered = 600;
 constexpr double room_for_clocks = 0.03; // s of a run beyond the last reading
 

@@ -20,7 +20,7 @@ const std::vector<double> falling{200, 199.5, 198, 195.5, 192.1, 187.7, 182.3, 1
 
 const std::string whole = R"(title = "a drop"
 [[nuisance]]
-key = "pair.rubber-steel.restitution"
+key = "pair.leather-wood.restitution"
 spread = 0.05
 [[series]]
 name = "low"
@@ -93,7 +93,7 @@ TEST_CASE("what is wrong with a measurement is told with its place and what to d
     says(replaced(whole, "\"height\"", "\"depth\""), good, "low.csv:1: no column for depth");
     says(replaced(whole, "sigma = 1.5", "sigma = -1"), good, "m.toml:11:9: 'sigma' = -1 is out of range");
     says("causes = [\"ins.gian\"]\n" + whole, good, "m.toml:1:10: there is no cause 'ins.gian'");
-    says(replaced(whole, "key = ", "instrument = \"gain\"\nkey = "), good, "m.toml:2:1: [[nuisance]] has 2 of instrument or key");
+    says(replaced(whole, "key = ", "instrument = \"gain\"\nkey = "), good, "m.toml:2:1: [[nuisance]] has 2 of key or instrument");
 }
 
 TEST_CASE("time that does not rise, numbers that are none and records stored twice are refused") {

@@ -22,13 +22,13 @@ std::vector<std::string> ids(bool listed) {
 std::string sets_of(const Drop& drop, const Ball& ball) {
     std::string sets = fmt::format("\"fill.0.position_m.1={}\"", ball.radius + drop.height);
     if (drop.light)
-        sets += fmt::format(", \"material.rubber.density_kg_m3={}\"", 1100 / 8.0);
+        sets += fmt::format(", \"body.ball.mass_kg={}\"", ball.mass / 4);
     return sets;
 }
 
 std::string measurement_of(const Case& made, const Ball& ball) {
     std::string toml = "title = \"A ball dropped, filmed from the side\"\n\n"
-                       "[[nuisance]]\nkey = \"pair.rubber-steel.restitution\"\nspread = 0.05\n\n"
+                       "[[nuisance]]\nkey = \"pair.leather-wood.restitution\"\nspread = 0.05\n\n"
                        "[[nuisance]]\ninstrument = \"clock_offset\"\nper = \"series\"\nspread = 0.005\n";
     for (std::size_t r = 0; r < made.files.size(); ++r) {
         toml += fmt::format("\n[[series]]\nname = \"{}{:.0f} mm\"\nfile = \"{}\"\nset = [{}]\n",
@@ -93,14 +93,14 @@ void write_records(Case& made, const Eigen::VectorXd& clean, const Dirt& dirt, R
 
 Setup draw_setup(bool light, Random& random) {
     Setup setup;
-    for (const double height : {0.2, 0.4, 0.6, 0.9})
+    for (const double height : {0.5, 0.8, 1.1, 1.5})
         setup.drops.push_back({std::round(1000 * height * random.uniform(0.9, 1.1)) / 1000, false});
     if (light) {
-        setup.drops.push_back({std::round(1000 * random.uniform(0.5, 0.7)) / 1000, true});
-        setup.drops.push_back({std::round(1000 * random.uniform(0.9, 1.1)) / 1000, true});
+        setup.drops.push_back({std::round(1000 * random.uniform(0.7, 0.9)) / 1000, true});
+        setup.drops.push_back({std::round(1000 * random.uniform(1.3, 1.5)) / 1000, true});
     }
     setup.rate_hz = std::round(random.uniform(96, 144));
-    setup.sigma = std::round(1e6 * random.uniform(0.7, 1.3) * 1e-3) / 1e6;
+    setup.sigma = std::round(1e6 * random.uniform(0.7, 1.3) * 2e-3) / 1e6;
     setup.clock = light;
     return setup;
 }
@@ -108,10 +108,9 @@ Setup draw_setup(bool light, Random& random) {
 } // namespace
 
 Ball baseline_ball() {
-    const double radius = 0.02, density = 1100;
-    return {.radius = radius,
-            .mass = density * 4.0 / 3 * 3.14159265358979323846 * radius * radius * radius,
-            .modulus = 1 / ((1 - 0.49 * 0.49) / 3e7 + (1 - 0.3 * 0.3) / 2.1e11),
+    return {.radius = 0.12,
+            .mass = 0.6,
+            .modulus = 1 / ((1 - 0.3 * 0.3) / 1.27e6 + (1 - 0.3 * 0.3) / 1e10),
             .restitution = 0.8};
 }
 

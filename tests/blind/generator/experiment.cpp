@@ -9,7 +9,7 @@ namespace {
 
 constexpr double clock_sigma = 1e-3;  // s
 constexpr double fine = 2.5e-4;       // s, grid of the filters
-constexpr double light = 1.0 / 8;     // of the mass
+constexpr double light = 1.0 / 4;     // of the mass
 
 /// Heights on a fine grid, filtered by recursion for straight lines between its points.
 std::vector<double> filtered(const Path& path, const Sensor& sensor, double end) {
@@ -65,21 +65,21 @@ std::vector<double> read(const Path& path, const Sensor& sensor, const std::vect
 
 std::vector<Effect> all_effects() {
     return {
-        {"grav.g", true, 1e-3, false, [](Truth& t, double a) { t.ball.gravity *= 1 + a; }},
-        {"num.stiffness", true, 0.1, false, [](Truth& t, double a) { t.ball.modulus *= std::exp(a); }},
-        {"ins.clock_rate", true, 1e-3, false, [](Truth& t, double a) { t.sensor.rate += a; }},
-        {"ins.gain", true, 1e-3, false, [](Truth& t, double a) { t.sensor.gain += a; }},
-        {"ins.bias", true, 1e-4, false, [](Truth& t, double a) { t.sensor.bias += a; }},
-        {"ins.drift", true, 1e-4, false, [](Truth& t, double a) { t.sensor.drift += a; }},
-        {"ins.low_pass", true, 1e-3, true, [](Truth& t, double a) { t.sensor.low_pass += a; }},
-        {"ins.high_pass", true, 1e-2, true, [](Truth& t, double a) { t.sensor.high_pass += a; }},
-        {"ins.clipping", true, 2e-2, true, [](Truth& t, double a) { t.sensor.clip += a; }},
-        {"sensor-bend", false, 1e-3, false, [](Truth& t, double a) { t.sensor.bend += a; }},
-        {"restitution-of-one-drop", false, 1e-3, false, [](Truth& t, double a) { t.restitution[1] += a; }},
-        {"plate-swings", false, 1e-3, true,
+        {"grav.g", true, 1e-3, 0.05, false, [](Truth& t, double a) { t.ball.gravity *= 1 + a; }},
+        {"num.stiffness", true, 0.1, 3, false, [](Truth& t, double a) { t.ball.modulus *= std::exp(a); }},
+        {"ins.clock_rate", true, 1e-3, 0.05, false, [](Truth& t, double a) { t.sensor.rate += a; }},
+        {"ins.gain", true, 1e-3, 0.1, false, [](Truth& t, double a) { t.sensor.gain += a; }},
+        {"ins.bias", true, 1e-4, 0.05, false, [](Truth& t, double a) { t.sensor.bias += a; }},
+        {"ins.drift", true, 1e-4, 0.05, false, [](Truth& t, double a) { t.sensor.drift += a; }},
+        {"ins.low_pass", true, 1e-3, 0.05, true, [](Truth& t, double a) { t.sensor.low_pass += a; }},
+        {"ins.high_pass", true, 1e-2, 5, true, [](Truth& t, double a) { t.sensor.high_pass += a; }},
+        {"ins.clipping", true, 2e-2, 0.9, true, [](Truth& t, double a) { t.sensor.clip += a; }},
+        {"sensor-bend", false, 1e-3, 0.2, false, [](Truth& t, double a) { t.sensor.bend += a; }},
+        {"restitution-of-one-drop", false, 1e-3, 0.1, false, [](Truth& t, double a) { t.restitution[1] += a; }},
+        {"plate-swings", false, 1e-3, 0.3, true,
          [](Truth& t, double a) { t.ball.plate_amplitude += a; t.ball.plate_frequency = 7.3; t.ball.plate_phase = 1; }},
-        {"warms-up", false, 1e-3, false, [](Truth& t, double a) { t.ball.by_impact += a; }},
-        {"sticks", false, 1e-4, true, [](Truth& t, double a) { t.ball.sticks += a; }},
+        {"warms-up", false, 1e-3, 0.1, false, [](Truth& t, double a) { t.ball.by_impact += a; }},
+        {"sticks", false, 1e-4, 0.02, true, [](Truth& t, double a) { t.ball.sticks += a; }},
     };
 }
 

@@ -29,8 +29,8 @@ struct Drop {
 struct Setup {
     std::vector<Drop> drops;
     double rate_hz = 120;
-    double duration = 1.8; // s
-    double sigma = 1e-3;   // m
+    double duration = 2.5; // s
+    double sigma = 2e-3;   // m
     bool clock = false;    // a clock in the picture, read to a millisecond
 };
 
@@ -53,6 +53,7 @@ struct Effect {
     std::string id;
     bool listed = true;
     double typical = 0; // amplitude to begin with
+    double most = 0;    // that a laboratory could overlook
     bool one_sided = false;
     void (*hide)(Truth&, double amplitude) = nullptr;
 };

@@ -133,7 +133,7 @@ double amplitude_for(const Setup& setup, const Truth& without, const Effect& eff
         if (std::abs(reached / wanted - 1) < 0.02)
             return sign * amplitude;
         amplitude *= std::clamp(wanted / std::max(reached, 1e-3), 0.1, 10.0);
-        if (amplitude > 1000 * effect.typical)
+        if (amplitude > effect.most)
             return 0;
         reached = at(amplitude);
     }

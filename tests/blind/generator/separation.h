@@ -17,8 +17,8 @@ struct Separation {
 /// rival of itself. Clock offsets must be 0, so that they cost nothing.
 Separation separation_of(const Setup& setup, const Truth& truth, const Truth& without, const std::string& own);
 
-/// The amplitude at which an effect is so separable, of the sign of `sign`; 0 where no amplitude within 1000 times the
-/// typical one is.
+/// The amplitude at which an effect is so separable, of the sign of `sign`; 0 where no amplitude that a laboratory
+/// could overlook is.
 double amplitude_for(const Setup& setup, const Truth& without, const Effect& effect, double wanted, double sign);
 
 } // namespace blind

@@ -87,6 +87,23 @@ TEST_CASE("drop: the sphere rebounds to e^2 h less what gravity takes during the
     CHECK(top > rebound * (1 - 0.005));
 }
 
+TEST_CASE("bounce: every bounce reaches 0.8^2 of the height before, less some 1 % that gravity takes during the contact") {
+    const Ran ran(loaded("bounce.toml", {"observe.measures=[\"centre_of_mass_y\"]"}));
+    const auto highest = [&](double from, double to) {
+        double most = 0;
+        for (std::size_t row = 0; row < ran.series.rows(); ++row)
+            if (ran.column("time")[row] > from && ran.column("time")[row] < to)
+                most = std::max(most, ran.column("centre_of_mass_y")[row] - 0.12);
+        return most;
+    };
+    // Impacts at sqrt(2 h / g) = 0.45 s, then after flights of 2 * 0.8^n * 0.45 s: 1.17 s, 1.75 s.
+    const double first = highest(0.5, 1.15), second = highest(1.25, 1.72);
+    CHECK(first > 0.625);
+    CHECK(first < 0.64);
+    CHECK(second / first > 0.625);
+    CHECK(second / first < 0.64);
+}
+
 TEST_CASE("oblique: the sphere leaves as the hard-sphere result for full sliding says") {
     const sim3d::WorldPtr world = stepped(loaded("oblique.toml"));
     const sim3d::BodyState ball = sim3d::bodies_of(*world).front();

@@ -71,8 +71,8 @@ Problems leave_files(const DiagnoseArguments& arguments, const diagnose::Diagnos
         leave(arguments.extended, scene::to_toml(*diagnosis.extended));
     if (!arguments.extended.empty() && !diagnosis.extended)
         problems.push_back({.file = arguments.extended.string(),
-                            .what = "no extended scene was written: no cause is named",
-                            .fix = diagnose::next_step(diagnosis)});
+                            .what = "no extended scene was written: no cause is named that a scene could hold",
+                            .fix = "what is wrong with an instrument is mended there, not in the scene"});
     return problems;
 }
 

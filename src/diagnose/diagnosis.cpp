@@ -2,6 +2,7 @@
 
 #include "diagnose/folds.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <numeric>
@@ -187,7 +188,9 @@ private:
             return {};
         VectorXd baseline = model_->start();
         baseline.head(model_->nuisances()) = baseline_.values.head(model_->nuisances());
-        d_.extended = scene_with_causes(decision.best->values);
+        const auto& named = decision.best->causes;
+        if (std::any_of(named.begin(), named.end(), [this](int k) { return d_.causes[static_cast<std::size_t>(k)].physical(); }))
+            d_.extended = scene_with_causes(decision.best->values);
         if (aside_.empty()) {
             std::vector<Score> scores;
             for (const Fold& fold : decision.folds)

@@ -38,7 +38,7 @@ struct Diagnosis {
     Problems warnings;
     double simulated = 0; // s
     int runs = 0;
-    std::optional<scene::Scene> extended; // the scene with the named physical causes in it
+    std::optional<scene::Scene> extended; // the scene with the named causes in it; none where all are the instrument's
 };
 
 /// Holds a measurement against its scene. Problems: whatever keeps the baseline from being simulated; readings whose

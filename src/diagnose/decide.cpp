@@ -101,7 +101,7 @@ private:
                 d_.isolability(i, j) = a == b ? 0 : std::sqrt(std::max(0.0, 1 - cosine * cosine));
             }
         if (size > 0)
-            d_.gate = quantile_of_largest(correlation, settings_.alpha_gate, 1);
+            d_.gate = e_.gate > 0 ? e_.gate : quantile_of_largest(correlation, settings_.alpha_gate, 1);
     }
 
     void fit_rivals() {

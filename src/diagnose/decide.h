@@ -16,6 +16,7 @@ struct Evidence {
     MatrixXd effects;   // slopes per unit of each cause, from its null value
     Directions directions;
     std::vector<Cause> causes; // parallel to the columns of effects
+    double gate = 0;           // known from a case with the same effects; 0: to be drawn
 };
 
 /// One or two causes fitted with all nuisances.

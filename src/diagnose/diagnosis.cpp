@@ -133,7 +133,7 @@ private:
     }
 
     Problems decide_it() {
-        d_.evidence = {baseline_.residual, baseline_.slopes, effects_, directions_, d_.causes};
+        d_.evidence = {baseline_.residual, baseline_.slopes, effects_, directions_, d_.causes, 0};
         d_.decision = decide(d_.evidence, measurement_.settings, [this](const std::vector<int>& causes) { return refit(causes); });
         const VectorXd errors = errors_of(baseline_.slopes);
         for (int k = 0; k < model_->nuisances(); ++k) {
@@ -169,14 +169,14 @@ private:
         refit.amplitude.resize(count);
         refit.possible = fitted->converged;
         if (!fitted->converged)
-            refit.refused = fmt::format("its fit did not end: a further step would gain {:.2g} nats", fitted->decrement);
+            refit.refused = fmt::format("its fit did not end ({:.2g} nats short)", fitted->decrement);
         for (Eigen::Index k = 0; k < count; ++k) {
             const Parameter& parameter =
                 model_->parameters()[static_cast<std::size_t>(model_->parameter_of(causes[static_cast<std::size_t>(k)]))];
             refit.amplitude[k] = fitted->values[model_->parameter_of(causes[static_cast<std::size_t>(k)])];
             if (refit.amplitude[k] <= parameter.lo || refit.amplitude[k] >= parameter.hi) {
                 refit.possible = false;
-                refit.refused = fmt::format("{} would have to be beyond {:g}", parameter.name, refit.amplitude[k]);
+                refit.refused = fmt::format("would have to be {} {:g}", refit.amplitude[k] <= parameter.lo ? "below" : "above", refit.amplitude[k]);
             }
         }
         return refit;
@@ -262,9 +262,10 @@ private:
                 const Channel& channel = record.channels[c];
                 Curve curve{.record = record.name, .condition = record.condition, .head = channel.head,
                             .unit = channel.unit, .sigma = noise_.sigma[r][c], .time = record.time,
-                            .measured = channel.value, .baseline = {}, .extended = {}};
+                            .measured = channel.value, .baseline = {}, .extended = {}, .left_out = {}};
                 for (std::size_t k = 0; k < record.time.size(); ++k, ++row) {
                     curve.baseline.push_back((*baseline)[row]);
+                    curve.left_out.push_back(noise_.left_out[static_cast<std::size_t>(row)]);
                     if (extended)
                         curve.extended.push_back((*with)[row]);
                 }

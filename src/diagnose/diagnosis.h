@@ -12,6 +12,7 @@ struct Curve {
     bool held_out = false;
     double sigma = 0; // SI
     std::vector<double> time, measured, baseline, extended; // extended: empty where nothing is named
+    std::vector<bool> left_out;                             // lone outliers
 };
 
 struct FittedNuisance {

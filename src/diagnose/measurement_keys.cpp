@@ -3,11 +3,10 @@
 
 namespace tumble::diagnose {
 
-using namespace scene;
-
 namespace {
 
-KeyTable top() {
+scene::KeyTable top() {
+    using namespace scene;
     const Settings usual;
     return {.path = "",
             .head = "",
@@ -26,7 +25,8 @@ KeyTable top() {
             }};
 }
 
-KeyTable nuisance() {
+scene::KeyTable nuisance() {
+    using namespace scene;
     return {.path = "nuisance",
             .head = "[[nuisance]]",
             .repeat = Repeat::many,
@@ -41,7 +41,8 @@ KeyTable nuisance() {
             }};
 }
 
-KeyTable series() {
+scene::KeyTable series() {
+    using namespace scene;
     return {.path = "series",
             .head = "[[series]]",
             .repeat = Repeat::many,
@@ -57,7 +58,8 @@ KeyTable series() {
             }};
 }
 
-KeyTable column() {
+scene::KeyTable column() {
+    using namespace scene;
     return {.path = "series.column",
             .head = "[[series.column]]",
             .repeat = Repeat::many,
@@ -73,8 +75,8 @@ KeyTable column() {
 
 } // namespace
 
-const std::vector<KeyTable>& measurement_keys() {
-    static const std::vector<KeyTable> all{top(), nuisance(), series(), column()};
+const std::vector<scene::KeyTable>& measurement_keys() {
+    static const std::vector<scene::KeyTable> all{top(), nuisance(), series(), column()};
     return all;
 }
 

@@ -176,7 +176,7 @@ Json to_json(const Diagnosis& diagnosis, const std::string& version) {
 }
 
 std::string residuals_csv(const Diagnosis& diagnosis) {
-    std::string text = "record,column,time_s,measured,baseline,extended,residual_baseline,residual_extended\n";
+    std::string text = "record,column,time_s,measured,baseline,extended,residual_baseline,residual_extended,used\n";
     for (const Curve& curve : diagnosis.curves)
         for (std::size_t k = 0; k < curve.time.size(); ++k) {
             const double with = curve.extended.empty() ? curve.baseline[k] : curve.extended[k];
@@ -187,7 +187,8 @@ std::string residuals_csv(const Diagnosis& diagnosis) {
                                                  shortest(curve.baseline[k]),
                                                  shortest(with),
                                                  shortest((curve.measured[k] - curve.baseline[k]) / curve.sigma),
-                                                 shortest((curve.measured[k] - with) / curve.sigma)};
+                                                 shortest((curve.measured[k] - with) / curve.sigma),
+                                                 curve.left_out[k] ? "0" : "1"};
             text += csv_line(cells);
         }
     return text;

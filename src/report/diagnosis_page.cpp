@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 
 namespace tumble::report {
 
@@ -50,7 +51,7 @@ std::string axis_of(const Curve& curve) {
 Trace residual_trace(const Curve& curve, const std::vector<double>& model, const std::vector<double>& x, Looks& looks) {
     Trace trace{.label = "", .x = x, .y = {}, .color = color_of(looks.index(curve.condition))};
     for (std::size_t k = 0; k < x.size(); ++k)
-        trace.y.push_back((curve.measured[k] - model[k]) / curve.sigma);
+        trace.y.push_back(curve.left_out[k] ? std::nan("") : (curve.measured[k] - model[k]) / curve.sigma);
     return trace;
 }
 
@@ -82,7 +83,8 @@ double largest_residual(const Diagnosis& diagnosis) {
     double most = 4;
     for (const Curve& curve : diagnosis.curves)
         for (std::size_t k = 0; k < curve.time.size(); ++k)
-            most = std::max(most, std::abs(curve.measured[k] - curve.baseline[k]) / curve.sigma);
+            if (!curve.left_out[k])
+                most = std::max(most, std::abs(curve.measured[k] - curve.baseline[k]) / curve.sigma);
     return most;
 }
 
@@ -101,7 +103,7 @@ std::string measured_section(const Diagnosis& diagnosis) {
 
 std::string residual_section(const Diagnosis& diagnosis) {
     std::string out = "<h2>What the scene leaves unexplained</h2><p>Residual = measured less baseline, in standard "
-                      "errors of a reading; 95 % of pure noise lies in the grey band. Colours are conditions.</p><div class=\"plots\">";
+                      "errors of a reading; 95 % of pure noise lies in the grey band. Colours are conditions; lone outliers are not drawn.</p><div class=\"plots\">";
     const std::string unit = diagnosis.curves.empty() ? "" : diagnosis.curves[0].unit;
     out += svg_of(residuals(diagnosis, "against time", "time, in s", false));
     out += svg_of(residuals(diagnosis, "against speed", fmt::format("speed, in {}/s", unit), false));
@@ -207,10 +209,14 @@ std::string small_print(const Diagnosis& diagnosis, const std::string& version) 
     for (const FittedNuisance& nuisance : diagnosis.nuisances)
         rows += fmt::format("<tr><td>{}</td><td class=\"n\">{:.6g}</td><td class=\"n\">{:.6g} &plusmn; {:.2g}</td></tr>",
                             escaped(nuisance.name), nuisance.start, nuisance.value, nuisance.error);
+    std::map<std::string, std::string> files; // of each sentence
+    for (const Problem& warning : diagnosis.warnings) {
+        const std::string sentence = fmt::format("<b>{}</b>: {}; {}.", escaped(warning.key), escaped(warning.what), escaped(warning.fix));
+        files[sentence] += (files[sentence].empty() ? "" : ", ") + escaped(std::filesystem::path(warning.file).filename().string());
+    }
     std::string warnings;
-    for (const Problem& warning : diagnosis.warnings)
-        warnings += fmt::format("<li>{} <b>{}</b>: {}. {}.</li>", escaped(std::filesystem::path(warning.file).filename().string()),
-                                escaped(warning.key), escaped(warning.what), escaped(warning.fix));
+    for (const auto& [sentence, names] : files)
+        warnings += fmt::format("<li>{} <span class=\"small\">({})</span></li>", sentence, names);
     return fmt::format("<h2>Small print</h2>{}<table><tr><th>adjusted under every explanation</th><th>in the scene</th><th>fitted, "
                        "baseline</th></tr>{}</table><p class=\"small\">{} readings, scatter {:.3g} (stated: {}), correlation of neighbours "
                        "{:.2f}. Adequacy of the baseline p = {:.2g}, of the extension p = {:.2g}. {} runs, {:.3g} s simulated. Scene {}, "

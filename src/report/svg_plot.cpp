@@ -136,7 +136,7 @@ private:
         for (auto trace = plot_.traces.rbegin(); trace != plot_.traces.rend(); ++trace) {
             if (trace->label.empty())
                 continue;
-            x -= 18 + static_cast<int>(6.2 * static_cast<double>(trace->label.size()));
+            x -= 26 + static_cast<int>(6.6 * static_cast<double>(trace->label.size()));
             out_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"10\" height=\"3\" fill=\"{}\"/><text class=\"t\" x=\"{}\" "
                                 "y=\"{}\">{}</text>",
                                 x, top - 10, trace->color, x + 13, top - 5, escaped(trace->label));
@@ -160,7 +160,7 @@ std::string svg_of(const Plot& plot) {
 }
 
 std::string svg_of(const std::vector<Bar>& bars, const std::vector<Mark>& marks, const std::string& axis) {
-    constexpr int row = 20, before = 150, behind = 330, width = 940;
+    constexpr int row = 20, before = 130, behind = 430, width = 940;
     double most = 1e-12;
     for (const Bar& bar : bars)
         most = std::max(most, bar.value);

@@ -82,12 +82,13 @@ private:
         Eigen::Vector3d position, velocity, spin, acceleration;
     };
 
-    /// The world at a state, with steps of that length. Leapfrog has velocities half a step earlier.
+    /// The world at a state, with steps of that length; its first step is half a kick, so that velocities are those of
+    /// the same instant.
     Result<SimulationPtr> world_at(const State& state, double step) {
         scene_.time_step = step;
         scene::Fill& fill = scene_.fills[0];
         fill.position = state.position;
-        fill.velocity = state.velocity - 0.5 * step * state.acceleration;
+        fill.velocity = state.velocity;
         fill.angular_velocity = state.spin;
         return simulate(scene_, 1);
     }
@@ -138,6 +139,7 @@ private:
         if (!world)
             return world.problems()[0];
         const auto stride = std::max<std::int64_t>(1, std::llround(scene_.observe.every / step));
+        int free = 0; // strides since the impact
         while (now_.time < scene_.duration) {
             if (const auto problem = (*world)->advance(stride))
                 return problem;
@@ -145,10 +147,9 @@ private:
             const Books books = (*world)->books();
             now_ = state_of(frame, began, now_);
             add_row(series_, measures_, frame, books, began);
-            if (books.overlap_ratio_peak > 0 && books.contacts == 0) {
-                now_.acceleration = scene_.gravity;
+            free = books.overlap_ratio_peak > 0 && books.contacts == 0 ? free + 1 : 0;
+            if (free == 2) // the second one tells how it is slowed down in flight, which align() asks
                 return std::nullopt;
-            }
             if (now_.time - began > longest_impact)
                 return rest();
         }
@@ -184,7 +185,6 @@ private:
 
     std::optional<Problem> rest() {
         const double began = now_.time;
-        now_.acceleration.setZero();
         auto world = world_at(now_, usual_step_);
         if (!world)
             return world.problems()[0];

@@ -17,6 +17,11 @@ void forget(Chunk& chunk, MemoryLanes& memory) {
     memory = {};
 }
 
+void forget(Chunk& chunk, FurtherLanes& further) {
+    chunk.dropped_history += further.rolling_energy;
+    further = {};
+}
+
 template <class Entry> void make_room(std::vector<Entry>& list, std::size_t entries) {
     if (list.size() < entries)
         list.resize(2 * entries);
@@ -30,8 +35,12 @@ void touch_spheres(const World& world, Chunk& chunk, NearSpheres& near) {
         world.motion.data(), near.pairs.data(), static_cast<int>(near.pairs.size()), world.images.data(),
         near.touching.data(), near.contacts.data(), chunk.found.data());
     near.contact_count = counts.contacts;
-    for (int k = 0; k < counts.ended; ++k)
-        forget(chunk, near.memory[static_cast<std::size_t>(chunk.found[static_cast<std::size_t>(k)])]);
+    for (int k = 0; k < counts.ended; ++k) {
+        const auto ended = static_cast<std::size_t>(chunk.found[static_cast<std::size_t>(k)]);
+        forget(chunk, near.memory[ended]);
+        if (world.remembers_more)
+            forget(chunk, near.further[ended]);
+    }
 }
 
 BodyContact body_contact(const World& world, const BodyPair& pair, const SphereCandidate& spheres, int candidate) {
@@ -74,8 +83,12 @@ void touch_clumps(const World& world, Chunk& chunk) {
     for (auto& list : chunk.body_contacts)
         list.clear();
     const TouchCounts counts = find_clump_touches(world, chunk);
-    for (int k = 0; k < counts.ended; ++k)
-        forget(chunk, chunk.candidates.memory[static_cast<std::size_t>(chunk.found[static_cast<std::size_t>(k)])]);
+    for (int k = 0; k < counts.ended; ++k) {
+        const auto ended = static_cast<std::size_t>(chunk.found[static_cast<std::size_t>(k)]);
+        forget(chunk, chunk.candidates.memory[ended]);
+        if (world.remembers_more)
+            forget(chunk, chunk.candidates.further[ended]);
+    }
     for (int first = 0, next = 0; first < counts.contacts; first = next) {
         const int listed = chunk.touches[static_cast<std::size_t>(first)].pair;
         const BodyPair& pair = chunk.body_pairs[static_cast<std::size_t>(listed)];
@@ -110,17 +123,27 @@ WallMemory* heir_of(const WallMemory& old, std::span<WallMemory> now, std::span<
 }
 
 /// Hands the memory of the touches a step ago to those of now; what finds no heir is forgotten, and what is new starts
-/// at rest.
-void match_features(Chunk& chunk, WallCandidate& candidate, std::span<const WallTouch> touches) {
+/// at rest. `further` holds what the touches remember beside it, or is null.
+void match_features(Chunk& chunk, WallCandidate& candidate, FurtherLanes* further, std::span<const WallTouch> touches) {
     std::array<WallMemory, max_wall_touches> now;
+    std::array<FurtherLanes, max_wall_touches> further_now{};
     for (std::size_t t = 0; t < touches.size(); ++t)
         now[t] = {touches[t].feature, touches[t].normal, {}};
     const std::span before(candidate.memory.data(), static_cast<std::size_t>(candidate.touches));
-    for (WallMemory& old : before)
-        if (WallMemory* heir = heir_of(old, {now.data(), touches.size()}, before))
+    for (std::size_t t = 0; t < before.size(); ++t) {
+        WallMemory& old = before[t];
+        WallMemory* heir = heir_of(old, {now.data(), touches.size()}, before);
+        if (heir)
             heir->lanes = old.lanes;
         else
             forget(chunk, old.lanes);
+        if (further && heir)
+            further_now[static_cast<std::size_t>(heir - now.data())] = further[t];
+        else if (further)
+            forget(chunk, further[t]);
+    }
+    if (further)
+        std::copy(further_now.begin(), further_now.end(), further);
     candidate.memory = now;
     candidate.touches = static_cast<std::int16_t>(touches.size());
 }
@@ -153,6 +176,7 @@ WallContact wall_contact(const WallState& wall, const BodyMotion& body, const Ve
     put(contact.arm, arm);
     put(contact.wall_velocity, wall.half_pose.velocity_at(point));
     put(contact.wall_now, wall.pose.velocity_at(point));
+    put(contact.wall_spin, wall.half_pose.angular_velocity);
     return contact;
 }
 
@@ -178,7 +202,10 @@ int touch_wall(const World& world, Chunk& chunk, const BodyWall& near, std::vect
             chunk.crossed_wall = near.wall;
         }
         if (count > 0 || candidate.touches > 0)
-            match_features(chunk, candidate, now);
+            match_features(chunk, candidate,
+                           world.remembers_more ? &chunk.wall_further[static_cast<std::size_t>(max_wall_touches * k)]
+                                                : nullptr,
+                           now);
         for (int t = 0; t < count; ++t) {
             WallContact contact = wall_contact(wall, body, arm, radius, touches[static_cast<std::size_t>(t)]);
             contact.body = near.body;

@@ -24,6 +24,7 @@ struct Books {
     double lost_history = 0; // spring energy that the law drops when it projects, restiffens or forgets a history
     double lost_global_damping = 0; // by mass-proportional damping of bodies
     double lost_air_drag = 0;       // to still air
+    double lost_adhesion = 0;       // with necks of adhesion that tore
     double wall_work = 0;           // done by walls on bodies
     double inserted = 0;            // energy that came with inserted bodies
     double closure = 0;             // left side minus right side
@@ -37,7 +38,7 @@ struct Books {
 /// Energy lost so far, J.
 inline double lost_of(const Books& b) {
     return b.lost_normal_damping + b.lost_tangential_damping + b.lost_sliding + b.lost_history + b.lost_global_damping +
-           b.lost_rolling + b.lost_air_drag;
+           b.lost_rolling + b.lost_air_drag + b.lost_adhesion;
 }
 
 /// What the balance misses, J: everything there and lost, less everything put in.

@@ -32,6 +32,9 @@ TUMBLE_INLINE double logarithm(double x) {
 TUMBLE_INLINE double exponential(double x) {
     return std::exp(x);
 }
+TUMBLE_INLINE double cube_root(double x) {
+    return std::cbrt(x);
+}
 
 namespace TUMBLE_ISA {
 
@@ -115,6 +118,12 @@ TUMBLE_INLINE Pack exponential(Pack x) {
     Pack r;
     for (int lane = 0; lane < Pack::lanes; ++lane)
         r.v[lane] = __builtin_exp(x.v[lane]);
+    return r;
+}
+TUMBLE_INLINE Pack cube_root(Pack x) {
+    Pack r;
+    for (int lane = 0; lane < Pack::lanes; ++lane)
+        r.v[lane] = __builtin_cbrt(x.v[lane]);
     return r;
 }
 /// Four doubles side by side: a row.

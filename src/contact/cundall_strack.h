@@ -56,9 +56,9 @@ public:
         return push;
     }
 
-    /// N, of the normal spring alone.
-    template <class Real> TUMBLE_INLINE Real elastic(const DiscTouch<Real>& touch) const {
-        return normal_.stiffness(touch.mass) * touch.overlap;
+    /// N/m, of the normal spring: its force over the overlap.
+    template <class Real> TUMBLE_INLINE Real secant(const DiscTouch<Real>& touch) const {
+        return normal_.stiffness(touch.mass);
     }
 
 private:

@@ -33,7 +33,7 @@ template <class DiscLaw> struct FullDiscs {
         const Touch<Real> seen{touch.overlap, {Real(1.0), none, none}, {none, none, none}, touch.radius, touch.mass,
                                share};
         const RollingPush<Real> rolling =
-            rolling_push(seen, turn, push.normal, law.elastic(touch), pair, further.rolling, dt);
+            rolling_push(seen, turn, push.normal, law.secant(touch), pair, further.rolling, dt);
         push.torque = rolling.torque.z;
         push.further.rolling = rolling.memory;
         push.lost_rolling_damping = rolling.lost_damping;

@@ -45,9 +45,9 @@ public:
         return push;
     }
 
-    /// N, of the normal spring alone.
-    template <class Real> TUMBLE_INLINE Real elastic(const DiscTouch<Real>& touch) const {
-        return Real(4.0 / 3.0 * pair_.E_eff) * root(touch.radius * touch.overlap) * touch.overlap;
+    /// N/m, of the normal spring: its force over the overlap.
+    template <class Real> TUMBLE_INLINE Real secant(const DiscTouch<Real>& touch) const {
+        return Hertz::secant(root(touch.radius * touch.overlap), pair_);
     }
 
 private:

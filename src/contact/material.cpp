@@ -20,6 +20,10 @@ void add(const PairProperties& pair, const Additions& additions, double rolling_
     if (pair.sliding_friction != pair.friction)
         constants.sliding_speed = pair.sliding_speed;
     constants.sliding_friction = pair.sliding_friction;
+    if ((additions.adhesion == AdhesionLaw::sjkr ? pair.cohesion_energy : pair.work_of_adhesion) > 0)
+        constants.adhesion = additions.adhesion;
+    constants.cohesion_energy = pair.cohesion_energy;
+    constants.work_of_adhesion = pair.work_of_adhesion;
 }
 
 } // namespace

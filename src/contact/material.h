@@ -33,6 +33,8 @@ struct PairProperties {
     double restitution_most = 1;     // -
     double sliding_friction = 0;     // -, what friction falls to in fast sliding; only where sliding_speed > 0
     double sliding_speed = 0;        // m/s
+    double cohesion_energy = 0;      // J/m3, SJKR
+    double work_of_adhesion = 0;     // J/m2, JKR and DMT
 };
 
 /// Effective constants of a pair, derived once and used in every contact of that pair.
@@ -60,10 +62,14 @@ struct PairConstants {
     double ln_restitution_most = 0;
     double sliding_friction = 0; // -
     double sliding_speed = 0;    // m/s, 0: friction does not fall
+    AdhesionLaw adhesion = AdhesionLaw::none;
+    double cohesion_energy = 0;  // J/m3
+    double work_of_adhesion = 0; // J/m2
 
     /// Nothing is added: Law and FullLaw are the same.
     [[nodiscard]] bool plain() const {
-        return rolling == RollingLaw::none && restitution_exponent == 0 && sliding_speed == 0;
+        return rolling == RollingLaw::none && restitution_exponent == 0 && sliding_speed == 0 &&
+               adhesion == AdhesionLaw::none;
     }
 };
 

@@ -107,6 +107,8 @@ std::vector<Measure> books_of_the_solver() {
          [](const Seen& s) { return s.books.lost_global_damping; }},
         {"lost_air_drag", "energies", "J", "Energy lost so far to the drag of air.",
          [](const Seen& s) { return s.books.lost_air_drag; }},
+        {"lost_adhesion", "energies", "J", "Energy lost so far with necks of adhesion that tore.",
+         [](const Seen& s) { return s.books.lost_adhesion; }},
         {"wall_work", "energies", "J", "Work done so far by walls on bodies.",
          [](const Seen& s) { return s.books.wall_work; }},
         {"inserted_energy", "energies", "J", "Energy that came so far with inserted bodies.",

@@ -72,6 +72,13 @@ std::vector<Key> additions() {
         number("sliding_friction", "", from(0, 10),
                "What `friction` falls to in fast sliding: mu_k + (`friction` - mu_k) exp(-v / `sliding_speed_m_s`)."),
         number("sliding_speed_m_s", "m/s", above(0, 1e4), "The speed of sliding v_c over which friction falls."),
+        number("cohesion_energy_J_m3", "J/m3", from(0, 1e12), "Pull per area of contact, of `adhesion = \"sjkr\"`.")
+            .in_3d()
+            .otherwise(0.0),
+        number("work_of_adhesion_J_m2", "J/m2", from(0, 1e3),
+               "Work that parts the surfaces, per area, of `adhesion = \"jkr\"` and `\"dmt\"`.")
+            .in_3d()
+            .otherwise(0.0),
     };
 }
 

@@ -71,6 +71,11 @@ KeyTable contact() {
              "Resistance against rolling of pairs with a `rolling_friction`: \"cdt\" constant directional torque, "
              "\"epsd\" elastic-plastic spring-dashpot.")
             .otherwise(std::string("none")),
+        word("adhesion", {words_of_adhesion.begin(), words_of_adhesion.end()},
+             "Attraction of touching surfaces: \"sjkr\" by contact area from a `cohesion_energy_J_m3`, \"jkr\" and "
+             "\"dmt\" from a `work_of_adhesion_J_m2`; these two go with `normal = \"hertz\"`.")
+            .in_3d()
+            .otherwise(std::string("none")),
         flag("limit_force", "True: the normal force never pulls at the end of a rebound."),
         flag("share_among_body_contacts", "True: the contacts of one body pair act together as one spring.").in_3d(),
         number("global_damping_per_s", "1/s", from(0, 1e6),

@@ -24,6 +24,27 @@ void resolve_rolling(const View& view, const Resolving& to, contact::PairPropert
                       "write rolling = \"cdt\" or \"epsd\" in [contact], or \"none\" to switch it off");
 }
 
+void resolve_adhesion(const View& view, const Resolving& to, contact::PairProperties& properties) {
+    if (to.scene.dimension == 2)
+        return;
+    properties.cohesion_energy = view.number("cohesion_energy_J_m3");
+    properties.work_of_adhesion = view.number("work_of_adhesion_J_m2");
+    const bool chosen = to.scene.written.contains("contact.adhesion"); // also where it is "none"
+    const auto law = to.scene.contact.additions.adhesion;
+    const auto refuse = [&](const char* key, const char* laws, bool right) {
+        if (!view.written(key) || (chosen && (right || law == contact::AdhesionLaw::none)))
+            return;
+        to.refuse(view, key,
+                  chosen ? fmt::format("'{}' does nothing under adhesion = \"{}\"", key,
+                                       words_of_adhesion[static_cast<std::size_t>(law)])
+                         : fmt::format("'{}' does nothing, because [contact] chooses no adhesion", key),
+                  fmt::format("write adhesion = {} in [contact], or \"none\" to switch it off", laws));
+    };
+    refuse("cohesion_energy_J_m3", "\"sjkr\"", law == contact::AdhesionLaw::sjkr);
+    refuse("work_of_adhesion_J_m2", "\"jkr\" or \"dmt\"",
+           law == contact::AdhesionLaw::jkr || law == contact::AdhesionLaw::dmt);
+}
+
 void resolve_restitution(const View& view, const Resolving& to, contact::PairProperties& properties) {
     properties.restitution_exponent = view.number("restitution_exponent");
     properties.restitution_speed = view.number("restitution_speed_m_s");
@@ -60,6 +81,7 @@ void resolve_additions(const View& view, const Resolving& to, contact::PairPrope
     resolve_rolling(view, to, properties);
     resolve_restitution(view, to, properties);
     resolve_friction(view, to, properties);
+    resolve_adhesion(view, to, properties);
 }
 
 void check_additions(const View& root, const Resolving& to) {
@@ -72,6 +94,12 @@ void check_additions(const View& root, const Resolving& to) {
         to.refuse(contact, "rolling",
                   fmt::format("rolling = \"{}\" without a 'rolling_friction' in any pair", contact.text("rolling")),
                   "add rolling_friction to the pairs that roll, or write rolling = \"none\"");
+    const auto adhesion = to.scene.contact.additions.adhesion;
+    const char* needed = adhesion == contact::AdhesionLaw::sjkr ? "cohesion_energy_J_m3" : "work_of_adhesion_J_m2";
+    if (adhesion != contact::AdhesionLaw::none && !written(needed))
+        to.refuse(contact, "adhesion",
+                  fmt::format("adhesion = \"{}\" without a '{}' in any pair", contact.text("adhesion"), needed),
+                  fmt::format("add {} to the pairs that stick, or write adhesion = \"none\"", needed));
 }
 
 } // namespace tumble::scene

@@ -91,6 +91,17 @@ void resolve_contact(const View& view, const Resolving& to) {
     const auto rolling = std::find(words_of_rolling.begin(), words_of_rolling.end(), view.text("rolling"));
     if (rolling != words_of_rolling.end())
         laws.additions.rolling = static_cast<contact::RollingLaw>(rolling - words_of_rolling.begin());
+    if (to.scene.dimension == 3) {
+        const auto adhesion = std::find(words_of_adhesion.begin(), words_of_adhesion.end(), view.text("adhesion"));
+        if (adhesion != words_of_adhesion.end())
+            laws.additions.adhesion = static_cast<contact::AdhesionLaw>(adhesion - words_of_adhesion.begin());
+        if (laws.normal == NormalLaw::linear && (laws.additions.adhesion == contact::AdhesionLaw::jkr ||
+                                                 laws.additions.adhesion == contact::AdhesionLaw::dmt))
+            to.refuse(view, "adhesion",
+                      fmt::format("adhesion = \"{}\" builds on Hertz' contact, which normal = \"linear\" does not have",
+                                  view.text("adhesion")),
+                      "write normal = \"hertz\", or adhesion = \"sjkr\"");
+    }
     laws.limit_force = view.flag("limit_force");
     laws.share_among_body_contacts = view.flag("share_among_body_contacts");
     laws.global_damping = view.number("global_damping_per_s");

@@ -60,7 +60,11 @@ double stiffness_of(const Contact& contact, const ContactLaws& laws, double spee
     const double energy = 15 * contact.mass * speed * speed;
     const double hardness = 16 * contacts_at_once * contact.pair.E_eff * std::sqrt(contact.radius);
     const double overlap = std::min(overlap_most * contact.radius_small, std::pow(energy / hardness, 0.4));
-    const double reach = std::sqrt(contact.radius * overlap);
+    double reach = std::sqrt(contact.radius * overlap);
+    // What sticks rests with a^3 = 9 pi w R*^2 / (2 E*) (JKR without load), less under DMT.
+    if (contact.pair.adhesion == contact::AdhesionLaw::jkr || contact.pair.adhesion == contact::AdhesionLaw::dmt)
+        reach = std::max(reach, std::cbrt(4.5 * pi * contact.pair.work_of_adhesion * contact.radius * contact.radius /
+                                          contact.pair.E_eff));
     double stiffness = laws.normal == NormalLaw::linear ? contact.normal_stiffness : 2 * contact.pair.E_eff * reach;
     if (contact.rubs)
         stiffness = std::max(stiffness, laws.tangential == TangentialLaw::linear ? contact.tangential_stiffness

@@ -37,6 +37,8 @@ void write_world(const Scene& scene, TomlWriter& to) {
                           : scene.contact.tangential == TangentialLaw::linear ? "linear"
                                                                               : "mindlin");
     to.text("rolling", words_of_rolling[static_cast<std::size_t>(scene.contact.additions.rolling)]);
+    if (scene.dimension == 3)
+        to.text("adhesion", words_of_adhesion[static_cast<std::size_t>(scene.contact.additions.adhesion)]);
     to.flag("limit_force", scene.contact.limit_force);
     to.number("accepted_overlap", scene.contact.accepted_overlap);
     if (scene.dimension == 2)
@@ -60,6 +62,10 @@ void write_additions(const contact::PairProperties& pair, const contact::Additio
         to.number("rolling_friction", pair.rolling_friction);
         to.number("rolling_damping", pair.rolling_damping);
     }
+    if (additions.adhesion == contact::AdhesionLaw::sjkr)
+        to.number("cohesion_energy_J_m3", pair.cohesion_energy);
+    else if (additions.adhesion != contact::AdhesionLaw::none)
+        to.number("work_of_adhesion_J_m2", pair.work_of_adhesion);
     if (pair.restitution_exponent > 0) {
         to.number("restitution_exponent", pair.restitution_exponent);
         to.number("restitution_speed_m_s", pair.restitution_speed);

@@ -22,6 +22,7 @@ ContactSums add(const World& world) {
         total.lost_sliding += sums.lost_sliding;
         total.lost_rolling_damping += sums.lost_rolling_damping;
         total.lost_rolling_sliding += sums.lost_rolling_sliding;
+        total.lost_adhesion += sums.lost_adhesion;
         total.lost_history += sums.lost_history;
         total.wall_work += sums.wall_work;
         total.overlap_max = std::max(total.overlap_max, sums.overlap_max);
@@ -45,6 +46,7 @@ void book_energy(World& world) {
     ledger.lost_sliding += now.lost_sliding;
     ledger.lost_rolling += now.lost_rolling_damping + now.lost_rolling_sliding;
     ledger.lost_air_drag += dragged;
+    ledger.lost_adhesion += now.lost_adhesion;
     ledger.lost_history += now.lost_history;
     ledger.wall_work += now.wall_work;
     // Bodies that were put in overlapping bring the energy of their contacts along.
@@ -67,6 +69,7 @@ void book_energy(World& world) {
     books.lost_sliding = ledger.lost_sliding;
     books.lost_rolling = ledger.lost_rolling - 0.5 * now.lost_rolling_damping;
     books.lost_air_drag = ledger.lost_air_drag - 0.5 * dragged;
+    books.lost_adhesion = ledger.lost_adhesion;
     books.lost_history = ledger.lost_history;
     books.wall_work = ledger.wall_work - 0.5 * now.wall_work;
     books.inserted = ledger.inserted;

@@ -61,7 +61,9 @@ struct alignas(32) FurtherLanes {
     double rolling[3]; // rad
     double rolling_energy;
     double impact_speed; // m/s
-    double unused[3];
+    double bonded;       // 1 or 0
+    double bond_energy;
+    double unused;
 };
 
 /// Sphere about a body that it does not leave before its list is made anew.
@@ -164,6 +166,7 @@ struct ContactSums {
     double lost_sliding = 0;
     double lost_rolling_damping = 0; // by power
     double lost_rolling_sliding = 0; // exact
+    double lost_adhesion = 0;
     double lost_history = 0;
     double wall_work = 0; // J in this step
     double overlap_max = 0;
@@ -251,13 +254,14 @@ struct Kernels {
     /// returns how many.
     int (*near_spheres)(const BodyMotion* motion, const SpherePair* pairs, int count, const Shift* images, double skin,
                         int* found);
-    /// Brings touching[] of `count` pairs up to date. Writes the indices of those that touch to `contacts` and of those
-    /// that ceased to touch to `ended`. touching[] and contacts[] have room for count + 8.
+    /// Brings touching[] of `count` pairs up to date: those that overlap touch, and those that touched do until their
+    /// gap exceeds `hold`, m. Writes the indices of those that touch to `contacts` and of those that ceased to touch to
+    /// `ended`. touching[] and contacts[] have room for count + 8.
     TouchCounts (*touch_spheres)(const BodyMotion* motion, const NearPair* pairs, int count, const Shift* images,
-                                 std::uint8_t* touching, int* contacts, int* ended);
+                                 double hold, std::uint8_t* touching, int* contacts, int* ended);
     /// The same for the candidates of `count` pairs of bodies; touching[] has room for eight more.
     TouchCounts (*touch_clumps)(const Placements&, const BodyPair* pairs, int count, const SphereCandidate* candidates,
-                                std::uint8_t* touching, ClumpTouch* contacts, int* ended);
+                                double hold, std::uint8_t* touching, ClumpTouch* contacts, int* ended);
     /// `which` lists the `count` pairs that touch; memory is parallel to pairs.
     void (*push_spheres)(PushContext&, const NearPair* pairs, const int* which, int count, MemoryLanes* memory);
     void (*push_bodies)(PushContext&, const BodyContact* contacts, int count, MemoryLanes* memory);

@@ -39,6 +39,7 @@ void post(const World& world, Chunk& chunk, const PushContext& context) {
 void push_contacts(World& world, Chunk& chunk) {
     chunk.sums.contacts = {};
     chunk.sums.contacts.lost_history = chunk.dropped_history;
+    chunk.sums.contacts.lost_adhesion = chunk.dropped_adhesion;
     for (auto& letters : chunk.outbox)
         letters.clear();
     for (std::size_t kind = 0; kind < world.pairs.size(); ++kind) {

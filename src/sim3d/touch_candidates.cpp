@@ -19,6 +19,7 @@ void forget(Chunk& chunk, MemoryLanes& memory) {
 
 void forget(Chunk& chunk, FurtherLanes& further) {
     chunk.dropped_history += further.rolling_energy;
+    chunk.dropped_adhesion += further.bond_energy;
     further = {};
 }
 
@@ -27,12 +28,12 @@ template <class Entry> void make_room(std::vector<Entry>& list, std::size_t entr
         list.resize(2 * entries);
 }
 
-void touch_spheres(const World& world, Chunk& chunk, NearSpheres& near) {
+void touch_spheres(const World& world, Chunk& chunk, NearSpheres& near, double hold) {
     make_room(near.contacts, near.pairs.size() + 8);
     make_room(near.touching, near.pairs.size() + 8);
     make_room(chunk.found, near.pairs.size());
     const TouchCounts counts = world.kernels->touch_spheres(
-        world.motion.data(), near.pairs.data(), static_cast<int>(near.pairs.size()), world.images.data(),
+        world.motion.data(), near.pairs.data(), static_cast<int>(near.pairs.size()), world.images.data(), hold,
         near.touching.data(), near.contacts.data(), chunk.found.data());
     near.contact_count = counts.contacts;
     for (int k = 0; k < counts.ended; ++k) {
@@ -75,7 +76,7 @@ TouchCounts find_clump_touches(const World& world, Chunk& chunk) {
     make_room(chunk.found, candidates.spheres.size());
     return world.kernels->touch_clumps(
         {world.motion.data(), world.turn.data(), world.shape.data(), world.shape_constants.data(), world.images.data()},
-        chunk.body_pairs.data(), static_cast<int>(chunk.body_pairs.size()), candidates.spheres.data(),
+        chunk.body_pairs.data(), static_cast<int>(chunk.body_pairs.size()), candidates.spheres.data(), world.hold,
         candidates.touching.data(), chunk.touches.data(), chunk.found.data());
 }
 
@@ -165,10 +166,10 @@ void put(double* to, const Vector3d& from) {
 }
 
 WallContact wall_contact(const WallState& wall, const BodyMotion& body, const Vector3d& arm, double radius,
-                         const WallTouch& touch) {
+                         const WallTouch& touch, double hold) {
     WallContact contact{};
     contact.damping_share = 1;
-    contact.overlap = -touch.gap;
+    contact.overlap = -touch.gap - hold;
     contact.radius = radius;
     const Vector3d normal = wall.pose.rotation * touch.normal;
     const Vector3d point = Vector3d(body.position) + arm - normal * (radius - 0.5 * contact.overlap);
@@ -185,6 +186,7 @@ int touch_wall(const World& world, Chunk& chunk, const BodyWall& near, std::vect
     const WallState& wall = world.walls[static_cast<std::size_t>(near.wall)];
     const BodyMotion& body = world.motion[static_cast<std::size_t>(near.body)];
     const ShapeConstants& shape = world.shape_at(near.body);
+    const double hold = world.holds[static_cast<std::size_t>(world.kind_of(near.body, wall.wall.material))];
     int touching = 0;
     for (int k = near.begin; k < near.begin + near.count; ++k) {
         WallCandidate& candidate = chunk.wall_candidates[static_cast<std::size_t>(k)];
@@ -192,7 +194,7 @@ int touch_wall(const World& world, Chunk& chunk, const BodyWall& near, std::vect
         const double radius = shape.exposed[4 * candidate.sphere + 3];
         const Vector3d local = wall.pose.rotation.transpose() * (Vector3d(body.position) + arm - wall.pose.translation);
         std::array<WallTouch, max_wall_touches> touches;
-        const int count = wall.surface.touches(local, radius,
+        const int count = wall.surface.touches(local, radius + hold,
                                                {chunk.sphere_primitives.data() + candidate.primitives_begin,
                                                 static_cast<std::size_t>(candidate.primitives_count)},
                                                touches);
@@ -207,7 +209,7 @@ int touch_wall(const World& world, Chunk& chunk, const BodyWall& near, std::vect
                                                 : nullptr,
                            now);
         for (int t = 0; t < count; ++t) {
-            WallContact contact = wall_contact(wall, body, arm, radius, touches[static_cast<std::size_t>(t)]);
+            WallContact contact = wall_contact(wall, body, arm, radius, touches[static_cast<std::size_t>(t)], hold);
             contact.body = near.body;
             contact.candidate = k;
             contact.touch = t;
@@ -237,8 +239,9 @@ void touch_walls(const World& world, Chunk& chunk) {
 
 void touch_candidates(World& world, Chunk& chunk) {
     chunk.dropped_history = 0;
-    for (NearSpheres& near : chunk.near_spheres)
-        touch_spheres(world, chunk, near);
+    chunk.dropped_adhesion = 0;
+    for (std::size_t kind = 0; kind < chunk.near_spheres.size(); ++kind)
+        touch_spheres(world, chunk, chunk.near_spheres[kind], world.holds[kind]);
     touch_clumps(world, chunk);
     touch_walls(world, chunk);
 }

@@ -176,6 +176,7 @@ struct Chunk {
     std::vector<ForeignPush> foreign;             // room for the kernels; delivered through the outbox
     std::vector<int> found;                       // room for the kernels
     double dropped_history = 0;                   // J forgotten by contacts that ended in this step
+    double dropped_adhesion = 0;                  // J that went with their necks
     int crossed_body = -1;                        // slot of a body whose sphere's centre has passed through a wall, ...
     int crossed_wall = -1;                        // ... and the wall
     Sums sums;
@@ -206,6 +207,7 @@ struct Ledger {
     double lost_sliding = 0;
     double lost_rolling = 0;
     double lost_air_drag = 0;
+    double lost_adhesion = 0;
     double lost_history = 0;
     double wall_work = 0;
     double inserted = 0;
@@ -222,6 +224,8 @@ struct World {
     std::vector<contact::PairConstants> pairs; // materials squared
     int materials = 0;
     bool remembers_more = false; // some pair's law is not plain
+    std::vector<double> holds;   // m, per pair: the widest gap over which two that touched may still push or pull
+    double hold = 0;             // m, the largest of them
     std::vector<WallState> walls;
     std::vector<FillState> fills;
     std::int64_t next_fill_step = 0;

@@ -49,7 +49,7 @@ PairConstants everything(RollingLaw law) {
 }
 
 const Memory<double> fresh{{0, 0, 0}, 0};
-const Further<double> just_begun{fresh, 0};
+const Further<double> just_begun{fresh, 0, 0, 0};
 
 Touch<double> touch_of(int k) {
     return {1e-7 * (k + 1), {0.6, 0, 0.8}, {0.1 * k - 0.4, 0.3 * k, -0.05 * k * k}, 2e-3, 5e-5, 1};

@@ -47,6 +47,7 @@ struct Bodies {
 struct Contacts {
     contact::Touch<Pack> touch;
     contact::Turn<Pack> turn;
+    Pack depth;              // m, the overlap, or less than 0 over a gap
     Vec3<Pack> arm_a, arm_b; // m, centre of mass to the contact
     Pack smaller_radius;
 };
@@ -58,7 +59,8 @@ TUMBLE_INLINE Contacts between(const Vec3<Pack>& d, Pack ra, Pack rb, const Bodi
     const Pack distance = root(dot(d, d));
     c.smaller_radius = select(rb < ra, rb, ra);
     c.touch.normal = d * (Pack(1.0) / distance);
-    c.touch.overlap = larger(ra + rb - distance, Pack(0.0));
+    c.depth = ra + rb - distance;
+    c.touch.overlap = larger(c.depth, Pack(0.0));
     c.touch.damping_share = Pack(1.0);
     // R* = Ra Rb / (Ra + Rb) and m* = ma mb / (ma + mb) share one division.
     const Pack radii = ra + rb;
@@ -80,7 +82,8 @@ TUMBLE_INLINE Contacts between(const Vec3<Pack>& d, Pack ra, Pack rb, const Bodi
 struct PackSums {
     Pack stored_normal{0.0}, stored_tangential{0.0}, stored_rolling{0.0};
     Pack lost_normal_damping{0.0}, lost_tangential_damping{0.0}, lost_sliding{0.0}, lost_history{0.0};
-    Pack lost_rolling_damping{0.0}, lost_rolling_sliding{0.0};
+    Pack lost_rolling_damping{0.0}, lost_rolling_sliding{0.0}, lost_adhesion{0.0};
+    Pack apart{0.0}; // contacts that are none: gaps that no neck holds over
     Pack overlap_max{0.0};
     Pack deepest{0.0}, deepest_of{1.0}; // m, overlap and smaller radius where their ratio is largest
 
@@ -101,6 +104,8 @@ struct PackSums {
         stored_rolling += live * push.further.rolling.energy;
         lost_rolling_damping += live * push.lost_rolling_damping;
         lost_rolling_sliding += live * push.lost_rolling_sliding;
+        lost_adhesion += live * push.lost_adhesion;
+        apart += live * (Pack(1.0) - push.holds);
     }
 
     TUMBLE_INLINE void add_to(ContactSums& to, int contacts) const {
@@ -113,6 +118,8 @@ struct PackSums {
         to.stored_rolling += sum(stored_rolling);
         to.lost_rolling_damping += sum(lost_rolling_damping);
         to.lost_rolling_sliding += sum(lost_rolling_sliding);
+        to.lost_adhesion += sum(lost_adhesion);
+        to.contacts -= static_cast<std::int64_t>(sum(apart));
         to.overlap_max = larger(to.overlap_max, largest(overlap_max));
         to.overlap_ratio_max = larger(to.overlap_ratio_max, largest(deepest / deepest_of));
         to.contacts += contacts;
@@ -150,7 +157,7 @@ struct FullPushed : Pushed {
         rows(torque_b, cross(push.force, c.arm_b) - push.torque, Pack(0.0));
         rows(torque, push.torque, Pack(0.0));
         rows(rolling, push.further.rolling.spring, push.further.rolling.energy);
-        rows(further, {push.further.impact_speed, Pack(0.0), Pack(0.0)}, Pack(0.0));
+        rows(further, {push.further.impact_speed, push.further.bonded, push.further.bond_energy}, Pack(0.0));
     }
 };
 
@@ -231,8 +238,11 @@ template <class Normal, class Tangential> struct Full {
         const Columns memory = gather([&](int k) TUMBLE_INLINE_LAMBDA { return kept.at[k]->spring; });
         const Columns rolling = gather([&](int k) TUMBLE_INLINE_LAMBDA { return kept.further[k]->rolling; });
         const Columns more = gather([&](int k) TUMBLE_INLINE_LAMBDA { return &kept.further[k]->impact_speed; });
-        return law.push(c.touch, c.turn, context.pair, contact::Memory<Pack>{xyz(memory), memory.w},
-                        contact::Further<Pack>{{xyz(rolling), rolling.w}, more.x}, Pack(context.dt));
+        contact::Touch<Pack> touch = c.touch;
+        if (context.pair.adhesion == contact::AdhesionLaw::jkr)
+            touch.overlap = c.depth;
+        return law.push(touch, c.turn, context.pair, contact::Memory<Pack>{xyz(memory), memory.w},
+                        contact::Further<Pack>{{xyz(rolling), rolling.w}, more.x, more.y, more.z}, Pack(context.dt));
     }
 };
 
@@ -337,6 +347,7 @@ template <class By> struct Pusher {
             const Bodies body(bodies);
             Contacts c;
             c.touch.normal = xyz(normal);
+            c.depth = normal.w;
             c.touch.overlap = normal.w;
             c.touch.radius = c.smaller_radius = arm.w;
             c.touch.mass = body.mass;

@@ -103,14 +103,13 @@ TEST_CASE("two spheres that meet gently stay together, however often lists are m
             Sandbox box = sandbox(law, 0.5);
             box.scene.skin = skin;
             const int ball = box.ball(r);
-            // The pair drifts, so that it ages the lists; SJKR pulls only once they overlap, and so does not hold for
-            // ever.
+            // The pair drifts, so that it ages the lists.
             box.start({placed(ball, {0, 0, 0}, {1.01, 0, 0}), placed(ball, {2.0005 * r, 0, 0}, {0.99, 0, 0}),
                        placed(ball, {0, 0.1, 0}, {-1, 0, 0})});
             box.run(20000);
             CHECK(box.world->rebuilds > (skin < 1e-4 ? 50 : 2));
             const double apart = (box.body_now(0).position - box.body_now(1).position).norm();
-            const bool together = law == AdhesionLaw::dmt || law == AdhesionLaw::jkr;
+            const bool together = law != AdhesionLaw::none;
             CHECK((apart < 2 * r + reach) == together);
             CHECK((books_of(*box.world).contacts == 1) == together);
         }
@@ -126,9 +125,8 @@ TEST_CASE("SJKR: a ball on a plane rests where Hertz' force balances k 2 pi R d"
 }
 
 TEST_CASE("a sticky pour: threads and instruction sets change no bit, and the books close") {
-    const auto pour = [](int threads, const Kernels* kernels, double time_step) {
+    const auto pour = [](int threads, const Kernels* kernels) {
         scene::Scene scene = pouring();
-        scene.time_step = time_step;
         scene.contact.additions.adhesion = AdhesionLaw::jkr;
         for (contact::PairProperties& pair : scene.pairs)
             pair.work_of_adhesion = 2;
@@ -136,20 +134,18 @@ TEST_CASE("a sticky pour: threads and instruction sets change no bit, and the bo
         REQUIRE_MESSAGE(world.ok(), to_string(world.problems()));
         if (kernels != nullptr)
             (*world)->kernels = kernels;
-        const auto problem = advance(**world, std::llround(0.2 / time_step));
+        const auto problem = advance(**world, 16000);
         REQUIRE_MESSAGE(!problem, (problem ? problem->what : ""));
         return std::pair{bodies_of(**world), books_of(**world)};
     };
-    const auto [one, books] = pour(1, nullptr, 1e-5);
+    const auto [one, books] = pour(1, nullptr);
     CHECK(books.contacts > 200);
     CHECK(books.lost_adhesion > 0);
     CHECK(std::abs(books.closure) < 1e-2 * books.inserted);
-    CHECK(same_bits(one, pour(2, nullptr, 1e-5).first));
+    CHECK(same_bits(one, pour(2, nullptr).first));
     for (const char* name : {"baseline", "x86-64-v3"})
         if (const Kernels* kernels = kernels_named(name))
-            CHECK(same_bits(one, pour(1, kernels, 1e-5).first));
-    const Books finer = pour(1, nullptr, 2.5e-6).second;
-    CHECK(std::abs(finer.closure) < 5e-3 * finer.inserted);
+            CHECK(same_bits(one, pour(1, kernels).first));
 }
 
 TEST_CASE("a material too soft and sticky for JKR is refused with the reason") {

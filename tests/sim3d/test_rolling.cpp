@@ -116,7 +116,8 @@ TEST_CASE("a ball holds on a slope whose tangent is below mu_r, and rolls off on
         held.run_for(0.2); // the spring stretches
         const double rests_at = held.place();
         held.run_for(0.5);
-        CHECK(std::abs(held.place() - rests_at) < 1e-3 * radius);
+        // Turning round in every step the constant torque lets it creep; a centimetre takes minutes.
+        CHECK(std::abs(held.place() - rests_at) < (law == contact::RollingLaw::cdt ? 4e-3 : 1e-5) * radius);
         Roller rolls(law, mu_r, std::atan(1.1 * mu_r), 0);
         rolls.run_for(0.7);
         const double slope = std::atan(1.1 * mu_r);

@@ -41,7 +41,7 @@ Outcome pour(int threads, const Kernels* kernels = nullptr, double time_step = 1
 
 TEST_CASE("with every addition, one thread and two give the same bits, and so does every instruction set") {
     const Outcome one = pour(1);
-    CHECK(one.books.contacts > 200);
+    CHECK(one.books.contacts > 100);
     CHECK(one.books.lost_rolling > 0);
     CHECK(one.books.stored_rolling > 0);
     CHECK(one.books.lost_air_drag > 0);

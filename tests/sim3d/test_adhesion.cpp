@@ -134,12 +134,12 @@ TEST_CASE("a sticky pour: threads and instruction sets change no bit, and the bo
         REQUIRE_MESSAGE(world.ok(), to_string(world.problems()));
         if (kernels != nullptr)
             (*world)->kernels = kernels;
-        const auto problem = advance(**world, 16000);
+        const auto problem = advance(**world, 18000);
         REQUIRE_MESSAGE(!problem, (problem ? problem->what : ""));
         return std::pair{bodies_of(**world), books_of(**world)};
     };
     const auto [one, books] = pour(1, nullptr);
-    CHECK(books.contacts > 200);
+    CHECK(books.contacts > 100);
     CHECK(books.lost_adhesion > 0);
     CHECK(std::abs(books.closure) < 1e-2 * books.inserted);
     CHECK(same_bits(one, pour(2, nullptr).first));

@@ -40,7 +40,7 @@ struct ContactLaws {
     bool share_among_body_contacts = false; // true: n contacts of one body pair act together as one (docs/bodies.md)
     double global_damping = 0;              // 1/s, mass-proportional; two dimensions only
     double accepted_overlap = 0.05;         // over the smaller radius; a run that goes beyond says so
-    contact::Additions additions{};         // docs/laws.md
+    contact::Additions additions;           // docs/laws.md
 };
 
 struct Sphere {

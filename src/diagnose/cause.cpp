@@ -38,8 +38,99 @@ std::vector<Cause> of_the_ground() {
     };
 }
 
+constexpr double sphere = 0.44; // drag coefficient where the scene has none (Clift, Grace and Weber 1978)
+
+std::vector<Cause> of_the_air() {
+    return {
+        {.id = "drag.quadratic", .family = "air resistance", .symbol = "air density", .unit = "kg/m3", .lo = 0, .hi = 20,
+         .typical = 0.1, .name = "air resistance that grows with the square of speed",
+         .look = "zero at release, then k g^2 t^4 / 12 m in the fall; the acceleration's residual follows v|v|; twice the "
+                 "mass, half the effect",
+         .keys = "air.density_kg_m3, with air.drag_coefficient 0.44 where the scene has none",
+         .extend = [](Scene& s, double d) {
+             s.air.density += d;
+             if (s.air.drag_coefficient == 0)
+                 s.air.drag_coefficient = sphere;
+         }},
+        {.id = "drag.linear", .family = "air resistance", .symbol = "viscosity", .unit = "Pa s", .lo = 0, .hi = 2,
+         .typical = 1e-3, .name = "a medium that drags in proportion to speed",
+         .look = "zero at release, then b g t^3 / 6 m in the fall; the acceleration's residual follows v; twice the mass, "
+                 "half the effect",
+         .keys = "air.viscosity_Pa_s",
+         .extend = [](Scene& s, double d) { s.air.viscosity += d; }},
+    };
+}
+
+std::vector<Cause> of_the_contact() {
+    return {
+        {.id = "rest.velocity", .family = "restitution", .symbol = "p", .lo = 0, .hi = 0.4, .typical = 0.01,
+         .name = "restitution that falls with the speed of impact",
+         .look = "zero in the first fall; slopes jump at impacts; ln e against ln v is straight with slope -p, whatever the "
+                 "mass",
+         .keys = "pair.*.restitution_exponent, with restitution_speed_m_s 1 where the scene has none",
+         .extend = [](Scene& s, double d) {
+             for (contact::PairProperties& pair : s.pairs)
+                 if (pair.restitution > 0) {
+                     pair.restitution_exponent += d;
+                     if (pair.restitution_speed == 0)
+                         pair.restitution_speed = 1;
+                 }
+         }},
+    };
+}
+
+std::vector<Cause> of_the_friction() {
+    return {
+        {.id = "roll.coulomb", .family = "rolling resistance", .symbol = "mu_r", .lo = 0, .hi = 0.3, .typical = 1e-3,
+         .name = "rolling resistance of constant torque",
+         .look = "rolling slows down evenly and stops sharply; on an incline a = 5/7 g (sin - mu_r cos)",
+         .keys = "pair.*.rolling_friction, with contact.rolling \"cdt\" where the scene has none",
+         .extend = [](Scene& s, double d) {
+             if (s.contact.additions.rolling == contact::RollingLaw::none)
+                 s.contact.additions.rolling = contact::RollingLaw::cdt;
+             for (contact::PairProperties& pair : s.pairs)
+                 pair.rolling_friction += d;
+         }},
+        {.id = "fric.factor", .family = "friction", .symbol = "ln(mu factor)", .lo = -3, .hi = 1.5, .typical = 0.05,
+         .name = "friction that differs from the scene's",
+         .look = "only while something slides; nothing once it rolls or sticks",
+         .keys = "pair.*.friction, times a factor",
+         .extend = [](Scene& s, double d) {
+             for (contact::PairProperties& pair : s.pairs)
+                 pair.friction *= std::exp(d);
+         }},
+        {.id = "fric.weakening", .family = "friction", .symbol = "share lost", .lo = 0, .hi = 1, .typical = 0.05,
+         .name = "friction that falls in fast sliding",
+         .look = "acceleration on an incline grows with speed; stopping takes more than v^2",
+         .keys = "pair.*.sliding_friction, with sliding_speed_m_s 0.1 where the scene has none",
+         .extend = [](Scene& s, double d) {
+             for (contact::PairProperties& pair : s.pairs) {
+                 if (pair.sliding_speed == 0) {
+                     pair.sliding_speed = 0.1;
+                     pair.sliding_friction = pair.friction;
+                 }
+                 pair.sliding_friction *= 1 - d;
+             }
+         }},
+    };
+}
+
 std::vector<Cause> of_the_simulation() {
     return {
+        {.id = "mass.density", .family = "mass", .symbol = "ln(mass factor)", .lo = -1, .hi = 1, .typical = 0.05,
+         .name = "bodies that are heavier or lighter than the scene's",
+         .look = "none on a lone sphere in a vacuum; scales forces, and drag the other way",
+         .keys = "material.*.density_kg_m3 and body.*.mass_kg, times a factor",
+         .extend = [](Scene& s, double d) {
+             for (contact::Material& material : s.materials)
+                 material.density *= std::exp(d);
+             for (scene::BodyTemplate& body : s.bodies) {
+                 if (body.mass)
+                     *body.mass *= std::exp(d);
+                 if (body.principal_inertia)
+                     *body.principal_inertia *= std::exp(d);
+             }
+         }},
         {.id = "num.stiffness", .family = "numerics", .symbol = "ln(E factor)", .lo = -4, .hi = 3, .typical = 0.1,
          .name = "contacts that are softer or harder than the scene's",
          .look = "every impact comes back early or late by the same time; shrinks when the modulus is raised",
@@ -103,7 +194,7 @@ std::vector<Cause> of_the_sensor() {
 
 std::vector<Cause> collect() {
     std::vector<Cause> all;
-    for (auto part : {of_the_ground, of_the_simulation, of_the_clock, of_the_sensor})
+    for (auto part : {of_the_air, of_the_contact, of_the_friction, of_the_ground, of_the_simulation, of_the_clock, of_the_sensor})
         for (Cause& cause : part())
             all.push_back(std::move(cause));
     return all;

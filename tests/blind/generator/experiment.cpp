@@ -65,6 +65,11 @@ std::vector<double> read(const Path& path, const Sensor& sensor, const std::vect
 
 std::vector<Effect> all_effects() {
     return {
+        {"drag.quadratic", true, 0.1, 20, true,
+         [](Truth& t, double a) { t.ball.quadratic += 0.125 * 3.14159265358979323846 * 0.44 * a * 4 * t.ball.radius * t.ball.radius; }},
+        {"drag.linear", true, 1e-3, 2, true,
+         [](Truth& t, double a) { t.ball.linear += 6 * 3.14159265358979323846 * a * t.ball.radius; }},
+        {"rest.velocity", true, 0.01, 0.4, true, [](Truth& t, double a) { t.ball.exponent += a; }},
         {"grav.g", true, 1e-3, 0.05, false, [](Truth& t, double a) { t.ball.gravity *= 1 + a; }},
         {"num.stiffness", true, 0.1, 3, false, [](Truth& t, double a) { t.ball.modulus *= std::exp(a); }},
         {"ins.clock_rate", true, 1e-3, 0.05, false, [](Truth& t, double a) { t.sensor.rate += a; }},

@@ -54,6 +54,7 @@ struct BodyTemplate {
     int material = 0;                          // index into Scene::materials
     std::optional<double> mass;                // kg, given instead of density * volume
     std::optional<Vector3d> principal_inertia; // kg m2, about the principal axes, given instead of the union's
+    std::optional<Vector3d> tracer_point; // m, template frame: where a tracer's sensor sits; else the centre of mass
 };
 
 enum class Orientation { random, as_written };
@@ -179,6 +180,7 @@ struct Render {
     Vector3d target = Vector3d::Zero(); // m, free camera
     double field_of_view_deg = 35;
     std::optional<Box> view; // m, what must be in the picture; default: walls and bodies
+    std::optional<Box> clip; // m, bodies whose centres lie outside are not drawn
     std::string color = "speed";
     std::optional<std::array<double, 2>> range; // in the quantity's SI unit
     std::string colormap = "auto";              // coolwarm for quantities with a sign, viridis for others

@@ -96,6 +96,8 @@ void write_bodies(const Scene& scene, TomlWriter& to) {
             to.number("inertia_kg_m2", body.principal_inertia->z());
         else if (body.principal_inertia)
             to.vector("inertia_kg_m2", *body.principal_inertia);
+        if (body.tracer_point)
+            to.vector("tracer_point_m", *body.tracer_point);
         std::vector<std::array<double, 4>> rows;
         for (const Sphere& sphere : body.spheres)
             if (flat)
@@ -300,6 +302,10 @@ void write_output(const Scene& scene, TomlWriter& to) {
     if (render.view) {
         to.vector("view_lo_m", render.view->lo);
         to.vector("view_hi_m", render.view->hi);
+    }
+    if (render.clip) {
+        to.vector("clip_lo_m", render.clip->lo);
+        to.vector("clip_hi_m", render.clip->hi);
     }
     to.text("color", render.color);
     if (render.range)

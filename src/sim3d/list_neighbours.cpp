@@ -46,7 +46,8 @@ void move_walls(World& world) {
             wall.pose = pose_of(wall, world.time());
             wall.half_pose = pose_of(wall, world.time() - 0.5 * world.dt);
         }
-        wall.travel += way_beside(world.flow, before, wall.pose, world.dt);
+        wall.way = way_beside(world.flow, before, wall.pose, world.dt);
+        wall.travel += wall.way;
     }
 }
 

@@ -8,8 +8,6 @@ namespace tumble::observe {
 
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
 struct Point {
     double time = 0, value = 0;
     bool top = false;
@@ -42,15 +40,11 @@ std::vector<Point> turning_points(const std::vector<Point>& signal, double step)
     return found;
 }
 
-double median(std::vector<double> values) {
-    return quantile(std::move(values), 0.5);
-}
-
 } // namespace
 
 double quantile(std::vector<double> values, double share) {
     if (values.empty())
-        return nothing;
+        return std::numeric_limits<double>::quiet_NaN();
     std::sort(values.begin(), values.end());
     const double at = share * static_cast<double>(values.size() - 1);
     const auto below = static_cast<std::size_t>(at);
@@ -81,9 +75,9 @@ Cycle find_cycle(std::span<const double> times, std::span<const double> values, 
         if (i >= 2)
             periods.push_back(points[i].time - points[i - 2].time);
     }
-    cycle.period = median(periods);
-    cycle.peak_to_peak = median(heights);
     cycle.cycles = static_cast<int>(periods.size() / 2);
+    cycle.period = quantile(std::move(periods), 0.5);
+    cycle.peak_to_peak = quantile(std::move(heights), 0.5);
     return cycle;
 }
 

@@ -15,12 +15,9 @@ void add_check_command(CLI::App& program, Action& action);
 void add_list_command(CLI::App& program, Action& action);
 void add_lesson_command(CLI::App& program, Action& action);
 void add_export_command(CLI::App& program, Action& action);
-<<<<<<< HEAD
-void add_diagnose_command(CLI::App& program, Action& action);
-=======
 void add_walls_command(CLI::App& program, Action& action);
 void add_fit_command(CLI::App& program, Action& action);
 void add_flow_command(CLI::App& program, Action& action);
->>>>>>> e9a250e9ad05db380830b775869d360f77f1759e
+void add_diagnose_command(CLI::App& program, Action& action);
 
 } // namespace tumble::cli

@@ -13,9 +13,9 @@ double truth_time(const Instrument& instrument, double time) {
 } // namespace
 
 std::vector<double> seen_through(const Instrument& instrument, const Signal& truth, std::span<const double> times) {
-    Signal signal = instrument.low_pass > 0 ? truth.low_passed(instrument.low_pass) : truth;
+    Signal signal = instrument.low_pass > 0 ? truth.low_passed(instrument.low_pass, truth.value.front()) : truth;
     if (instrument.high_pass > 0) {
-        const Signal slow = signal.low_passed(1 / instrument.high_pass);
+        const Signal slow = signal.low_passed(1 / instrument.high_pass, 0);
         for (std::size_t k = 0; k < signal.value.size(); ++k)
             signal.value[k] -= slow.value[k];
     }

@@ -15,7 +15,7 @@ struct Instrument {
     double gain = 0;         // -, share by which the scale reads too much
     double bias = 0;         // unit of the channel, added
     double low_pass = 0;     // s, time constant of a first-order filter
-    double high_pass = 0;    // 1/s, 2 pi times the corner frequency
+    double high_pass = 0;    // 1/s, 2 pi times the corner frequency; it begins to forget when the record begins
     double drift = 0;        // unit of the channel per second
     double clipping = 0;     // -, share of the signal's range that is cut off at its top
 };

@@ -10,7 +10,8 @@ namespace tumble::diagnose {
 namespace {
 
 constexpr double least_correlation = 0.08;
-constexpr double outlier = 6;
+constexpr double outlier = 6;       // standard deviations
+constexpr std::size_t reach = 3;    // readings to either side that a reading is held against
 constexpr double most_outliers = 0.02;
 
 double median(std::vector<double> values) {
@@ -32,22 +33,19 @@ double scatter_of(const Channel& channel) {
     return std::max(1e-12, median(bends) / 0.6745 / std::sqrt(6.0));
 }
 
-/// Readings that lie far from the median of the residual around them, alone.
+/// Readings that lie far from the median of the residual around them, alone or nearly so.
 std::vector<bool> lone_outliers(const Model& model, const VectorXd& scaled) {
-    const auto rows = model.rows().size();
+    const std::size_t rows = model.rows().size();
     std::vector<bool> out(rows, false);
-    for (std::size_t k = 3; k + 3 < rows; ++k) {
-        bool inside = true;
+    for (std::size_t k = 0; k < rows; ++k) {
         std::vector<double> around;
-        for (std::size_t i = k - 3; i <= k + 3; ++i) {
-            inside = inside && (i == k - 3 || follows(model, i));
-            if (i != k)
-                around.push_back(scaled[static_cast<Eigen::Index>(i)]);
-        }
+        for (std::size_t i = k; i > 0 && i + reach > k && follows(model, i); --i)
+            around.push_back(scaled[static_cast<Eigen::Index>(i - 1)]);
+        for (std::size_t i = k + 1; i < rows && i <= k + reach && follows(model, i); ++i)
+            around.push_back(scaled[static_cast<Eigen::Index>(i)]);
         const double middle = median(around);
-        const auto neighbours = std::count_if(around.begin(), around.end(),
-                                              [&](double value) { return std::abs(value - middle) > outlier / 2; });
-        out[k] = inside && neighbours == 0 && std::abs(scaled[static_cast<Eigen::Index>(k)] - middle) > outlier;
+        const auto far = [&](double value) { return std::abs(value - middle) > outlier; };
+        out[k] = far(scaled[static_cast<Eigen::Index>(k)]) && std::count_if(around.begin(), around.end(), far) <= 1;
     }
     return out;
 }

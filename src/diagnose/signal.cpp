@@ -30,8 +30,9 @@ double Signal::rate_at(double t) const {
     return (at(t + row) - at(t - row)) / (2 * row);
 }
 
-Signal Signal::low_passed(double time_constant) const {
+Signal Signal::low_passed(double time_constant, double from) const {
     Signal passed{time, value};
+    passed.value.front() = from;
     for (std::size_t k = 1; k < time.size(); ++k) {
         // y' = (x - y) / tau with x straight between the rows.
         const double step = (time[k] - time[k - 1]) / time_constant;

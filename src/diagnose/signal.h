@@ -14,8 +14,8 @@ struct Signal {
     /// Change per second about t, over one row to either side.
     [[nodiscard]] double rate_at(double t) const;
     /// The same passed through a first-order low pass of that time constant (s), exactly for straight lines between
-    /// rows; it starts settled.
-    [[nodiscard]] Signal low_passed(double time_constant) const;
+    /// rows; it starts at `from`.
+    [[nodiscard]] Signal low_passed(double time_constant, double from) const;
 };
 
 } // namespace tumble::diagnose

@@ -11,8 +11,7 @@ namespace tumble::run {
 
 namespace {
 
-constexpr double share_of_step = 0.2;   // of the scene's step, for impacts
-constexpr double longest_impact = 0.05; // s; a contact that lasts longer is rest or rolling, at the scene's own step
+constexpr double share_of_step = 0.2; // of the scene's step, for impacts
 
 using Measures = std::vector<observe::Measure>;
 
@@ -129,7 +128,7 @@ private:
         return std::nullopt;
     }
 
-    /// Fine steps until the impact is over. One that does not end is at rest: the scene's own step does.
+    /// Fine steps until the impact is over; to the end where it never is.
     std::optional<Problem> touch() {
         const double step = share_of_step * usual_step_;
         if (const auto problem = align(step))
@@ -148,10 +147,13 @@ private:
             now_ = state_of(frame, began, now_);
             add_row(series_, measures_, frame, books, began);
             free = books.overlap_ratio_peak > 0 && books.contacts == 0 ? free + 1 : 0;
-            if (free == 2) // the second one tells how it is slowed down in flight, which align() asks
+            if (free < 2) // the second one tells how it is slowed down in flight, which align() asks
+                continue;
+            if (const auto problem = (*world)->advance(1)) // whose account is of the state that was taken
+                return problem;
+            if ((*world)->books().contacts == 0)
                 return std::nullopt;
-            if (now_.time - began > longest_impact)
-                return rest();
+            free = 0;
         }
         return std::nullopt;
     }
@@ -180,22 +182,6 @@ private:
         now_.time += later;
         now_.position += later * now_.velocity + 0.5 * later * later * now_.acceleration;
         now_.velocity += later * now_.acceleration;
-        return std::nullopt;
-    }
-
-    std::optional<Problem> rest() {
-        const double began = now_.time;
-        auto world = world_at(now_, usual_step_);
-        if (!world)
-            return world.problems()[0];
-        const auto stride = std::max<std::int64_t>(1, std::llround(scene_.observe.every / usual_step_));
-        while (now_.time < scene_.duration) {
-            if (const auto problem = (*world)->advance(stride))
-                return problem;
-            const observe::Frame frame = (*world)->frame();
-            now_ = state_of(frame, began, now_);
-            add_row(series_, measures_, frame, (*world)->books(), began);
-        }
         return std::nullopt;
     }
 

@@ -33,7 +33,7 @@ TEST_CASE("a low pass lags a ramp by its time constant") {
         ramp.value.push_back(2e-3 * k);
     }
     // y' = (x - y) / tau settles to x - tau x'.
-    CHECK(ramp.low_passed(0.05).at(0.9) == doctest::Approx(2 * (0.9 - 0.05)).epsilon(1e-6));
+    CHECK(ramp.low_passed(0.05, 0).at(0.9) == doctest::Approx(2 * (0.9 - 0.05)).epsilon(1e-6));
 }
 
 TEST_CASE("a perfect instrument shows the signal bit for bit, and so does every cause at its null value") {
@@ -49,6 +49,19 @@ TEST_CASE("a perfect instrument shows the signal bit for bit, and so does every 
         cause.distort(instrument, 0);
         CHECK(seen_through(instrument, signal, times) == shown);
     }
+}
+
+TEST_CASE("a high pass forgets what is constant from the record's beginning on, and hardly when it is slow") {
+    Signal rest;
+    for (int k = 0; k <= 1000; ++k) {
+        rest.time.push_back(1e-3 * k);
+        rest.value.push_back(2);
+    }
+    const std::vector<double> times{0.0, 0.5, 1.0};
+    const std::vector<double> shown = seen_through({.high_pass = 2}, rest, times);
+    for (std::size_t k = 0; k < times.size(); ++k)
+        CHECK(shown[k] == doctest::Approx(2 * std::exp(-2 * times[k])).epsilon(1e-9));
+    CHECK(seen_through({.high_pass = 1e-9}, rest, times)[2] == doctest::Approx(2).epsilon(1e-8));
 }
 
 TEST_CASE("a clock that starts late and runs fast shows an earlier time") {

@@ -62,6 +62,16 @@ TEST_CASE("recorded in strides and fine impacts, a bounce is the one that small 
         CHECK(std::abs(height_at(*strides, t) - height_at(*small, t)) < 3e-4);
 }
 
+TEST_CASE("a ball that comes to rest is recorded to the end, at rest where its weight holds it") {
+    const auto series = run::record(bounce({"fill.0.position_m.1=0.14", "duration_s=1", "pair.leather-wood.restitution=0.3"}));
+    REQUIRE_MESSAGE(series, to_string(series.problems()));
+    CHECK(series->values[0].back() == doctest::Approx(1).epsilon(2e-3));
+    // Hertz: m g = 4/3 E* sqrt(R) d^1.5, E* = 1.27e6 / (1 - 0.3^2) with a floor 10^4 times as stiff.
+    const double modulus = 1 / ((1 - 0.09) / 1.27e6 + (1 - 0.09) / 1e10);
+    const double depth = std::pow(0.6 * 9.81 / (4.0 / 3 * modulus * std::sqrt(0.12)), 2.0 / 3);
+    CHECK(series->values[1].back() == doctest::Approx(0.12 - depth).epsilon(1e-4));
+}
+
 TEST_CASE("heights follow restitution smoothly: where in a step an impact begins leaves no trace") {
     for (const double t : {1.0, 1.6, 2.1}) {
         std::vector<double> heights;

@@ -16,17 +16,17 @@ std::vector<double> filtered(const Path& path, const Sensor& sensor, double end)
     std::vector<double> y;
     for (double t = 0; t <= end + fine; t += fine)
         y.push_back(path.at(t));
-    const auto smooth = [](std::vector<double> x, double tau) {
-        std::vector<double> out = x;
+    const auto smooth = [](const std::vector<double>& x, double tau, double from) {
+        std::vector<double> out(x.size(), from);
         const double keep = std::exp(-fine / tau), ratio = tau / fine * (1 - keep);
         for (std::size_t k = 1; k < x.size(); ++k)
             out[k] = keep * out[k - 1] + (ratio - keep) * x[k - 1] + (1 - ratio) * x[k];
         return out;
     };
     if (sensor.low_pass > 0)
-        y = smooth(y, sensor.low_pass);
+        y = smooth(y, sensor.low_pass, y.front());
     if (sensor.high_pass > 0) {
-        const std::vector<double> slow = smooth(y, 1 / sensor.high_pass);
+        const std::vector<double> slow = smooth(y, 1 / sensor.high_pass, 0);
         for (std::size_t k = 0; k < y.size(); ++k)
             y[k] -= slow[k];
     }

@@ -7,8 +7,10 @@ set(TUMBLE_EXTERNAL_sim2d Eigen3::Eigen)
 set(TUMBLE_EXTERNAL_sim3d Eigen3::Eigen)
 set(TUMBLE_EXTERNAL_render Eigen3::Eigen PkgConfig::osmesa imgui stb)
 set(TUMBLE_EXTERNAL_sheet nlohmann_json::nlohmann_json)
+set(TUMBLE_EXTERNAL_excitation Eigen3::Eigen)
 set(TUMBLE_EXTERNAL_run Eigen3::Eigen nlohmann_json::nlohmann_json)
 set(TUMBLE_EXTERNAL_lesson Eigen3::Eigen nlohmann_json::nlohmann_json)
+set(TUMBLE_EXTERNAL_lab Eigen3::Eigen)
 set(TUMBLE_EXTERNAL_cli CLI11::CLI11 nlohmann_json::nlohmann_json)
 
 # One static library a folder, linked as src/layers.txt says; src/cli becomes the program.

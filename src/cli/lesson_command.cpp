@@ -42,8 +42,7 @@ int walk_through(const Lesson& lesson, const WalkArguments& arguments) {
     if (arguments.json)
         say_json(lesson::to_json(lesson, *values, *walk));
     else if (arguments.answer)
-        say(sheet::wrapped(walk->question, sheet::text_width) + "\n" +
-            sheet::wrapped(walk->answer, sheet::text_width));
+        say(sheet::wrapped(walk->question, sheet::text_width) + "\n" + sheet::wrapped(walk->answer, sheet::text_width));
     else
         say(lesson::to_text(lesson, *values, *walk));
     return fine;
@@ -87,9 +86,8 @@ int lesson_without_name(const LessonArguments& arguments) {
 }
 
 void add_lesson(CLI::App& all, const Lesson& lesson, Action& action) {
-    CLI::App* command = all.add_subcommand(
-        lesson.name,
-        fmt::format("Example: tumble lesson {}{}\n\n{}.", lesson.name, example_of(lesson.parameters), lesson.title));
+    CLI::App* command = all.add_subcommand(lesson.name, fmt::format("Example: tumble lesson {}{}\n\n{}.", lesson.name,
+                                                                    example_of(lesson.parameters), lesson.title));
     const auto arguments = std::make_shared<WalkArguments>();
     add_parameters(*command, lesson.parameters, arguments->typed);
     command->add_option("--out", arguments->folder, "Folder for the figures, as PNG and SVG (needs gnuplot)")

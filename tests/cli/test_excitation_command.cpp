@@ -43,8 +43,8 @@ TEST_CASE("a record becomes lines, an orbit and a motion that a scene takes") {
 
 TEST_CASE("a list of printed lines is asked which fundamental its bins allow") {
     const Folder folder;
-    const std::string list = std::string(TUMBLE_ROOT) + "/scenes/excitation/trough-vm375y.csv";
-    const Outcome outcome = tumble_in(folder, {"excitation", list});
+    const std::filesystem::path list = std::filesystem::path(TUMBLE_ROOT) / "scenes/excitation/trough-vm375y.csv";
+    const Outcome outcome = tumble_in(folder, {"excitation", list.string()});
     CHECK(outcome.code == 0);
     CHECK(contains(outcome.out, "from 24.609 to 24.665 Hz"));
     CHECK(contains(outcome.out, "mains, 2 x 50 Hz"));

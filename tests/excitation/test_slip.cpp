@@ -10,6 +10,8 @@ using namespace tumble::excitation;
 
 namespace {
 
+const std::filesystem::path printed_lines = std::filesystem::path(TUMBLE_ROOT) / "scenes/excitation/trough-vm375y.csv";
+
 /// Lines at these orders of a fundamental and one of a mode at 77.3 Hz, printed as a transform over 1.28 s would.
 std::string printed(double fundamental, const std::vector<double>& orders) {
     const double bin = 0.78125;
@@ -22,8 +24,7 @@ std::string printed(double fundamental, const std::vector<double>& orders) {
 } // namespace
 
 TEST_CASE("the lines that the thesis printed were made by a motor that turned 24.609 to 24.665 Hz") {
-    const std::string file = std::string(TUMBLE_ROOT) + "/scenes/excitation/trough-vm375y.csv";
-    const auto found = find_slip(test::content_of(file), file, {});
+    const auto found = find_slip(test::content_of(printed_lines), printed_lines.string(), {});
     REQUIRE_MESSAGE(found.ok(), to_string(found.problems()));
     CHECK(found->bin == doctest::Approx(0.78125).epsilon(1e-6));
     CHECK(found->nominal == doctest::Approx(25));
@@ -43,8 +44,7 @@ TEST_CASE("the lines that the thesis printed were made by a motor that turned 24
 }
 
 TEST_CASE("the chance that bins off by up to two agree is counted, not guessed") {
-    const std::string file = std::string(TUMBLE_ROOT) + "/scenes/excitation/trough-vm375y.csv";
-    const double chance = find_slip(test::content_of(file), file, {})->chance;
+    const double chance = find_slip(test::content_of(printed_lines), printed_lines.string(), {})->chance;
     // A whole number of the 5^7 ways.
     const double ways = chance * std::pow(5, 7);
     CHECK(ways == doctest::Approx(std::round(ways)).epsilon(1e-9));

@@ -40,8 +40,8 @@ function(tumble_layers list)
       target_include_directories(${target} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/src)
       target_link_libraries(${target} PUBLIC ${below} ${TUMBLE_EXTERNAL_${name}} PRIVATE tumble_options)
       tumble_precompile(${target} tumble_headers)
-      # Lessons each have a Setup and parts of their own under equal names.
-      if(TUMBLE_UNITY_BUILD AND NOT name STREQUAL lesson)
+      # Lessons, experiments and fits each have a Setup, constants and parts of their own under equal names.
+      if(TUMBLE_UNITY_BUILD AND NOT name MATCHES "^(lesson|lab|excitation)$")
         set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
       endif()
     endif()

@@ -5,6 +5,7 @@
 #include "observe/series.h"
 #include "run/run_scene.h"
 #include "scene/load.h"
+#include "sim3d/body_shape.h"
 #include "sim2d/solver.h"
 #include "sim3d/solver.h"
 
@@ -145,6 +146,30 @@ TEST_CASE("trough-slice: the load and the drive are the thesis'") {
             strongest =
                 std::max(strongest, harmonic.amplitude * std::pow(2 * std::numbers::pi * harmonic.frequency, 2));
     CHECK(strongest / 9.81 == about(4.9, 0.02));
+}
+
+TEST_CASE("bowl: load, sensor, drive and size are the thesis'") {
+    const scene::Scene bowl = loaded("bowl.toml");
+    const auto mass_of = [&](const scene::BodyTemplate& body) {
+        return sim3d::make_body_shape(body, bowl.materials[static_cast<std::size_t>(body.material)]).value().mass;
+    };
+    CHECK(mass_of(bowl.bodies[0]) == doctest::Approx(0.000490733).epsilon(1e-5)); // appendix C.2
+    CHECK(bowl.bodies[0].spheres.size() == 36);
+    CHECK(*bowl.fills[0].count * mass_of(bowl.bodies[0]) == doctest::Approx(7.0).epsilon(0.001));
+    CHECK(mass_of(bowl.bodies[1]) == 0.0277206);
+    CHECK(bowl.bodies[1].spheres.size() == 43);
+    CHECK(bowl.time_step == doctest::Approx(1.0 / 350000).epsilon(1e-12));
+    const auto& wall = std::get<scene::BowlShape>(bowl.walls[0].shape);
+    const auto& disc = std::get<scene::BowlDiscShape>(bowl.walls[1].shape);
+    CHECK(2 * wall.radius == doctest::Approx(0.333));
+    CHECK(wall.height == 0.21);
+    CHECK(bowl.walls[1].motion.rotations[0].angular_velocity == doctest::Approx(200 * 2 * std::numbers::pi / 60));
+    // 18 litres: the cylinder less the space behind the rim, a triangle carried round at its centroid.
+    const double behind = 2 * std::numbers::pi * (disc.radius - disc.rim_width / 3) * disc.rim_width * disc.rim_rise / 2;
+    CHECK(std::numbers::pi * wall.radius * wall.radius * wall.height - behind == doctest::Approx(0.018).epsilon(0.02));
+    const scene::Scene spheres = loaded("bowl-spheres.toml");
+    CHECK(sim3d::make_body_shape(spheres.bodies[0], spheres.materials[0]).value().mass ==
+          doctest::Approx(0.000490733).epsilon(1e-4));
 }
 
 TEST_CASE("shaken-bed-2d: the bed flies as high as an inelastic block, and stays down below one g") {

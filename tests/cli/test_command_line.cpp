@@ -41,7 +41,7 @@ TEST_CASE("nothing at all shows the help on stderr and is wrong") {
 
 TEST_CASE("every help opens with an example and goes to stdout") {
     const Folder folder;
-    for (const std::string command : {"run", "render", "check", "list", "lesson", "export"}) {
+    for (const std::string command : {"run", "render", "check", "list", "lesson", "export", "walls", "fit", "flow"}) {
         const Outcome outcome = tumble_in(folder, {command, "--help"});
         CHECK(outcome.code == 0);
         CHECK_MESSAGE(outcome.out.starts_with("Example: tumble " + command + " "), outcome.out.substr(0, 80));

@@ -1,4 +1,4 @@
-#include "render/child_process.h"
+#include "base/child_process.h"
 #include "run/flow_report.h"
 
 #include <cerrno>

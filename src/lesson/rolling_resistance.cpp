@@ -81,6 +81,17 @@ Result<Ride> ride(const Resistance& resistance, double radius, double slope, dou
     return seen;
 }
 
+/// EPSD's spring under the ball: the angle at which it gives way, rad, and how fast the ball swings on it, rad/s.
+struct Spring {
+    double yield, frequency;
+
+    explicit Spring(double mu) {
+        const double press = mass_of(usual_radius) * g, overlap = sunk(press, usual_radius);
+        yield = overlap / (2.25 * mu * usual_radius);
+        frequency = std::sqrt(2.25 * press / overlap * mu * mu / (1.4 * mass_of(usual_radius)));
+    }
+};
+
 double stop_distance(double mu, double speed) {
     return 7 * speed * speed / (10 * mu * g);
 }
@@ -118,6 +129,11 @@ std::optional<Problem> stopping(Walk& walk, const Resistance& cdt, const Resista
              "elastic-plastic spring-dashpot (epsd) is a spring with a limit, as friction is: it is wound up by the "
              "rolling until it bears M, and from there on gives way.");
     walk.formula("7/5 m v' = −M / R   →   v' = −5/7 μ_r g,   stops after 7 v² / (10 μ_r g)");
+    const Spring spring(mu);
+    // While the spring is wound up the dashpot turns against the rolling too, with 2 eta I omega_r omega over its
+    // yield.
+    const double taken = 4 * epsd.damping * spring.yield * spring.frequency * usual_radius / speed;
+    const double wound = stop_distance(mu, speed) * (1 - taken) + 0.5 * spring.yield * usual_radius;
     Grid grid{{{"law"}, {"stops after", "m"}, {"closed form", "m"}, {"in", "s"}, {"closed form", "s"}}, {}};
     Figure figure{.name = "stopping",
                   .title = "A ball that rolls on a plane",
@@ -134,17 +150,20 @@ std::optional<Problem> stopping(Walk& walk, const Resistance& cdt, const Resista
         if (resistance.law == RollingLaw::none)
             continue;
         const std::size_t stop = seen->stop();
-        grid.rows.push_back(
-            {name, seen->place[stop], stop_distance(mu, speed), seen->time[stop], stop_time(mu, speed)});
+        const bool winds = resistance.law == RollingLaw::epsd;
+        grid.rows.push_back({name, seen->place[stop], winds ? wound : stop_distance(mu, speed), seen->time[stop],
+                             stop_time(mu, speed) * (winds ? std::sqrt(std::max(0.0, 1 - taken)) : 1)});
         walk.fact(fmt::format("stop_distance_{}", name), seen->place[stop], "m");
     }
     walk.parts.emplace_back(grid);
     walk.parts.emplace_back(figure);
-    const double press = mass_of(usual_radius) * g, overlap = sunk(press, usual_radius);
+    walk.formula("k_r = 9/4 k_n (μ_r R*)²   →   gives way at θ = δ / (9/4 μ_r R*)", "Ai et al. 2011");
     walk.say(
-        fmt::format("Both stop it where they should; epsd {:.2g} mm later, the way it takes to wind its spring up:",
-                    1e3 * overlap / (2.25 * mu)));
-    walk.formula("k_r = 9/4 k_n (μ_r R*)²   →   full at δ / (9/4 μ_r R*)", "Ai et al. 2011");
+        fmt::format("Both stop it where they should. The spring of epsd is wound up within {:.2g} mm; meanwhile its "
+                    "dashpot brakes as well, and no limit holds that: it takes 4 η_r θ ω_r R / v = {:.2g} % of the "
+                    "energy before the torque is what it should be.",
+                    1e3 * spring.yield * usual_radius, 100 * taken));
+    walk.fact("stop_distance_theory_epsd", wound, "m");
     walk.fact("stop_distance_theory", stop_distance(mu, speed), "m");
     return std::nullopt;
 }
@@ -161,9 +180,7 @@ std::vector<double> torque_share(const Ride& seen, double mu) {
 
 std::optional<Problem> at_rest(Walk& walk, const Resistance& cdt, const Resistance& epsd) {
     const double mu = cdt.friction;
-    const double press = mass_of(usual_radius) * g;
-    const double stiffness = press / sunk(press, usual_radius);
-    const double period = 2 * std::numbers::pi / std::sqrt(2.25 * stiffness * mu * mu / (1.4 * mass_of(usual_radius)));
+    const double period = 2 * std::numbers::pi / Spring(mu).frequency;
     // So slow that the spring never gives way in what follows.
     const double speed = 0.2 * mu * g * 5 / 7 * period / (2 * std::numbers::pi);
     walk.head("At rest");
@@ -283,7 +300,7 @@ Lesson rolling_resistance() {
         .name = "rolling-resistance",
         .title = "Rolling resistance: what stops a ball",
         .parameters = {{"rolling_friction", "", 0.05, {.lo = 0.02, .hi = 0.3}, "Coefficient of rolling friction μ_r"},
-                       {"rolling_damping", "", 0.3, {.lo = 0, .hi = 2}, "Share of critical damping η_r of epsd"},
+                       {"rolling_damping", "", 0.3, {.lo = 0, .hi = 1}, "Share of critical damping η_r of epsd"},
                        {"speed_m_s", "m/s", 0.3, {.lo = 0.1, .hi = 0.6}, "First speed of the ball"}},
         .teach = teach};
 }

@@ -12,10 +12,11 @@ void push_air(World& world, Chunk& chunk) {
         const contact::AirDrag& drag =
             world.drag[static_cast<std::size_t>(world.shape[static_cast<std::size_t>(slot)])];
         const Row& row = world.row(slot);
-        // Of the velocity at the step, half a kick of drag later: stable however strong the drag.
-        const Vector2d before(row.vx, row.vy);
-        const double per_speed = drag.linear + drag.quadratic * before.norm();
-        const Vector2d now = before / (1 + 0.5 * world.dt * per_speed / row.mass);
+        // Of the velocity at the step, half a kick of weight and drag later: stable however strong the drag.
+        const double half = (row.kick - 0.5) * world.dt;
+        const Vector2d falling = Vector2d(row.vx, row.vy) + half * world.scene.gravity.head<2>();
+        const double per_speed = drag.linear + drag.quadratic * falling.norm();
+        const Vector2d now = falling / (1 + 0.5 * world.dt * per_speed / row.mass);
         const Vector2d force = -per_speed * now;
         Load& load = world.loads[static_cast<std::size_t>(slot)];
         load.fx += force.x();

@@ -135,11 +135,15 @@ TEST_CASE("DMT: Hertz' force less 2 pi w R*, and that is the pull-off force") {
     CHECK(strongest == doctest::Approx(2 * pi * work * radius).epsilon(0.01));
 }
 
-TEST_CASE("SJKR: a pull of k 2 pi R* d") {
+TEST_CASE("SJKR: a pull of k 2 pi R* d, which gives a pull-off force of 2/3 pi^3 k^3 R*^2 / E*^2") {
+    double strongest = 0;
     drag(sticky(AdhesionLaw::sjkr), {0, 1e-5, 0}, [&](double overlap, const Pull& pull) {
         if (overlap > 0)
             CHECK(pull.force == doctest::Approx(hertz(overlap) - 2e4 * 2 * pi * radius * overlap).epsilon(1e-9));
+        strongest = std::max(strongest, -pull.force);
     });
+    const double expected = 2.0 / 3 * std::pow(pi * 2e4, 3) * radius * radius / (E_eff() * E_eff());
+    CHECK(strongest == doctest::Approx(expected).epsilon(1e-3));
 }
 
 TEST_CASE("the energy that an adhesive contact stores is the force's integral over the overlap") {

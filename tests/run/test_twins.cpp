@@ -31,7 +31,7 @@ scene::Scene in_common(scene::NormalLaw normal, scene::TangentialLaw tangential)
     pair.normal_stiffness = 2e4;
     pair.tangential_stiffness = 1e4;
     scene.pairs = {pair};
-    scene.contact = {normal, tangential, true, false, 0};
+    scene.contact = {normal, tangential, true, false, 0, 0.05, {}};
     scene::BodyTemplate ball;
     ball.name = "ball";
     ball.spheres = {{Vector3d::Zero(), radius}};

@@ -139,6 +139,8 @@ TEST_CASE("a resolved scene loads again to the same laws, materials and pairs") 
                                                                         b.contact.limit_force,
                                                                         b.contact.share_among_body_contacts));
     CHECK(b.contact.additions.rolling == contact::RollingLaw::epsd);
+    CHECK(b.contact.additions.adhesion == contact::AdhesionLaw::sjkr);
+    CHECK(b.pairs[1].cohesion_energy == 1234.5);
     CHECK(std::tuple(b.air.density, b.air.drag_coefficient, b.air.viscosity) == std::tuple(1.3, 0.5, 1.7e-5));
     CHECK(a.contact.accepted_overlap == 0.123);
     CHECK(b.contact.accepted_overlap == 0.123);
@@ -187,8 +189,10 @@ TEST_CASE("meshes that were copied beside the scene go by the names they have th
 }
 
 TEST_CASE("every key of the list arrives in the scene and is written again") {
-    // Other ways to say what is written as spheres_m, discs_m, rows, harmonic or friction; three dimensions are usual.
-    std::set<std::string> other_ways{"clump", "radius_mm", "file", "speed_rpm", "friction_angle_deg", "dimension"};
+    // Other ways to say what is written as spheres_m, discs_m, rows, harmonic, friction or cohesion energy; three
+    // dimensions are usual.
+    std::set<std::string> other_ways{
+        "clump", "radius_mm", "file", "speed_rpm", "friction_angle_deg", "work_of_adhesion_J_m2", "dimension"};
     for (const int dimension : {3, 2}) {
         if (dimension == 2) // discs have no mesh to scale
             other_ways.insert("scale");

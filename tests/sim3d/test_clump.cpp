@@ -25,7 +25,7 @@ double flat_landing(int per_side_x, int per_side_z, double e, bool share) {
         for (int k = 0; k < per_side_z; ++k)
             spheres.push_back({{(2 * i - per_side_x + 1) * r, 0, (2 * k - per_side_z + 1) * r}, r});
     Sandbox box({"media", 2000, 1e8, 0.3}, {e, 0.5, 1e5, 1e5}, 5e-7);
-    box.scene.contact = {scene::NormalLaw::linear, scene::TangentialLaw::linear, false, share};
+    box.scene.contact = {scene::NormalLaw::linear, scene::TangentialLaw::linear, false, share, 0, 0.05, {}};
     box.wall(scene::PlaneShape{});
     BodyState body = placed(box.body(spheres), {0, r + 1e-7, 0}, {0, -1, 0});
     auto probe = build_world(box.scene, 1);

@@ -15,11 +15,12 @@ constexpr double radius = 0.01; // m
 constexpr double dt = 1e-5;     // s
 const contact::Material soft{"glass", 2500, 5e7, 0.25};
 
-contact::PairProperties rolling_pair(double rolling_friction) {
+contact::PairProperties rolling_pair(double rolling_friction, double rolling_damping = 0.3) {
     contact::PairProperties pair;
     pair.restitution = 0.5;
     pair.friction = 0.6;
     pair.rolling_friction = rolling_friction;
+    pair.rolling_damping = rolling_damping;
     return pair;
 }
 
@@ -28,8 +29,8 @@ struct Roller {
     Sandbox box;
     double mass = 0;
 
-    Roller(contact::RollingLaw law, double rolling_friction, double slope, double speed)
-        : box(soft, rolling_pair(rolling_friction), dt) {
+    Roller(contact::RollingLaw law, double rolling_friction, double slope, double speed, double rolling_damping = 0.3)
+        : box(soft, rolling_pair(rolling_friction, rolling_damping), dt) {
         box.scene.contact.additions.rolling = law;
         box.scene.gravity = {g * std::sin(slope), -g * std::cos(slope), 0};
         box.wall(scene::PlaneShape{});
@@ -61,7 +62,7 @@ TEST_CASE("a rolling ball stops after 7 v^2 / (10 mu_r g), and all it had is boo
     for (const auto law : both) {
         CAPTURE(static_cast<int>(law));
         const double v = 0.2, mu_r = 0.05;
-        Roller ball(law, mu_r, 0, v);
+        Roller ball(law, mu_r, 0, v, 0);
         const double stops_after = 7 * v / (5 * mu_r * g); // s, at 5/7 mu_r g
         ball.run_for(0.5 * stops_after);
         CHECK(ball.speed() == doctest::Approx(0.5 * v).epsilon(5e-3));
@@ -70,9 +71,27 @@ TEST_CASE("a rolling ball stops after 7 v^2 / (10 mu_r g), and all it had is boo
         const double energy = 0.7 * ball.mass * v * v;
         const Books books = books_of(*ball.box.world);
         CHECK(books.lost_rolling == doctest::Approx(energy).epsilon(5e-3));
-        CHECK(books.kinetic_translation + books.kinetic_rotation < 1e-4 * energy);
+        CHECK(books.kinetic_translation + books.kinetic_rotation < 2e-3 * energy); // the spring swings
         CHECK(ball.missed(energy) < 1e-3);
     }
+}
+
+TEST_CASE("while the rolling spring is wound up its dashpot takes 4 eta_r theta omega_r / omega of the energy") {
+    // theta the angle of yield, omega_r the spring's frequency; the rest stops the ball as before, half of theta later.
+    const double v = 0.2, mu_r = 0.05, eta = 0.3;
+    Roller ball(contact::RollingLaw::epsd, mu_r, 0, v, eta);
+    const double E_eff = 5e7 / (2 * (1 - 0.25 * 0.25)), press = ball.mass * g;
+    const double sunk = std::pow(0.75 * press / (E_eff * std::sqrt(radius)), 2.0 / 3);
+    const double yield = sunk / (2.25 * mu_r * radius);
+    const double omega_r = std::sqrt(2.25 * press / sunk * mu_r * mu_r / (1.4 * ball.mass));
+    const double share = 4 * eta * yield * omega_r * radius / v;
+    CHECK(share > 0.02);
+    double farthest = 0;
+    for (int k = 0; k < 140; ++k) {
+        ball.run_for(0.005);
+        farthest = std::max(farthest, ball.place());
+    }
+    CHECK(farthest == doctest::Approx(7 * v * v / (10 * mu_r * g) * (1 - share) + 0.5 * yield * radius).epsilon(5e-3));
 }
 
 TEST_CASE("down an incline a ball rolls with 5/7 g (sin - mu_r cos), and the books close") {
@@ -97,7 +116,8 @@ TEST_CASE("a ball holds on a slope whose tangent is below mu_r, and rolls off on
         held.run_for(0.2); // the spring stretches
         const double rests_at = held.place();
         held.run_for(0.5);
-        CHECK(std::abs(held.place() - rests_at) < 1e-3 * radius);
+        // Turning round in every step the constant torque lets it creep; a centimetre takes minutes.
+        CHECK(std::abs(held.place() - rests_at) < (law == contact::RollingLaw::cdt ? 4e-3 : 1e-5) * radius);
         Roller rolls(law, mu_r, std::atan(1.1 * mu_r), 0);
         rolls.run_for(0.7);
         const double slope = std::atan(1.1 * mu_r);
@@ -109,7 +129,7 @@ TEST_CASE("a ball holds on a slope whose tangent is below mu_r, and rolls off on
 TEST_CASE("at rest the constant torque shakes a ball in every step, the spring and its dashpot bring it to rest") {
     const auto spin_at_rest = [](contact::RollingLaw law) {
         Roller ball(law, 0.1, 0, 0.02);
-        ball.run_for(0.4);
+        ball.run_for(0.8);
         double most = 0;
         for (int k = 0; k < 100; ++k) {
             ball.box.run(1);
@@ -124,14 +144,12 @@ TEST_CASE("at rest the constant torque shakes a ball in every step, the spring a
 }
 
 TEST_CASE("a ball in a turning drum is rolled along by the wall: what counts is the spin relative to it") {
-    // On a disc that turns about its own axis a ball that stands on the axis and turns with it does not roll; a plane
-    // that moves along carries a ball that spins not at all to the speed of rolling only through sliding.
     Sandbox box(soft, rolling_pair(0.3), dt);
     box.scene.contact.additions.rolling = contact::RollingLaw::cdt;
     scene::Wall& cylinder = box.wall(scene::CylinderShape{{0, 0, -0.1}, {0, 0, 1}, 0.2, 0.05});
     cylinder.motion.rotations.push_back({{}, {0, 0, 0}, {0, 0, 1}, 4.0});
     const int ball = box.ball(radius);
-    // Carried round without gravity like a part of the drum: no slip, no rolling, no loss.
+    // Carried round like a part of the drum, without gravity: it spins as the drum does and rolls not at all.
     const double way = 0.04, omega = 4;
     const double push = 2500 * 4.0 / 3 * 3.14159265358979 * std::pow(radius, 3) * omega * omega * way;
     const double E_eff = 5e7 / (2 * (1 - 0.25 * 0.25));

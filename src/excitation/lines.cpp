@@ -274,7 +274,7 @@ private:
             std::max(0.0, across.dot(both * across) + back * back * covariance(p, p) + 2 * back * with_frequency));
         component.beside_se = std::sqrt(across.dot(own * across));
         const double tries = static_cast<double>(waves_.size() * fit_.signals.size());
-        component.seen = a * a > 2 * along.dot(own * along) * std::log(tries / chance);
+        component.seen = a * a > own.trace() * std::log(tries / chance);
         return component;
     }
 

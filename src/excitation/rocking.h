@@ -26,7 +26,7 @@ struct Turn {
     Eigen::Vector3cd pivot_motion = Eigen::Vector3cd::Zero(); // m, displacement of it
     Eigen::Vector3d motion_se = Eigen::Vector3d::Zero();      // m, standard error of either part of it, per axis
     double misfit = 0, misfit_se = 0;                         // m, of the sensors' difference, what no turning explains
-    [[nodiscard]] bool seen() const { return std::abs(angle) > 3 * angle_se; }
+    [[nodiscard]] bool seen() const { return std::abs(angle) > 4 * angle_se; }
 };
 
 /// One per line that moves the wall. Problems: the sensors share no axis on which a turn about this axis would show.

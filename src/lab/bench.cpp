@@ -2,12 +2,31 @@
 
 #include "run/simulation.h"
 
+#include <array>
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 
 namespace tumble::lab {
 
 using Eigen::Vector3d;
+
+namespace {
+
+/// Share of the spread of y that no straight line over x explains.
+double unexplained(const std::vector<double>& x, const std::vector<double>& y) {
+    const Line line = line_through(x, y);
+    double mean = 0, all = 0, left = 0;
+    for (const double value : y)
+        mean += value / static_cast<double>(y.size());
+    for (std::size_t k = 0; k < y.size(); ++k) {
+        all += std::pow(y[k] - mean, 2);
+        left += std::pow(y[k] - line.intercept - line.slope * x[k], 2);
+    }
+    return left / all;
+}
+
+} // namespace
 
 sheet::Parameter density_parameter() {
     return {"density_kg_m3", "kg/m3", 1665.71, {.lo = 1, .hi = 30000}, "Density of the body"};
@@ -83,6 +102,31 @@ Line line_through(const std::vector<double>& x, const std::vector<double>& y) {
     line.intercept = b.mean() - line.slope * a.mean();
     line.slope_se = n > 2 ? std::sqrt((b - line.intercept - line.slope * a).square().sum() / (n - 2) / spread) : 0.0;
     return line;
+}
+
+Slowing slowing_of(const std::vector<double>& time, const std::vector<double>& rate, const std::string& symbol) {
+    struct Law {
+        const char* name;
+        const char* form;
+        double (*straight)(double rate); // of the rate what falls along a line under this law
+    };
+    constexpr std::array<Law, 3> laws{{{"dry friction", "{0}' = −const", [](double one) { return one; }},
+                                       {"viscous film", "{0}' ∝ −{0}", [](double one) { return std::log(one); }},
+                                       {"air", "{0}' ∝ −{0}²", [](double one) { return -1 / one; }}}};
+    Slowing slowing{{{{"what slows it"}, {"law"}, {"left unexplained", "", 2}}}, ""};
+    double least = 2;
+    for (const Law& law : laws) {
+        std::vector<double> straight;
+        for (const double one : rate)
+            straight.push_back(law.straight(one));
+        const double bend = unexplained(time, straight);
+        slowing.grid.rows.push_back({law.name, fmt::format(fmt::runtime(law.form), symbol), bend});
+        if (bend < least) {
+            least = bend;
+            slowing.best = law.name;
+        }
+    }
+    return slowing;
 }
 
 } // namespace tumble::lab

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <string>
 #include <vector>
 
 /// The bench that every experiment stands on.
@@ -54,5 +55,13 @@ struct Line {
     double slope = 0, intercept = 0, slope_se = 0;
 };
 Line line_through(const std::vector<double>& x, const std::vector<double>& y);
+
+/// Which law of slowing makes a record straight: rate' constant (dry friction), as the rate (a viscous film), as its
+/// square (air). `symbol` stands for the rate, which is above 0 throughout.
+struct Slowing {
+    sheet::Grid grid;
+    std::string best;
+};
+Slowing slowing_of(const std::vector<double>& time, const std::vector<double>& rate, const std::string& symbol);
 
 } // namespace tumble::lab

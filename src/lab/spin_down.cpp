@@ -2,7 +2,6 @@
 #include "lab/each.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -13,29 +12,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double foot = 5e-3; // m, radius of a foot
-
-/// How well a law of slowing fits: ln of what is left, per look.
-struct Law {
-    const char* name;
-    const char* form;
-    double (*flat)(double rate); // of the rate what falls along a straight line under this law
-};
-constexpr std::array<Law, 3> laws{{{"dry friction", "ω' = −const", [](double rate) { return rate; }},
-                                   {"viscous", "ω' ∝ −ω", [](double rate) { return std::log(rate); }},
-                                   {"air", "ω' ∝ −ω²", [](double rate) { return -1 / rate; }}}};
-
-/// Share of the spread that no straight line explains.
-double bend_of(const std::vector<double>& x, const std::vector<double>& y) {
-    const Line line = line_through(x, y);
-    double mean = 0, all = 0, left = 0;
-    for (const double value : y)
-        mean += value / static_cast<double>(y.size());
-    for (std::size_t k = 0; k < y.size(); ++k) {
-        all += std::pow(y[k] - mean, 2);
-        left += std::pow(y[k] - line.intercept - line.slope * x[k], 2);
-    }
-    return left / all;
-}
 
 Result<Outcome> perform(const Values& values) {
     const double mu = values["friction"], first = values["spin_rad_s"];
@@ -89,26 +65,13 @@ Result<Outcome> perform(const Values& values) {
                                           {"stands still at", stopped, stops, "s"},
                                           {"friction from it", mu * -line.slope / slowing, mu, "-"}}});
     sheet.parts.emplace_back(figure);
-    sheet::Grid shapes{{{"what slows it"}, {"law"}, {"left unexplained", "", 2}}};
-    std::string best;
-    double least = 2;
-    for (const Law& law : laws) {
-        std::vector<double> flat;
-        for (const double one : rate)
-            flat.push_back(law.flat(one));
-        const double bend = bend_of(time, flat);
-        shapes.rows.push_back({law.name, law.form, bend});
-        if (bend < least) {
-            least = bend;
-            best = law.name;
-        }
-    }
-    sheet.parts.emplace_back(shapes);
-    sheet.say(fmt::format("Straightest: {}.", best));
+    const Slowing shape = slowing_of(time, rate, "ω");
+    sheet.parts.emplace_back(shape.grid);
+    sheet.say(fmt::format("Straightest: {}.", shape.best));
     sheet.fact("slowing", -line.slope, "rad/s2");
     sheet.fact("slowing_theory", slowing, "rad/s2");
     sheet.fact("friction", mu * -line.slope / slowing);
-    sheet.fact("dry_is_best", best == laws[0].name ? 1 : 0);
+    sheet.fact("dry_is_best", shape.best == "dry friction" ? 1 : 0);
     outcome.recordings.push_back(std::move(record));
     return outcome;
 }

@@ -43,7 +43,7 @@ std::string data_of(const observe::FlowField& field, double per_speed) {
     return "$cells << END\n" + cells + "END\n$arrows << END\n" + arrows + "END\n$surface << END\n" + surface + "END\n";
 }
 
-/// A round speed whose arrow is about as long as a cell: the fastest mean across the axis, rounded up to 1, 2 or 5.
+/// The speed whose arrow is as long as 1.2 cells: the fastest mean across the axis, rounded up to 1, 2 or 5.
 double arrow_speed(const observe::FlowField& field) {
     double fastest = 0;
     for (int ring = 0; ring < field.grid().rings; ++ring)
@@ -70,8 +70,8 @@ std::string script_of(const FlowReport& report, const std::filesystem::path& fil
                              : "set terminal pngcairo size 1350,960 font 'DejaVu Sans,15' background 'white' "
                                "noenhanced\n";
     script += fmt::format("set output {}\nset title {}\n", quoted(file.string()),
-                          quoted(fmt::format("Mean flow from {:.4g} to {:.4g} s; the longest arrow is {:.3g} m/s",
-                                             report.replayed.first, report.replayed.last, speed)));
+                          quoted(fmt::format("Mean flow from {:.4g} to {:.4g} s; an arrow of {:.0f} mm is {:.3g} m/s",
+                                             report.replayed.first, report.replayed.last, length, speed)));
     script += data_of(report.field, length / speed);
     script += fmt::format("set xrange [0:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\nset size ratio -1\n", 1e3 * grid.radius,
                           1e3 * grid.lo, 1e3 * grid.hi);

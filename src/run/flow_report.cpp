@@ -146,6 +146,10 @@ Result<FlowReport> read_flow(const std::filesystem::path& run, const FlowOptions
     const Result<Recording> recording = open_recording(run, options.when);
     if (!recording)
         return recording.problems();
+    if (recording->layout->dimension == 2)
+        return Problem{.file = run.string(),
+                       .what = "this run has two dimensions, and a flow about an upright axis has three",
+                       .fix = "give a run of three dimensions"};
     const auto shapes = shapes_named(options.bodies, *recording->layout);
     if (!shapes)
         return shapes.problems();

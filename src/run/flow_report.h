@@ -38,7 +38,7 @@ struct FlowReport {
     Replayed replayed;
 };
 
-/// Problems: as open_recording; a name that no body has.
+/// Problems: as open_recording; a run of two dimensions; a name that no body has.
 Result<FlowReport> read_flow(const std::filesystem::path& run, const FlowOptions& options, const TellFrames& tell);
 
 /// flow_field.csv (a row a cell), flow_layers.csv, flow_surface.csv and tracer_NAME.csv in the folder. Problems: the

@@ -71,7 +71,7 @@ TEST_CASE("a disc that turns in place drags a ball by mu g while it slides, and 
         const std::int64_t rebuilds = box.world->rebuilds;
         const Vector3d before = box.body_now(0).velocity;
         box.run(1000);
-        CHECK((box.body_now(0).velocity - before).norm() == doctest::Approx(0.3 * g * 0.01).epsilon(0.02));
+        CHECK((box.body_now(0).velocity - before).norm() == doctest::Approx(0.3 * g * 0.01).epsilon(0.02).scale(0));
         CHECK(box.world->rebuilds == rebuilds);
     }
 }
@@ -110,6 +110,6 @@ TEST_CASE("a ball on the flat part, on a facet of the rim and in the middle of a
     CHECK(touches(surface, rim + 0.0028 * up, 0.003).size() == 1);
     const auto crest = touches(surface, {0.1, 0.004 + 0.0029, 0.0005}, 0.003);
     REQUIRE(crest.size() == 1);
-    CHECK(crest[0].normal.y() == doctest::Approx(1));
-    CHECK(crest[0].gap == doctest::Approx(-0.0001));
+    CHECK(crest[0].normal.y() == doctest::Approx(1).scale(0));
+    CHECK(crest[0].gap == doctest::Approx(-0.0001).scale(0));
 }

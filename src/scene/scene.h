@@ -37,7 +37,7 @@ struct ContactLaws {
     NormalLaw normal = NormalLaw::hertz;
     TangentialLaw tangential = TangentialLaw::mindlin;
     bool limit_force = false;               // true: the normal force never pulls at the end of a rebound
-    bool share_among_body_contacts = false; // true: n contacts of one body pair act together as one (docs/bodies.md)
+    bool share_among_body_contacts = false; // true: n contacts of one body pair share one dashpot (docs/bodies.md)
     double global_damping = 0;              // 1/s, mass-proportional; two dimensions only
     double accepted_overlap = 0.05;         // over the smaller radius; a run that goes beyond says so
     contact::Additions additions;           // docs/laws.md

@@ -378,4 +378,10 @@ std::string to_toml(const Scene& scene, const MeshNames& meshes) {
     return to.result();
 }
 
+std::string to_toml(const WallMotion& motion, int dimension) {
+    TomlWriter to(dimension);
+    write_motion(motion, dimension, to);
+    return to.result();
+}
+
 } // namespace tumble::scene

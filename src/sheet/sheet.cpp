@@ -1,20 +1,20 @@
-#include "lesson/walk.h"
+#include "sheet/sheet.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
 
-namespace tumble::lesson {
+namespace tumble::sheet {
 
-double Walk::fact(const std::string& name) const {
+double Sheet::fact(const std::string& name) const {
     for (const Fact& fact : facts)
         if (fact.name == name)
             return fact.value;
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-std::vector<const Figure*> Walk::figures() const {
+std::vector<const Figure*> Sheet::figures() const {
     std::vector<const Figure*> found;
     for (const Part& part : parts)
         if (const auto* figure = std::get_if<Figure>(&part))
@@ -26,4 +26,4 @@ std::string at_most(double size) {
     return fmt::format("{:.0e}", std::pow(10, std::ceil(std::log10(std::max(size, 1e-16)))));
 }
 
-} // namespace tumble::lesson
+} // namespace tumble::sheet

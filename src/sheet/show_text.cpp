@@ -1,14 +1,12 @@
 #include "base/text.h"
-#include "lesson/show.h"
+#include "sheet/show.h"
 
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace tumble::lesson {
+namespace tumble::sheet {
 
 namespace {
-
-constexpr std::size_t width = 96;
 
 std::string with_unit(const std::string& word, const std::string& unit) {
     return unit.empty() ? word : word + ", " + unit;
@@ -28,14 +26,14 @@ std::string text_of(const Heading& heading) {
 }
 
 std::string text_of(const Paragraph& paragraph) {
-    return wrapped(paragraph.text, width);
+    return wrapped(paragraph.text, text_width);
 }
 
 std::string text_of(const Formula& formula) {
     const std::string line = "    " + formula.text;
     if (formula.source.empty())
         return line + "\n";
-    const std::size_t room = width - std::min(width - 2, letters(formula.source));
+    const std::size_t room = text_width - std::min(text_width - 2, letters(formula.source));
     return padded(line, std::max(letters(line) + 2, room)) + formula.source + "\n";
 }
 
@@ -65,7 +63,7 @@ std::string text_of(const Figure& figure) {
         curves += (curves.empty() ? "" : "; ") + curve.label;
     return wrapped(fmt::format("[figure {}: {}; {} over {}; {}]", figure.name, figure.title, figure.y.label,
                                figure.x.label, curves),
-                   width);
+                   text_width);
 }
 
 } // namespace
@@ -106,16 +104,11 @@ std::vector<std::vector<std::string>> cells_of(const Grid& grid) {
     return rows;
 }
 
-std::string to_text(const Lesson& lesson, const Values& values, const Walk& walk) {
-    std::string text = lesson.title + "\n" + std::string(letters(lesson.title), '=') + "\n\n";
-    Grid with{{{"with"}, {"value"}, {"unit"}}, {}};
-    for (const Parameter& parameter : lesson.parameters)
-        with.rows.push_back({parameter.name, values[parameter.name], parameter.unit});
-    text += text_of(with);
-    for (const Part& part : walk.parts)
+std::string to_text(const std::string& title, const Sheet& sheet) {
+    std::string text = title + "\n" + std::string(letters(title), '=') + "\n";
+    for (const Part& part : sheet.parts)
         text += "\n" + std::visit([](const auto& one) { return text_of(one); }, part);
-    text += "\n" + wrapped("Question: " + walk.question, width);
-    return text + wrapped(fmt::format("(`tumble lesson {} --answer` tells the answer.)", lesson.name), width);
+    return text;
 }
 
-} // namespace tumble::lesson
+} // namespace tumble::sheet

@@ -1,14 +1,14 @@
-#include "lesson/plot.h"
+#include "sheet/plot.h"
 
+#include "base/child_process.h"
 #include "base/text.h"
-#include "lesson/show.h"
-#include "render/child_process.h"
+#include "sheet/show.h"
 
 #include <cerrno>
 #include <cstring>
 #include <fmt/format.h>
 
-namespace tumble::lesson {
+namespace tumble::sheet {
 
 namespace {
 
@@ -37,6 +37,8 @@ std::string style(const Curve& curve, std::size_t index) {
     const char* color = colors[curve.color.value_or(index) % colors.size()];
     if (curve.style == Style::points)
         return fmt::format("with points pt 7 ps 1 lc rgb '{}'", color);
+    if (curve.style == Style::bars)
+        return fmt::format("with impulses lw 3 lc rgb '{}'", color);
     return fmt::format("with lines lw 2 {} lc rgb '{}'", curve.style == Style::dashes ? "dt 2" : "dt 1", color);
 }
 
@@ -57,6 +59,8 @@ std::string gnuplot_script(const Figure& figure, const std::filesystem::path& fi
     script += fmt::format("set output {}\nset title {}\n", quoted(file.string()), quoted(figure.title));
     script += "set grid lc rgb '#cccccc'\nset key above\nset autoscale noextend\nset offsets graph 0.02, graph 0.02, "
               "graph 0.05, graph 0.05\n";
+    if (figure.equal_scales)
+        script += "set size ratio -1\n";
     script += axis('x', figure.x) + axis('y', figure.y);
     std::string plots;
     for (std::size_t k = 0; k < figure.curves.size(); ++k) {
@@ -68,7 +72,7 @@ std::string gnuplot_script(const Figure& figure, const std::filesystem::path& fi
 }
 
 Result<Done> draw(const Figure& figure, const std::filesystem::path& file) {
-    render::ChildProcess gnuplot({"gnuplot"});
+    ChildProcess gnuplot({"gnuplot"});
     if (gnuplot.error() == ENOENT)
         return Problem{.what = "gnuplot, which draws the figures, is not installed",
                        .fix = "apt install gnuplot-nox, or leave --out away: the text and --json need no gnuplot"};
@@ -81,4 +85,20 @@ Result<Done> draw(const Figure& figure, const std::filesystem::path& file) {
     return Problem{.file = file.string(), .what = "gnuplot failed: " + excerpt(trimmed(gnuplot.printed()), 300)};
 }
 
-} // namespace tumble::lesson
+Result<std::vector<std::filesystem::path>> draw_all(const Sheet& sheet, const std::filesystem::path& folder,
+                                                    const std::vector<std::string>& endings) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        return Problem{.file = folder.string(), .what = "cannot be made: " + error.message()};
+    std::vector<std::filesystem::path> files;
+    for (const Figure* figure : sheet.figures())
+        for (const std::string& ending : endings) {
+            files.push_back(folder / (figure->name + ending));
+            if (const Result<Done> drawn = draw(*figure, files.back()); !drawn)
+                return drawn.problems();
+        }
+    return files;
+}
+
+} // namespace tumble::sheet

@@ -1,6 +1,6 @@
-#include "lesson/show.h"
+#include "sheet/show.h"
 
-namespace tumble::lesson {
+namespace tumble::sheet {
 
 namespace {
 
@@ -39,16 +39,13 @@ Json json_of(const Figure& figure) {
 
 } // namespace
 
-Json to_json(const Lesson& lesson, const Values& values, const Walk& walk) {
-    Json facts = Json::object(), parts = Json::array(), parameters = Json::object();
-    for (const auto& [name, value] : values.all())
-        parameters[name] = value;
-    for (const Fact& fact : walk.facts)
+Json to_json(const Sheet& sheet) {
+    Json facts = Json::object(), parts = Json::array();
+    for (const Fact& fact : sheet.facts)
         facts[fact.name] = {{"value", fact.value}, {"unit", fact.unit}};
-    for (const Part& part : walk.parts)
+    for (const Part& part : sheet.parts)
         parts.push_back(std::visit([](const auto& one) { return json_of(one); }, part));
-    return {{"lesson", lesson.name}, {"title", lesson.title},     {"parameters", parameters}, {"facts", facts},
-            {"parts", parts},        {"question", walk.question}, {"answer", walk.answer}};
+    return {{"facts", facts}, {"parts", parts}};
 }
 
-} // namespace tumble::lesson
+} // namespace tumble::sheet

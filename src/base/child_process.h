@@ -8,7 +8,7 @@
 #include <sys/types.h>
 #include <vector>
 
-namespace tumble::render {
+namespace tumble {
 
 /// A program that was started without a shell, its input fed from here, what it prints kept. It has a process group of
 /// its own: a Ctrl-C meant for this program lets it finish what it has.
@@ -42,4 +42,4 @@ private:
     int error_ = 0;
 };
 
-} // namespace tumble::render
+} // namespace tumble

@@ -1,12 +1,9 @@
-#include "lesson/show.h"
+#include "sheet/show.h"
 
 #include <fmt/format.h>
 
-namespace tumble::lesson {
+namespace tumble::sheet {
 
-namespace {
-
-/// Names like k_n and signs like * are meant as they stand.
 std::string escaped(const std::string& text) {
     std::string safe;
     for (const char c : text) {
@@ -17,7 +14,6 @@ std::string escaped(const std::string& text) {
     return safe;
 }
 
-/// Escapes what stands outside of `code`.
 std::string prose(const std::string& text) {
     std::string safe, piece;
     bool code = false;
@@ -33,6 +29,8 @@ std::string prose(const std::string& text) {
     safe.pop_back();
     return safe;
 }
+
+namespace {
 
 std::string row(const std::vector<std::string>& cells) {
     std::string line = "|";
@@ -68,30 +66,15 @@ struct PageWriter {
 
 } // namespace
 
-std::string to_page(const Lesson& lesson, const Values& values, const Walk& walk) {
-    Grid with{{{"parameter"}, {"value"}, {"unit"}, {"range"}, {"what it is"}}, {}};
-    for (const Parameter& parameter : lesson.parameters)
-        with.rows.push_back({parameter.name, values[parameter.name], parameter.unit, scene::describe(parameter.limits),
-                             parameter.sentence});
-    const PageWriter write{lesson.name};
-    std::string page = fmt::format(
-        "# {}\n\nMade by `tumble lesson --pages docs/lessons`; the walk is what `tumble lesson {}` prints.\n\n",
-        escaped(lesson.title), lesson.name);
-    page += write(with);
-    for (const Part& part : walk.parts)
-        page += "\n" + std::visit(write, part);
-    page += "\n## Question\n\n" + wrapped(prose(walk.question), 120);
-    return page + "\n<details><summary>Answer</summary>\n\n" + wrapped(prose(walk.answer), 120) + "\n</details>\n";
+std::string to_page(const Part& part, const std::string& folder) {
+    return std::visit(PageWriter{folder}, part);
 }
 
-std::string contents_page() {
-    std::string page =
-        "# Lessons\n\nFundamentals of the discrete element method, step by step; numbers in round brackets are the "
-        "thesis' equations. Every number\nis computed when the page is made, by the solvers themselves (`tumble lesson "
-        "--pages docs/lessons`).\n\n| lesson | title |\n| --- | --- |\n";
-    for (const Lesson& lesson : all_lessons())
-        page += fmt::format("| [{0}]({0}.md) | {1} |\n", lesson.name, escaped(lesson.title));
-    return page + "\nThere is no lesson on rolling resistance: no law for it exists yet.\n";
+std::string to_page(const Sheet& sheet, const std::string& folder) {
+    std::string page;
+    for (const Part& part : sheet.parts)
+        page += "\n" + to_page(part, folder);
+    return page;
 }
 
-} // namespace tumble::lesson
+} // namespace tumble::sheet

@@ -1,11 +1,11 @@
 #include "folder.h"
-#include "lesson/plot.h"
+#include "sheet/plot.h"
 
 #include <cstdlib>
 #include <doctest/doctest.h>
 
 using namespace tumble;
-using namespace tumble::lesson;
+using namespace tumble::sheet;
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "render/child_process.h"
+#include "base/child_process.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@
 
 extern char** environ;
 
-namespace tumble::render {
+namespace tumble {
 
 constexpr int patience_ms = 60000;
 
@@ -123,4 +123,4 @@ std::string ChildProcess::printed() const {
     return text;
 }
 
-} // namespace tumble::render
+} // namespace tumble

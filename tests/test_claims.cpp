@@ -90,7 +90,8 @@ TEST_CASE("drop: the sphere rebounds to e^2 h less what gravity takes during the
     CHECK(top > rebound * (1 - 0.005));
 }
 
-TEST_CASE("bounce: every bounce reaches 0.8^2 of the height before, less some 1 % that gravity takes during the contact") {
+TEST_CASE(
+    "bounce: every bounce reaches 0.8^2 of the height before, less some 1 % that gravity takes during the contact") {
     const Ran ran(loaded("bounce.toml", {"observe.measures=[\"centre_of_mass_y\"]"}));
     const auto highest = [&](double from, double to) {
         double most = 0;

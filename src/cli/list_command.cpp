@@ -125,8 +125,9 @@ int list_causes(const ListArguments& arguments) {
 } // namespace
 
 void add_list_command(CLI::App& program, Action& action) {
-    CLI::App* command = program.add_subcommand("list", "Example: tumble list measures\n\n"
-                                                       "Lists what can be named: scenes, laws, measures, causes, keys.");
+    CLI::App* command =
+        program.add_subcommand("list", "Example: tumble list measures\n\n"
+                                       "Lists what can be named: scenes, laws, measures, causes, keys.");
     const auto arguments = std::make_shared<ListArguments>();
     command->add_option("WHAT", arguments->what, "scenes, laws, measures, causes or keys")
         ->required()

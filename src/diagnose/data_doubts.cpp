@@ -28,15 +28,18 @@ void doubt_time(const Record& record, Problems& warnings) {
                             .what = fmt::format("{} gap(s) in time: readings are missing", gaps),
                             .fix = "nothing, if their times are right; readings are used where they stand"});
     else if (uneven > static_cast<std::ptrdiff_t>(steps.size() / 20))
-        warnings.push_back({.file = record.file.string(),
-                            .key = "jitter",
-                            .what = fmt::format("{} of {} steps in time differ by more than a tenth", uneven, steps.size()),
-                            .fix = "check the clock; readings are used at the times given"});
+        warnings.push_back(
+            {.file = record.file.string(),
+             .key = "jitter",
+             .what = fmt::format("{} of {} steps in time differ by more than a tenth", uneven, steps.size()),
+             .fix = "check the clock; readings are used at the times given"});
 }
 
 void doubt_channel(const Record& record, const Channel& channel, Problems& warnings) {
     const auto warn = [&](std::string key, std::string what, std::string fix) {
-        warnings.push_back({.file = record.file.string(), .key = std::move(key), .what = channel.head + ": " + what,
+        warnings.push_back({.file = record.file.string(),
+                            .key = std::move(key),
+                            .what = channel.head + ": " + what,
                             .fix = std::move(fix)});
     };
     const std::set<double> levels(channel.value.begin(), channel.value.end());

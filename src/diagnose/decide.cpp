@@ -11,11 +11,11 @@ namespace tumble::diagnose {
 
 namespace {
 
-constexpr double one_sided_95 = 1.645;     // standard errors
-constexpr double least_visible = 3;        // standard errors that the largest plausible amplitude must reach
-constexpr double least_share = 0.005;      // of an effect that nuisances must leave: less is rounding of the slopes
-constexpr double pair_gate_extra = 2;      // chi-square a pair must reach beyond the gate
-constexpr double pair_adequacy = 0.05;     // a pair explains more by chance, so it must fit better
+constexpr double one_sided_95 = 1.645; // standard errors
+constexpr double least_visible = 3;    // standard errors that the largest plausible amplitude must reach
+constexpr double least_share = 0.005;  // of an effect that nuisances must leave: less is rounding of the slopes
+constexpr double pair_gate_extra = 2;  // chi-square a pair must reach beyond the gate
+constexpr double pair_adequacy = 0.05; // a pair explains more by chance, so it must fit better
 constexpr std::size_t most_pairs_fitted = 6;
 
 class Deciding {

@@ -22,14 +22,14 @@ struct Evidence {
 /// One or two causes fitted with all nuisances.
 struct Refit {
     std::vector<int> causes;
-    VectorXd amplitude;       // parallel to causes
-    VectorXd error;           // standard errors
-    double gain = 0;          // fall of chi-square against the baseline
-    VectorXd residual;        // whitened
-    MatrixXd slopes;          // nuisances, then the causes
-    VectorXd values{};        // of all parameters, where a model was fitted
-    bool possible = false;    // converged, with plausible amplitudes
-    std::string refused{};    // why not
+    VectorXd amplitude;    // parallel to causes
+    VectorXd error;        // standard errors
+    double gain = 0;       // fall of chi-square against the baseline
+    VectorXd residual;     // whitened
+    MatrixXd slopes;       // nuisances, then the causes
+    VectorXd values{};     // of all parameters, where a model was fitted
+    bool possible = false; // converged, with plausible amplitudes
+    std::string refused{}; // why not
 };
 
 /// Fits these causes anew. Linear in tests of many thousand cases, through the simulation elsewhere.
@@ -49,12 +49,12 @@ struct Adequacy {
 
 /// One cause as the data see it.
 struct Seen {
-    bool visible = false;  // a plausible amplitude would show
-    double share = 0;      // of its effect that nuisances leave
-    double amplitude = 0;  // as the linear screening has it
-    double error = 0;      // standard error of that
-    double gain = 0;       // fall of chi-square, refitted where it was
-    double lower = 0;      // 95 % limits of the amplitude beside the baseline (one-sided)
+    bool visible = false; // a plausible amplitude would show
+    double share = 0;     // of its effect that nuisances leave
+    double amplitude = 0; // as the linear screening has it
+    double error = 0;     // standard error of that
+    double gain = 0;      // fall of chi-square, refitted where it was
+    double lower = 0;     // 95 % limits of the amplitude beside the baseline (one-sided)
     double upper = 0;
     std::optional<Refit> refit{};
 };
@@ -71,16 +71,16 @@ struct Fold {
 
 struct Decision {
     Outcome outcome = Outcome::cannot_decide;
-    std::string reason;        // of cannot_decide, or what keeps a name from being sure
-    bool sure = true;          // false: named, but a veto spoke
-    bool one_class = false;    // the causes named are one answer to these data
-    std::vector<int> causes;   // named; or the set that holds the truth
+    std::string reason;                  // of cannot_decide, or what keeps a name from being sure
+    bool sure = true;                    // false: named, but a veto spoke
+    bool one_class = false;              // the causes named are one answer to these data
+    std::vector<int> causes;             // named; or the set that holds the truth
     std::vector<std::vector<int>> pairs; // of two causes, or of ambiguous pairs
-    double gate = 0;           // chi-square fall that the best of the library reaches in alpha of the cases by chance
-    double largest = 0;        // reached
+    double gate = 0;    // chi-square fall that the best of the library reaches in alpha of the cases by chance
+    double largest = 0; // reached
     Adequacy baseline, winner;
-    std::vector<Seen> seen;    // per cause
-    MatrixXd isolability;      // share of the row's effect that the column's cause leaves
+    std::vector<Seen> seen; // per cause
+    MatrixXd isolability;   // share of the row's effect that the column's cause leaves
     std::vector<Fold> folds;
     std::optional<Refit> best; // of the causes named, or the best proxy of none known
 };

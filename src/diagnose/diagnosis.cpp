@@ -18,13 +18,14 @@ std::vector<int> first_numbers(int count) {
 }
 
 /// Factors by which a unit is most often wrong, and what was probably meant.
-constexpr std::pair<double, const char*> usual_slips[] = {{1000, "millimetres or milliseconds read as SI"},
-                                                          {1e-3, "SI read as a thousandth"},
-                                                          {100, "centimetres read as metres"},
-                                                          {9.81, "multiples of g read as m/s2, or the other way round"},
-                                                          {1 / 9.81, "multiples of g read as m/s2, or the other way round"},
-                                                          {57.29578, "degrees read as radians"},
-                                                          {1 / 57.29578, "radians read as degrees"}};
+constexpr std::pair<double, const char*> usual_slips[] = {
+    {1000, "millimetres or milliseconds read as SI"},
+    {1e-3, "SI read as a thousandth"},
+    {100, "centimetres read as metres"},
+    {9.81, "multiples of g read as m/s2, or the other way round"},
+    {1 / 9.81, "multiples of g read as m/s2, or the other way round"},
+    {57.29578, "degrees read as radians"},
+    {1 / 57.29578, "radians read as degrees"}};
 
 class Diagnosing {
 public:
@@ -93,7 +94,8 @@ private:
         baseline_ = std::move(*fitted);
         if (!baseline_.converged)
             d_.decision.reason = fmt::format("the baseline could not be fitted: a further step would still gain {:.2g} "
-                                             "nats", baseline_.decrement);
+                                             "nats",
+                                             baseline_.decrement);
         return {};
     }
 
@@ -134,7 +136,8 @@ private:
 
     Problems decide_it() {
         d_.evidence = {baseline_.residual, baseline_.slopes, effects_, directions_, d_.causes, 0};
-        d_.decision = decide(d_.evidence, measurement_.settings, [this](const std::vector<int>& causes) { return refit(causes); });
+        d_.decision = decide(d_.evidence, measurement_.settings,
+                             [this](const std::vector<int>& causes) { return refit(causes); });
         const VectorXd errors = errors_of(baseline_.slopes);
         for (int k = 0; k < model_->nuisances(); ++k) {
             const Parameter& parameter = model_->parameters()[static_cast<std::size_t>(k)];
@@ -172,11 +175,13 @@ private:
             refit.refused = fmt::format("its fit did not end ({:.2g} nats short)", fitted->decrement);
         for (Eigen::Index k = 0; k < count; ++k) {
             const Parameter& parameter =
-                model_->parameters()[static_cast<std::size_t>(model_->parameter_of(causes[static_cast<std::size_t>(k)]))];
+                model_
+                    ->parameters()[static_cast<std::size_t>(model_->parameter_of(causes[static_cast<std::size_t>(k)]))];
             refit.amplitude[k] = fitted->values[model_->parameter_of(causes[static_cast<std::size_t>(k)])];
             if (refit.amplitude[k] <= parameter.lo || refit.amplitude[k] >= parameter.hi) {
                 refit.possible = false;
-                refit.refused = fmt::format("would have to be {} {:g}", refit.amplitude[k] <= parameter.lo ? "below" : "above", refit.amplitude[k]);
+                refit.refused = fmt::format("would have to be {} {:g}",
+                                            refit.amplitude[k] <= parameter.lo ? "below" : "above", refit.amplitude[k]);
             }
         }
         return refit;
@@ -189,7 +194,8 @@ private:
         VectorXd baseline = model_->start();
         baseline.head(model_->nuisances()) = baseline_.values.head(model_->nuisances());
         const auto& named = decision.best->causes;
-        if (std::any_of(named.begin(), named.end(), [this](int k) { return d_.causes[static_cast<std::size_t>(k)].physical(); }))
+        if (std::any_of(named.begin(), named.end(),
+                        [this](int k) { return d_.causes[static_cast<std::size_t>(k)].physical(); }))
             d_.extended = scene_with_causes(decision.best->values);
         if (aside_.empty()) {
             std::vector<Score> scores;
@@ -234,10 +240,11 @@ private:
         std::vector<double> amplitudes;
         for (const int k : rivals) {
             const Seen& seen = decision.seen[static_cast<std::size_t>(k)];
-            amplitudes.push_back(seen.refit && seen.refit->amplitude.size() ? seen.refit->amplitude[0] : seen.amplitude);
+            amplitudes.push_back(seen.refit && seen.refit->amplitude.size() ? seen.refit->amplitude[0]
+                                                                            : seen.amplitude);
         }
-        d_.proposals = proposals_for(scene_, *model_, measurement_.nuisances, noise_, simulate_, baseline_.values, rivals,
-                                     amplitudes);
+        d_.proposals = proposals_for(scene_, *model_, measurement_.nuisances, noise_, simulate_, baseline_.values,
+                                     rivals, amplitudes);
     }
 
     [[nodiscard]] int nearest_rival(int cause) const {
@@ -260,9 +267,16 @@ private:
             const Record& record = model_->records()[r];
             for (std::size_t c = 0; c < record.channels.size(); ++c) {
                 const Channel& channel = record.channels[c];
-                Curve curve{.record = record.name, .condition = record.condition, .head = channel.head,
-                            .unit = channel.unit, .sigma = noise_.sigma[r][c], .time = record.time,
-                            .measured = channel.value, .baseline = {}, .extended = {}, .left_out = {}};
+                Curve curve{.record = record.name,
+                            .condition = record.condition,
+                            .head = channel.head,
+                            .unit = channel.unit,
+                            .sigma = noise_.sigma[r][c],
+                            .time = record.time,
+                            .measured = channel.value,
+                            .baseline = {},
+                            .extended = {},
+                            .left_out = {}};
                 for (std::size_t k = 0; k < record.time.size(); ++k, ++row) {
                     curve.baseline.push_back((*baseline)[row]);
                     curve.left_out.push_back(noise_.left_out[static_cast<std::size_t>(row)]);
@@ -305,17 +319,19 @@ private:
                                    .what = fmt::format("readings scatter {:.2f} times as much as stated", noise.ratio),
                                    .fix = "the scatter found in the readings is used"});
         if (noise.correlation > 0.08)
-            d_.warnings.push_back({.file = measurement_.file.string(),
-                                   .key = "noise not white",
-                                   .what = fmt::format("errors of neighbouring readings correlate by {:.2f}", noise.correlation),
-                                   .fix = "nothing: readings are weighted for it"});
+            d_.warnings.push_back(
+                {.file = measurement_.file.string(),
+                 .key = "noise not white",
+                 .what = fmt::format("errors of neighbouring readings correlate by {:.2f}", noise.correlation),
+                 .fix = "nothing: readings are weighted for it"});
         if (noise.left_out > 0)
-            d_.warnings.push_back({.file = measurement_.file.string(),
-                                   .key = "outliers",
-                                   .what = fmt::format("{} lone reading(s) stand out of their neighbours", noise.left_out),
-                                   .fix = noise.left_out > 0.02 * static_cast<double>(model_->rows().size())
-                                              ? "too many to be slips: all are used"
-                                              : "they are left out"});
+            d_.warnings.push_back(
+                {.file = measurement_.file.string(),
+                 .key = "outliers",
+                 .what = fmt::format("{} lone reading(s) stand out of their neighbours", noise.left_out),
+                 .fix = noise.left_out > 0.02 * static_cast<double>(model_->rows().size())
+                            ? "too many to be slips: all are used"
+                            : "they are left out"});
     }
 
     const SceneText& scene_;
@@ -332,7 +348,8 @@ private:
 
 } // namespace
 
-Result<Diagnosis> diagnose(const SceneText& scene, const Measurement& measurement, const Simulate& simulate, bool plan) {
+Result<Diagnosis> diagnose(const SceneText& scene, const Measurement& measurement, const Simulate& simulate,
+                           bool plan) {
     return Diagnosing(scene, measurement, simulate).run(plan);
 }
 

@@ -10,7 +10,7 @@ namespace tumble::diagnose {
 struct Curve {
     std::string record, condition, head, unit;
     bool held_out = false;
-    double sigma = 0; // SI
+    double sigma = 0;                                       // SI
     std::vector<double> time, measured, baseline, extended; // extended: empty where nothing is named
     std::vector<bool> left_out;                             // lone outliers
 };

@@ -29,7 +29,8 @@ Motion motion_of(const Signal& signal, const std::vector<double>& times, const I
         motion.time.push_back(time);
         motion.value.push_back(signal.at(t));
         motion.rate.push_back(signal.rate_at(t));
-        motion.impact.push_back(static_cast<int>(std::upper_bound(impacts.begin(), impacts.end(), t) - impacts.begin()));
+        motion.impact.push_back(
+            static_cast<int>(std::upper_bound(impacts.begin(), impacts.end(), t) - impacts.begin()));
     }
     return motion;
 }
@@ -93,11 +94,19 @@ void add_prints(Columns& prints, const std::string& measure, const Motion& motio
     const double t = motion.time[k], y = motion.value[k], v = motion.rate[k];
     const int n = motion.impact[k];
     const double turn = n % 2 ? -1 : 1;
-    const std::pair<const char*, double> all[] = {{"1", 1},          {"y", y},          {"yy", y * y},
-                                                  {"v", v},          {"v|v|", v * std::abs(v)},
-                                                  {"|v|", std::abs(v)}, {"t", t},       {"tv", t * v},
-                                                  {"ty", t * y},     {"ttv", t * t * v}, {"(-1)^n", turn},
-                                                  {"(-1)^n v", turn * v}, {"nv", n * v}};
+    const std::pair<const char*, double> all[] = {{"1", 1},
+                                                  {"y", y},
+                                                  {"yy", y * y},
+                                                  {"v", v},
+                                                  {"v|v|", v * std::abs(v)},
+                                                  {"|v|", std::abs(v)},
+                                                  {"t", t},
+                                                  {"tv", t * v},
+                                                  {"ty", t * y},
+                                                  {"ttv", t * t * v},
+                                                  {"(-1)^n", turn},
+                                                  {"(-1)^n v", turn * v},
+                                                  {"nv", n * v}};
     for (const auto& [name, value] : all)
         prints.column(measure + " " + name)[row] = value;
 }
@@ -164,8 +173,7 @@ Result<Directions> directions_at(Model& model, const Noise& noise, const Fit& fi
     all.early.resize(static_cast<std::size_t>(rows), false);
     all.blocks = blocks.whitened();
     const MatrixXd usual = prints.whitened();
-    const MatrixXd split =
-        split_by_condition(fit, model, all.condition, static_cast<int>(all.conditions.size()));
+    const MatrixXd split = split_by_condition(fit, model, all.condition, static_cast<int>(all.conditions.size()));
     all.prints.resize(rows, usual.cols() + split.cols());
     all.prints << usual, unit_columns(split);
     return all;

@@ -17,9 +17,9 @@ struct Fit {
 };
 
 struct FitOptions {
-    bool progressive = false;   // begin with 30 % of every record, then 50, 70, 100 %
-    double tolerance = 0.01;    // nats
-    int most_steps = 12;        // per horizon; half of them at those before the last
+    bool progressive = false;         // begin with 30 % of every record, then 50, 70, 100 %
+    double tolerance = 0.01;          // nats
+    int most_steps = 12;              // per horizon; half of them at those before the last
     const MatrixXd* slopes = nullptr; // known at the start, for the free parameters
 };
 

@@ -135,7 +135,8 @@ private:
         for (std::size_t k = 1; k < time.size(); ++k)
             if (time[k] <= time[k - 1])
                 return report_.add(Problems{cells.problem_at(
-                    k, column, fmt::format("time does not rise: {} after {}", cells.cell(k, column), cells.cell(k - 1, column)),
+                    k, column,
+                    fmt::format("time does not rise: {} after {}", cells.cell(k, column), cells.cell(k - 1, column)),
                     "sort the rows by time and leave one of each instant")});
         if (time.size() < 8)
             report_.add(Problems{{.file = cells.file(),

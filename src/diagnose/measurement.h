@@ -25,12 +25,12 @@ struct Channel {
 /// One record: what was read while one experiment ran once.
 struct Record {
     std::string name;
-    std::string condition;         // records of one condition repeat each other
-    std::filesystem::path file;    // CSV
-    std::vector<std::string> sets; // "key=value": how this experiment differs from the scene
+    std::string condition;                       // records of one condition repeat each other
+    std::filesystem::path file;                  // CSV
+    std::vector<std::string> sets;               // "key=value": how this experiment differs from the scene
     std::function<void(scene::Scene&)> change{}; // of an experiment that is only planned
-    bool held_out = false;         // kept for measuring the gain, never fitted
-    std::vector<double> time;      // s, rising, on the instrument's clock
+    bool held_out = false;                       // kept for measuring the gain, never fitted
+    std::vector<double> time;                    // s, rising, on the instrument's clock
     std::vector<Channel> channels;
 };
 

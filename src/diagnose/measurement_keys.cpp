@@ -27,18 +27,19 @@ scene::KeyTable top() {
 
 scene::KeyTable nuisance() {
     using namespace scene;
-    return {.path = "nuisance",
-            .head = "[[nuisance]]",
-            .repeat = Repeat::many,
-            .sentence = "Something unknown but innocent, adjusted under every explanation.",
-            .keys = {
-                text("key", "A key of the scene, such as pair.ball-plate.restitution.").one_of("what"),
-                word("instrument", {"clock_offset", "gain", "bias", "drift"}, "A part of the instrument.").one_of("what"),
-                word("per", {"case", "series"}, "One value for all records, or one for each.")
-                    .otherwise(std::string("case")),
-                number("spread", "unit of the key", above(0),
-                       "How well it is known beforehand (standard deviation), in the key's unit or in SI."),
-            }};
+    return {
+        .path = "nuisance",
+        .head = "[[nuisance]]",
+        .repeat = Repeat::many,
+        .sentence = "Something unknown but innocent, adjusted under every explanation.",
+        .keys = {
+            text("key", "A key of the scene, such as pair.ball-plate.restitution.").one_of("what"),
+            word("instrument", {"clock_offset", "gain", "bias", "drift"}, "A part of the instrument.").one_of("what"),
+            word("per", {"case", "series"}, "One value for all records, or one for each.")
+                .otherwise(std::string("case")),
+            number("spread", "unit of the key", above(0),
+                   "How well it is known beforehand (standard deviation), in the key's unit or in SI."),
+        }};
 }
 
 scene::KeyTable series() {
@@ -60,17 +61,18 @@ scene::KeyTable series() {
 
 scene::KeyTable column() {
     using namespace scene;
-    return {.path = "series.column",
-            .head = "[[series.column]]",
-            .repeat = Repeat::many,
-            .required = true,
-            .sentence = "One column of readings.",
-            .keys = {
-                text("head", "Head of the column without its unit: \"height\" finds height_m, height_mm.").must(),
-                text("measure", "What it shows: a name of `tumble list measures`, or \"time\" for a clock in the picture.")
-                    .must(),
-                number("sigma", "unit of the column", above(0), "Scatter of one reading (standard deviation)."),
-            }};
+    return {
+        .path = "series.column",
+        .head = "[[series.column]]",
+        .repeat = Repeat::many,
+        .required = true,
+        .sentence = "One column of readings.",
+        .keys = {
+            text("head", "Head of the column without its unit: \"height\" finds height_m, height_mm.").must(),
+            text("measure", "What it shows: a name of `tumble list measures`, or \"time\" for a clock in the picture.")
+                .must(),
+            number("sigma", "unit of the column", above(0), "Scatter of one reading (standard deviation)."),
+        }};
 }
 
 } // namespace

@@ -11,7 +11,7 @@ namespace tumble::diagnose {
 
 namespace {
 
-constexpr double rows_per_reading = 8;  // of a run, between two readings: kinks are resolved well below a reading
+constexpr double rows_per_reading = 8; // of a run, between two readings: kinks are resolved well below a reading
 constexpr std::size_t most_remembered = 600;
 constexpr double room_for_clocks = 0.03; // s of a run beyond the last reading
 
@@ -61,10 +61,10 @@ Result<Model> Model::make(SceneText scene, std::vector<Record> records, const st
         for (std::size_t r = 0; r < copies; ++r) {
             const bool own = nuisance.per_record;
             model.nuisance_of_.push_back(nuisance);
-            model.parameters_.push_back(nuisance.key.empty()
-                                            ? part_parameter(nuisance, own ? &model.records_[r] : nullptr,
-                                                             own ? static_cast<int>(r) : -1)
-                                            : Parameter{.name = nuisance.key, .spread = nuisance.spread});
+            model.parameters_.push_back(
+                nuisance.key.empty()
+                    ? part_parameter(nuisance, own ? &model.records_[r] : nullptr, own ? static_cast<int>(r) : -1)
+                    : Parameter{.name = nuisance.key, .spread = nuisance.spread});
         }
     }
     if (const auto done = model.find_starts(); !done)
@@ -118,8 +118,7 @@ Result<scene::Scene> Model::scene_at(const VectorXd& values, int record) const {
     if (record >= 0 && records_[static_cast<std::size_t>(record)].change)
         records_[static_cast<std::size_t>(record)].change(*scene);
     for (std::size_t c = 0; c < causes_.size(); ++c)
-        if (const double amplitude = values[parameter_of(static_cast<int>(c))];
-            amplitude != 0 && causes_[c].physical())
+        if (const double amplitude = values[parameter_of(static_cast<int>(c))]; amplitude != 0 && causes_[c].physical())
             causes_[c].extend(*scene, amplitude);
     return scene;
 }
@@ -175,7 +174,8 @@ Result<std::vector<Signal>> Model::signals(const VectorXd& values, int record, d
         return series.problems();
     std::vector<Signal> all;
     for (const Channel& channel : records_[static_cast<std::size_t>(record)].channels) {
-        const std::vector<double>* found = channel.shows_time() ? &(*series)->values[0] : (*series)->find(channel.measure);
+        const std::vector<double>* found =
+            channel.shows_time() ? &(*series)->values[0] : (*series)->find(channel.measure);
         if (!found)
             return Problem{.key = channel.measure, .what = "the simulation does not give " + channel.measure};
         all.push_back({(*series)->values[0], *found});

@@ -45,7 +45,8 @@ struct Row {
 };
 
 /// From parameters to readings: the scene with a nuisance's values and a cause's extension, run once for each distinct
-/// experiment, seen through the instrument. Runs are remembered, so that what only the instrument changes costs nothing.
+/// experiment, seen through the instrument. Runs are remembered, so that what only the instrument changes costs
+/// nothing.
 class Model {
 public:
     /// `records`: those to be predicted. Parameters are the measurement's nuisances, then the causes. Problems: the

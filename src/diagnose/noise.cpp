@@ -10,8 +10,8 @@ namespace tumble::diagnose {
 namespace {
 
 constexpr double least_correlation = 0.08;
-constexpr double outlier = 6;       // standard deviations
-constexpr std::size_t reach = 3;    // readings to either side that a reading is held against
+constexpr double outlier = 6;    // standard deviations
+constexpr std::size_t reach = 3; // readings to either side that a reading is held against
 constexpr double most_outliers = 0.02;
 
 double median(std::vector<double> values) {

@@ -73,8 +73,10 @@ void add_repeats(std::vector<Record>& records) {
 }
 
 constexpr Experiment catalogue[] = {
-    {"light", "do the same with a body of the same size and an eighth of the mass (hollow, or of foam)", add_light_body},
-    {"clock", "put a clock into the picture (an LED that blinks at a known rate) and read it to a millisecond", add_clock},
+    {"light", "do the same with a body of the same size and an eighth of the mass (hollow, or of foam)",
+     add_light_body},
+    {"clock", "put a clock into the picture (an LED that blinks at a known rate) and read it to a millisecond",
+     add_clock},
     {"longer", "do the same and record for twice as long", add_longer},
     {"sideways", "read the sideways positions from the same records, too", add_sideways},
     {"again", "do the same once more", add_repeats},
@@ -95,7 +97,8 @@ Noise noise_for(const Model& model, const Noise& known) {
 }
 
 /// Standard errors that the nearest two causes lie apart when all nuisances and the rival are adjusted.
-Result<double> separation_in(Model& model, const Noise& noise, const VectorXd& values, const std::vector<double>& amplitudes) {
+Result<double> separation_in(Model& model, const Noise& noise, const VectorXd& values,
+                             const std::vector<double>& amplitudes) {
     MatrixXd nuisances;
     for (int k = 0; k < model.nuisances(); ++k) {
         const auto slope = slope_of(model, noise, values, k, true);

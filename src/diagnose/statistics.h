@@ -24,7 +24,9 @@ public:
     /// The span of these columns; those that depend on others (1e-7 of the largest) count once.
     explicit Projector(const MatrixXd& columns);
 
-    [[nodiscard]] MatrixXd out(const MatrixXd& vectors) const { return vectors - basis_ * (basis_.transpose() * vectors); }
+    [[nodiscard]] MatrixXd out(const MatrixXd& vectors) const {
+        return vectors - basis_ * (basis_.transpose() * vectors);
+    }
     [[nodiscard]] VectorXd out(const VectorXd& vector) const { return vector - basis_ * (basis_.transpose() * vector); }
     /// Length squared of the vector's part inside the span.
     [[nodiscard]] double inside(const VectorXd& vector) const { return (basis_.transpose() * vector).squaredNorm(); }

@@ -84,7 +84,8 @@ std::string none_known(const Diagnosis& diagnosis) {
 
 std::string consistent(const Diagnosis& diagnosis) {
     return fmt::format("The simulation agrees with the data: {} readings scatter about it as their noise does. Effects "
-                       "larger than the limits in the table are excluded.", diagnosis.readings);
+                       "larger than the limits in the table are excluded.",
+                       diagnosis.readings);
 }
 
 } // namespace
@@ -145,7 +146,8 @@ std::string next_step(const Diagnosis& diagnosis) {
     case Outcome::two_causes:
         return "Confirm each with an experiment in which the other cannot act.";
     case Outcome::none_known:
-        return "Look at the residual: what does it follow? Then check the apparatus, or add the missing law to the scene.";
+        return "Look at the residual: what does it follow? Then check the apparatus, or add the missing law to the "
+               "scene.";
     case Outcome::cannot_decide:
         break;
     }
@@ -153,7 +155,8 @@ std::string next_step(const Diagnosis& diagnosis) {
 }
 
 std::string amplitude_words(const Cause& cause, double amplitude, double error) {
-    const int digits = error > 0 ? std::clamp(static_cast<int>(std::floor(std::log10(std::abs(amplitude) / error))) + 2, 1, 8) : 4;
+    const int digits =
+        error > 0 ? std::clamp(static_cast<int>(std::floor(std::log10(std::abs(amplitude) / error))) + 2, 1, 8) : 4;
     std::string unit = cause.unit == "1_s" ? "1/s" : cause.unit;
     return fmt::format("{:.{}g} +- {:.2g}{}{}", amplitude, digits, error, unit.empty() ? "" : " ", unit);
 }

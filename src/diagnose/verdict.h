@@ -19,7 +19,8 @@ std::string next_step(const Diagnosis& diagnosis);
 /// "0.0123 +- 0.0004 s": an amplitude with its standard error and unit.
 std::string amplitude_words(const Cause& cause, double amplitude, double error);
 
-/// Why a cause is not the answer, or that it is: "amplitude below ...", "worse by 12 nats", "does not show in these data".
+/// Why a cause is not the answer, or that it is: "amplitude below ...", "worse by 12 nats", "does not show in these
+/// data".
 std::string standing_of(const Diagnosis& diagnosis, int cause);
 
 } // namespace tumble::diagnose

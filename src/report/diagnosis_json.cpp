@@ -157,14 +157,13 @@ Json to_json(const Diagnosis& diagnosis, const std::string& version) {
     json["chi_square_baseline"] = diagnosis.chi_square;
     Json warnings = Json::array();
     for (const Problem& warning : diagnosis.warnings)
-        warnings.push_back({{"name", warning.key}, {"file", warning.file}, {"what", warning.what}, {"fix", warning.fix}});
+        warnings.push_back(
+            {{"name", warning.key}, {"file", warning.file}, {"what", warning.what}, {"fix", warning.fix}});
     json["warnings"] = std::move(warnings);
-    json["settings"] = {{"alpha_gate", diagnosis.settings.alpha_gate},
-                        {"alpha_adequacy", diagnosis.settings.alpha_adequacy},
-                        {"margin_nats", diagnosis.settings.margin},
-                        {"rival_window_nats", diagnosis.settings.rival_window},
-                        {"same_class", diagnosis.settings.same_class},
-                        {"fold_veto", diagnosis.settings.fold_veto}};
+    json["settings"] = {
+        {"alpha_gate", diagnosis.settings.alpha_gate}, {"alpha_adequacy", diagnosis.settings.alpha_adequacy},
+        {"margin_nats", diagnosis.settings.margin},    {"rival_window_nats", diagnosis.settings.rival_window},
+        {"same_class", diagnosis.settings.same_class}, {"fold_veto", diagnosis.settings.fold_veto}};
     json["title"] = diagnosis.title;
     json["scene"] = diagnosis.scene.string();
     json["data"] = diagnosis.data.string();

@@ -65,7 +65,8 @@ public:
     }
 
     std::string draw() {
-        out_ = fmt::format("<svg viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" xmlns=\"http://www.w3.org/2000/svg\">"
+        out_ = fmt::format("<svg viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" "
+                           "xmlns=\"http://www.w3.org/2000/svg\">"
                            "<title>{2}</title><text class=\"h\" x=\"{3}\" y=\"16\">{2}</text>",
                            plot_.width, plot_.height, escaped(plot_.title), left);
         if (plot_.band)
@@ -96,17 +97,20 @@ private:
     void axes() {
         const int floor = plot_.height - bottom;
         for (double step = tick_step(x_.hi - x_.lo), x = std::ceil(x_.lo / step) * step; x <= x_.hi; x += step)
-            out_ += fmt::format("<line class=\"grid\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2}\"/><text class=\"t\" "
-                                "x=\"{0:.1f}\" y=\"{3}\" text-anchor=\"middle\">{4}</text>",
-                                px(x), top, floor, floor + 15, tick_word(x, step));
+            out_ += fmt::format(
+                "<line class=\"grid\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2}\"/><text class=\"t\" "
+                "x=\"{0:.1f}\" y=\"{3}\" text-anchor=\"middle\">{4}</text>",
+                px(x), top, floor, floor + 15, tick_word(x, step));
         for (double step = tick_step(y_.hi - y_.lo), y = std::ceil(y_.lo / step) * step; y <= y_.hi; y += step)
-            out_ += fmt::format("<line class=\"grid\" x1=\"{1}\" x2=\"{2}\" y1=\"{0:.1f}\" y2=\"{0:.1f}\"/><text class=\"t\" "
-                                "x=\"{3}\" y=\"{4:.1f}\" text-anchor=\"end\">{5}</text>",
-                                py(y), left, plot_.width - right, left - 5, py(y) + 4, tick_word(y, step));
-        out_ += fmt::format("<text class=\"a\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>"
-                            "<text class=\"a\" transform=\"translate(13 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
-                            left + inner_width() / 2, plot_.height - 8, escaped(plot_.x_label), (top + floor) / 2,
-                            escaped(plot_.y_label));
+            out_ += fmt::format(
+                "<line class=\"grid\" x1=\"{1}\" x2=\"{2}\" y1=\"{0:.1f}\" y2=\"{0:.1f}\"/><text class=\"t\" "
+                "x=\"{3}\" y=\"{4:.1f}\" text-anchor=\"end\">{5}</text>",
+                py(y), left, plot_.width - right, left - 5, py(y) + 4, tick_word(y, step));
+        out_ +=
+            fmt::format("<text class=\"a\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>"
+                        "<text class=\"a\" transform=\"translate(13 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
+                        left + inner_width() / 2, plot_.height - 8, escaped(plot_.x_label), (top + floor) / 2,
+                        escaped(plot_.y_label));
     }
 
     void draw(const Trace& trace) {
@@ -119,8 +123,8 @@ private:
                     path += fmt::format("{}{:.1f} {:.1f}", pen ? "L" : "M", px(trace.x[k]), py(trace.y[k]));
                 pen = seen;
             }
-            out_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\"{}/>", path, trace.color,
-                                trace.dashed ? " stroke-dasharray=\"5 3\"" : "");
+            out_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\"{}/>", path,
+                                trace.color, trace.dashed ? " stroke-dasharray=\"5 3\"" : "");
             return;
         }
         out_ += fmt::format("<g fill=\"{}\">", trace.color);
@@ -137,9 +141,10 @@ private:
             if (trace->label.empty())
                 continue;
             x -= 26 + static_cast<int>(6.6 * static_cast<double>(trace->label.size()));
-            out_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"10\" height=\"3\" fill=\"{}\"/><text class=\"t\" x=\"{}\" "
-                                "y=\"{}\">{}</text>",
-                                x, top - 10, trace->color, x + 13, top - 5, escaped(trace->label));
+            out_ +=
+                fmt::format("<rect x=\"{}\" y=\"{}\" width=\"10\" height=\"3\" fill=\"{}\"/><text class=\"t\" x=\"{}\" "
+                            "y=\"{}\">{}</text>",
+                            x, top - 10, trace->color, x + 13, top - 5, escaped(trace->label));
         }
     }
 
@@ -168,16 +173,20 @@ std::string svg_of(const std::vector<Bar>& bars, const std::vector<Mark>& marks,
         most = std::max(most, mark.value);
     const auto px = [&](double value) { return before + (width - before - behind) * value / (1.05 * most); };
     const int height = row * static_cast<int>(bars.size()) + 50;
-    std::string out = fmt::format("<svg viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" xmlns=\"http://www.w3.org/2000/svg\">", width, height);
+    std::string out = fmt::format(
+        "<svg viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" xmlns=\"http://www.w3.org/2000/svg\">",
+        width, height);
     for (std::size_t k = 0; k < bars.size(); ++k) {
         const int y = 24 + row * static_cast<int>(k);
-        out += fmt::format("<text class=\"t\" x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text><rect x=\"{}\" y=\"{}\" width=\"{:.1f}\" "
-                           "height=\"12\" fill=\"{}\"/><text class=\"t\" x=\"{}\" y=\"{}\">{}</text>",
-                           before - 8, y + 10, escaped(bars[k].label), before, y, std::max(0.5, px(bars[k].value) - before),
-                           bars[k].color, width - behind + 12, y + 10, escaped(bars[k].word));
+        out += fmt::format(
+            "<text class=\"t\" x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text><rect x=\"{}\" y=\"{}\" width=\"{:.1f}\" "
+            "height=\"12\" fill=\"{}\"/><text class=\"t\" x=\"{}\" y=\"{}\">{}</text>",
+            before - 8, y + 10, escaped(bars[k].label), before, y, std::max(0.5, px(bars[k].value) - before),
+            bars[k].color, width - behind + 12, y + 10, escaped(bars[k].word));
     }
     for (const Mark& mark : marks)
-        out += fmt::format("<line class=\"level dash\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"18\" y2=\"{1}\"/><text class=\"t\" x=\"{0:.1f}\" "
+        out += fmt::format("<line class=\"level dash\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"18\" y2=\"{1}\"/><text "
+                           "class=\"t\" x=\"{0:.1f}\" "
                            "y=\"13\" text-anchor=\"middle\">{2}</text>",
                            px(mark.value), height - 24, escaped(mark.label));
     return out + fmt::format("<text class=\"a\" x=\"{}\" y=\"{}\">{}</text></svg>", before, height - 6, escaped(axis));

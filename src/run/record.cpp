@@ -176,7 +176,7 @@ private:
         if (const auto problem = (*world)->advance(1))
             return problem;
         const double deeper = (*world)->books().overlap_max - depth; // in one step
-        if (deeper <= depth / 100) // it does not come from outside
+        if (deeper <= depth / 100)                                   // it does not come from outside
             return std::nullopt;
         const double later = (0.5 - std::min(1.0, depth / deeper)) * step;
         now_.time += later;

@@ -1,5 +1,5 @@
-// The fast stage of the blind tests: some cases on the real solver, thousands on its slopes. tests/blind/judge.py is the
-// large one.
+// The fast stage of the blind tests: some cases on the real solver, thousands on its slopes. tests/blind/judge.py is
+// the large one.
 #include "base/text.h"
 #include "diagnose/verdict.h"
 #include "laboratory.h"
@@ -13,8 +13,8 @@ using namespace tumble::diagnose;
 
 namespace {
 
-std::string case_of(const std::string& kind, const std::string& effect, double size, bool light, unsigned long long seed,
-                    Diagnosis& diagnosis) {
+std::string case_of(const std::string& kind, const std::string& effect, double size, bool light,
+                    unsigned long long seed, Diagnosis& diagnosis) {
     blind::Random random(seed);
     blind::Order order{.kind = kind, .effects = {}, .wanted = size, .light = light};
     if (!effect.empty())
@@ -113,7 +113,8 @@ const Evidence& evidence_of_nothing() {
 
 TEST_CASE("the generator of blind cases shares no line with the program it tests") {
     const std::regex include(R"re(#\s*include\s*"([^"]+)")re");
-    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(TUMBLE_ROOT) / "tests/blind/generator")) {
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::filesystem::path(TUMBLE_ROOT) / "tests/blind/generator")) {
         std::ifstream stream(entry.path());
         for (std::string line; std::getline(stream, line);) {
             std::smatch match;
@@ -145,7 +146,8 @@ TEST_CASE("on the solver: what is hidden at 8 standard errors from every rival i
 TEST_CASE("on slopes: thousands of cases keep the promised rates") {
     const Evidence& evidence = evidence_of_nothing();
     blind::Random random(99);
-    // Nothing hidden: the gate and the two tests of adequacy alarm in 0.5 % each; 1,500 cases, so at most 30 with 99.9 %.
+    // Nothing hidden: the gate and the two tests of adequacy alarm in 0.5 % each; 1,500 cases, so at most 30 with 99.9
+    // %.
     const Tally nothing = linear_cases(evidence, VectorXd::Zero(evidence.residual.size()), -1, 1500, random);
     CHECK(nothing.right + nothing.wrong <= 15);
     CHECK(1500 - nothing.quiet <= 30);
@@ -156,14 +158,15 @@ TEST_CASE("on slopes: thousands of cases keep the promised rates") {
         const double amplitude = 5 / length;
         if (!(amplitude < cause.hi)) // these data do not show it, or only beyond what is plausible
             continue;
-        const Tally tally = linear_cases(evidence, evidence.effects.col(k) * amplitude, static_cast<int>(k), 100, random);
+        const Tally tally =
+            linear_cases(evidence, evidence.effects.col(k) * amplitude, static_cast<int>(k), 100, random);
         right += tally.right;
         wrong += tally.wrong;
         lost += tally.ambiguous_without;
         cases += 100;
-        MESSAGE(cause.id << ": " << tally.right << " right, " << tally.wrong << " wrong, " << tally.ambiguous_with << " + "
-                         << tally.ambiguous_without << " ambiguous with and without, " << tally.quiet << " quiet, "
-                         << tally.unknown << " unknown");
+        MESSAGE(cause.id << ": " << tally.right << " right, " << tally.wrong << " wrong, " << tally.ambiguous_with
+                         << " + " << tally.ambiguous_without << " ambiguous with and without, " << tally.quiet
+                         << " quiet, " << tally.unknown << " unknown");
     }
     REQUIRE(cases >= 300);
     // Phi(5/2 - 3/5) = 97 %, less the false alarms of adequacy.

@@ -14,7 +14,8 @@ const std::string data = std::string(TUMBLE_ROOT) + "/scenes/measured/bounce/mea
 
 TEST_CASE("the measured bounce is diagnosed through files alone: a scale that reads a quarter of a per cent too much") {
     const Folder folder;
-    const Outcome told = tumble_in(folder, {"diagnose", scene, "--data", data, "--json", "--quiet", "--report", "report"});
+    const Outcome told =
+        tumble_in(folder, {"diagnose", scene, "--data", data, "--json", "--quiet", "--report", "report"});
     REQUIRE(told.code == 0);
     const auto found = nlohmann::json::parse(told.out);
     CHECK(found["outcome"] == "NAMED");
@@ -37,8 +38,9 @@ TEST_CASE("data that cannot be read end with exit code 2, place and remedy") {
     const Outcome none = tumble_in(folder, {"diagnose", scene, "--data", "nowhere.toml"});
     CHECK(none.code == 2);
     CHECK(contains(none.err, "nowhere.toml"));
-    put(folder.path / "m.toml", "[[series]]\nname = \"a\"\nfile = \"a.csv\"\n[[series.column]]\nhead = \"height\"\nmeasure = "
-                                "\"centre_of_mass_y\"\n");
+    put(folder.path / "m.toml",
+        "[[series]]\nname = \"a\"\nfile = \"a.csv\"\n[[series.column]]\nhead = \"height\"\nmeasure = "
+        "\"centre_of_mass_y\"\n");
     const Outcome missing = tumble_in(folder, {"diagnose", scene, "--data", "m.toml"});
     CHECK(missing.code == 2);
     CHECK(contains(missing.err, "m.toml:3:8:"));
@@ -53,8 +55,9 @@ TEST_CASE("millimetres that are read as metres are a slip, not a cause") {
         csv += std::to_string(t) + "," + std::to_string(1120 - 4905 * t * t) + "\n";
     }
     put(folder.path / "a.csv", csv);
-    put(folder.path / "m.toml", "[[series]]\nname = \"a\"\nfile = \"a.csv\"\n[[series.column]]\nhead = \"height\"\nmeasure = "
-                                "\"centre_of_mass_y\"\nsigma = 0.002\n");
+    put(folder.path / "m.toml",
+        "[[series]]\nname = \"a\"\nfile = \"a.csv\"\n[[series.column]]\nhead = \"height\"\nmeasure = "
+        "\"centre_of_mass_y\"\nsigma = 0.002\n");
     const Outcome slip = tumble_in(folder, {"diagnose", scene, "--data", "m.toml"});
     CHECK(slip.code == 2);
     CHECK(contains(slip.err, "times what the simulation does"));

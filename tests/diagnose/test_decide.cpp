@@ -1,6 +1,5 @@
-#include "diagnose/decide.h"
-
 #include "base/rng.h"
+#include "diagnose/decide.h"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -65,7 +64,8 @@ Tally tally(const Evidence& evidence, const VectorXd& effect, int truth, int cas
     for (int k = 0; k < cases; ++k) {
         const Decision decision = decided(evidence, effect, rng);
         if (decision.outcome == Outcome::named && decision.sure) {
-            const bool holds = std::find(decision.causes.begin(), decision.causes.end(), truth) != decision.causes.end();
+            const bool holds =
+                std::find(decision.causes.begin(), decision.causes.end(), truth) != decision.causes.end();
             ++(holds ? all.named_right : all.named_wrong);
         } else if (decision.outcome == Outcome::ambiguous)
             ++all.ambiguous;

@@ -1,7 +1,6 @@
-#include "diagnose/verdict.h"
-
 #include "base/rng.h"
 #include "base/text.h"
+#include "diagnose/verdict.h"
 
 #include <algorithm>
 #include <cmath>
@@ -84,9 +83,14 @@ struct Laboratory {
         all.nuisances = {{.key = "pair.rubber-rubber.restitution", .instrument = "", .spread = 0.05},
                          {.key = "", .instrument = "clock_offset", .per_record = true, .spread = 0.005}};
         for (const double height : heights) {
-            Record record{.name = shortest(height), .condition = shortest(height), .file = "none.csv",
-                          .sets = {"fill.0.position_m.1=" + shortest(height)}, .time = {}, .channels = {}};
-            Channel channel{.head = "height_m", .measure = "centre_of_mass_y", .unit = "m", .value = {}, .sigma = sigma};
+            Record record{.name = shortest(height),
+                          .condition = shortest(height),
+                          .file = "none.csv",
+                          .sets = {"fill.0.position_m.1=" + shortest(height)},
+                          .time = {},
+                          .channels = {}};
+            Channel channel{
+                .head = "height_m", .measure = "centre_of_mass_y", .unit = "m", .value = {}, .sigma = sigma};
             for (int k = 0; k < 150; ++k) {
                 const double t = k / 120.0;
                 record.time.push_back(t);
@@ -159,11 +163,13 @@ TEST_CASE("twice the scatter, half as sure; and the order of the series does not
     std::reverse(turned.records.begin(), turned.records.end());
     const Diagnosis other = Laboratory::diagnosed(turned);
     CHECK(other.decision.causes == fine.decision.causes);
-    CHECK(std::abs(other.decision.best->amplitude[0] - fine.decision.best->amplitude[0]) < 0.1 * fine.decision.best->error[0]);
+    CHECK(std::abs(other.decision.best->amplitude[0] - fine.decision.best->amplitude[0]) <
+          0.1 * fine.decision.best->error[0]);
 }
 
 TEST_CASE("in drops a clock that runs fast and a gravity that is wrong are one answer") {
-    // y(t; g, h) = y(t sqrt(g); 1, h) where impacts take no time: only the product of g and the clock's rate squared counts.
+    // y(t; g, h) = y(t sqrt(g); 1, h) where impacts take no time: only the product of g and the clock's rate squared
+    // counts.
     Measurement measurement = Laboratory{}.measurement();
     for (Record& record : measurement.records)
         for (double& t : record.time)

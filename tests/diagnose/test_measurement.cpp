@@ -89,11 +89,13 @@ TEST_CASE("what is wrong with a measurement is told with its place and what to d
     const std::string good = rows(falling);
     says(replaced(whole, "sigma", "sigmma"), good, "m.toml:11:1: [[series.column]] has no key 'sigmma'");
     says(replaced(whole, "low.csv", "high.csv"), good, "m.toml:7:8: high.csv");
-    says(replaced(whole, "centre_of_mass_y", "centre_of_mas_y"), good, "m.toml:10:11: there is no measure 'centre_of_mas_y'");
+    says(replaced(whole, "centre_of_mass_y", "centre_of_mas_y"), good,
+         "m.toml:10:11: there is no measure 'centre_of_mas_y'");
     says(replaced(whole, "\"height\"", "\"depth\""), good, "low.csv:1: no column for depth");
     says(replaced(whole, "sigma = 1.5", "sigma = -1"), good, "m.toml:11:9: 'sigma' = -1 is out of range");
     says("causes = [\"ins.gian\"]\n" + whole, good, "m.toml:1:10: there is no cause 'ins.gian'");
-    says(replaced(whole, "key = ", "instrument = \"gain\"\nkey = "), good, "m.toml:2:1: [[nuisance]] has 2 of key or instrument");
+    says(replaced(whole, "key = ", "instrument = \"gain\"\nkey = "), good,
+         "m.toml:2:1: [[nuisance]] has 2 of key or instrument");
 }
 
 TEST_CASE("time that does not rise, numbers that are none and records stored twice are refused") {

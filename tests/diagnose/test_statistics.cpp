@@ -13,7 +13,8 @@ TEST_CASE("tails of chi-square and of the normal are those of the tables") {
 }
 
 TEST_CASE("the best of independent causes needs Sidak's quantile, and of equal ones that of a single cause") {
-    // P(max of k chi-squares of one degree < x) = (1 - tail(x))^k; at alpha = 0.01 a fortieth of that is the drawing's error.
+    // P(max of k chi-squares of one degree < x) = (1 - tail(x))^k; at alpha = 0.01 a fortieth of that is the drawing's
+    // error.
     const double one = std::pow(normal_quantile(0.005), 2);
     const double each = 1 - std::pow(0.99, 1.0 / 8);
     const double eight = std::pow(normal_quantile(each / 2), 2);

@@ -1,6 +1,5 @@
-#include "run/record.h"
-
 #include "base/text.h"
+#include "run/record.h"
 #include "scene/load.h"
 
 #include <algorithm>
@@ -16,8 +15,7 @@ scene::Scene bounce(const std::vector<std::string>& sets) {
     std::vector<scene::Override> overrides{{"observe.measures=[\"centre_of_mass_y\"]"}, {"observe.every_s=0.001"}};
     for (const std::string& set : sets)
         overrides.push_back({set});
-    const auto scene =
-        scene::load_scene(std::filesystem::path(TUMBLE_ROOT) / "scenes" / "bounce.toml", overrides);
+    const auto scene = scene::load_scene(std::filesystem::path(TUMBLE_ROOT) / "scenes" / "bounce.toml", overrides);
     REQUIRE_MESSAGE(scene, to_string(scene.problems()));
     return *scene;
 }
@@ -63,7 +61,8 @@ TEST_CASE("recorded in strides and fine impacts, a bounce is the one that small 
 }
 
 TEST_CASE("a ball that comes to rest is recorded to the end, at rest where its weight holds it") {
-    const auto series = run::record(bounce({"fill.0.position_m.1=0.14", "duration_s=1", "pair.leather-wood.restitution=0.3"}));
+    const auto series =
+        run::record(bounce({"fill.0.position_m.1=0.14", "duration_s=1", "pair.leather-wood.restitution=0.3"}));
     REQUIRE_MESSAGE(series, to_string(series.problems()));
     CHECK(series->values[0].back() == doctest::Approx(1).epsilon(2e-3));
     // Hertz: m g = 4/3 E* sqrt(R) d^1.5, E* = 1.27e6 / (1 - 0.3^2) with a floor 10^4 times as stiff.
@@ -76,7 +75,8 @@ TEST_CASE("heights follow restitution smoothly: where in a step an impact begins
     for (const double t : {1.0, 1.6, 2.1}) {
         std::vector<double> heights;
         for (int k = 0; k < 8; ++k)
-            heights.push_back(height_at(*run::record(bounce({"pair.leather-wood.restitution=" + shortest(0.8 + 2e-4 * k)})), t));
+            heights.push_back(
+                height_at(*run::record(bounce({"pair.leather-wood.restitution=" + shortest(0.8 + 2e-4 * k)})), t));
         for (std::size_t k = 2; k < heights.size(); ++k)
             CHECK(std::abs(heights[k] - 2 * heights[k - 1] + heights[k - 2]) < 2e-5);
     }

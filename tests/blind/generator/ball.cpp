@@ -7,8 +7,8 @@ namespace blind {
 
 namespace {
 
-constexpr double flight_step = 1e-3;       // s
-constexpr double contact_step = 5e-5 / 7;  // s, the solver's over 7
+constexpr double flight_step = 1e-3;      // s
+constexpr double contact_step = 5e-5 / 7; // s, the solver's over 7
 constexpr double pi = 3.14159265358979323846;
 
 class Course {
@@ -112,7 +112,8 @@ double Path::at(double t) const {
         return steps_.front().y;
     if (t >= steps_.back().t)
         return steps_.back().y;
-    const auto above = std::upper_bound(steps_.begin(), steps_.end(), t, [](double time, const State& s) { return time < s.t; });
+    const auto above =
+        std::upper_bound(steps_.begin(), steps_.end(), t, [](double time, const State& s) { return time < s.t; });
     const State &a = *(above - 1), &b = *above;
     const double h = b.t - a.t, x = (t - a.t) / h;
     return (1 + 2 * x) * (1 - x) * (1 - x) * a.y + x * (1 - x) * (1 - x) * h * a.v + x * x * (3 - 2 * x) * b.y +

@@ -46,8 +46,8 @@ std::string measurement_of(const Case& made, const Ball& ball) {
 struct Dirt {
     double memory = 0;
     double outliers = 0;
-    double step = 0;    // of the reading, in sigma
-    double mains = 0;   // in sigma, 50 Hz
+    double step = 0;  // of the reading, in sigma
+    double mains = 0; // in sigma, 50 Hz
     bool drops_a_frame = false;
 };
 
@@ -72,7 +72,8 @@ void write_records(Case& made, const Eigen::VectorXd& clean, const Dirt& dirt, R
         const double phase = random.uniform(0, 6.283185307179586);
         for (Eigen::Index k = 0; k < count; ++k) {
             error = dirt.memory * error + std::sqrt(1 - dirt.memory * dirt.memory) * random.normal();
-            double noise = error + dirt.mains * std::sin(314.1592653589793 * times[static_cast<std::size_t>(k)] + phase);
+            double noise =
+                error + dirt.mains * std::sin(314.1592653589793 * times[static_cast<std::size_t>(k)] + phase);
             if (random.chance(dirt.outliers))
                 noise += (random.chance(0.5) ? 1 : -1) * random.uniform(8, 20);
             const double steps = clean[static_cast<Eigen::Index>(r) * count + k] + noise;
@@ -158,15 +159,16 @@ Case make_case(const Order& order, Random& random) {
         hidden.push_back({{"id", id}, {"listed", effect.listed}, {"amplitude", amplitude}});
     }
     const std::string own = order.effects.size() == 1 ? order.effects[0] : "";
-    const Separation size = order.effects.size() == 1 && made.possible ? separation_of(made.setup, truth, without, own) : Separation{};
+    const Separation size =
+        order.effects.size() == 1 && made.possible ? separation_of(made.setup, truth, without, own) : Separation{};
     for (double& offset : truth.offsets)
         offset = std::clamp(0.004 * random.normal(), -0.012, 0.012);
     write_records(made, readings_of(made.setup, truth), draw_dirt(random), random);
     made.measurement = measurement_of(made, without.ball);
-    made.answer = {{"kind", order.kind},       {"design", order.light ? "E3" : "E2"},
-                   {"hidden", hidden},         {"wanted", order.wanted},
-                   {"d", size.detectable},     {"d_sep", size.separable},
-                   {"nearest", size.nearest},  {"restitution", without.ball.restitution}};
+    made.answer = {{"kind", order.kind},      {"design", order.light ? "E3" : "E2"},
+                   {"hidden", hidden},        {"wanted", order.wanted},
+                   {"d", size.detectable},    {"d_sep", size.separable},
+                   {"nearest", size.nearest}, {"restitution", without.ball.restitution}};
     return made;
 }
 

@@ -18,8 +18,8 @@ struct Order {
     bool light = false;               // design E3: two drops of a light ball and a clock in the picture
 };
 
-/// The mix of section 3.2 of the design: a quarter null, 45 % one listed effect, a tenth two, a fifth unlisted, sizes 2,
-/// 3.5, 5 and 8.
+/// The mix of section 3.2 of the design: a quarter null, 45 % one listed effect, a tenth two, a fifth unlisted, sizes
+/// 2, 3.5, 5 and 8.
 std::vector<Order> mixed_orders(int count, Random& random);
 
 /// A case as it was made: its folder's files, and what is to be found.

@@ -7,9 +7,9 @@ namespace blind {
 
 namespace {
 
-constexpr double clock_sigma = 1e-3;  // s
-constexpr double fine = 2.5e-4;       // s, grid of the filters
-constexpr double light = 1.0 / 4;     // of the mass
+constexpr double clock_sigma = 1e-3; // s
+constexpr double fine = 2.5e-4;      // s, grid of the filters
+constexpr double light = 1.0 / 4;    // of the mass
 
 /// Heights on a fine grid, filtered by recursion for straight lines between its points.
 std::vector<double> filtered(const Path& path, const Sensor& sensor, double end) {
@@ -66,7 +66,9 @@ std::vector<double> read(const Path& path, const Sensor& sensor, const std::vect
 std::vector<Effect> all_effects() {
     return {
         {"drag.quadratic", true, 0.1, 20, true,
-         [](Truth& t, double a) { t.ball.quadratic += 0.125 * 3.14159265358979323846 * 0.44 * a * 4 * t.ball.radius * t.ball.radius; }},
+         [](Truth& t, double a) {
+             t.ball.quadratic += 0.125 * 3.14159265358979323846 * 0.44 * a * 4 * t.ball.radius * t.ball.radius;
+         }},
         {"drag.linear", true, 1e-3, 2, true,
          [](Truth& t, double a) { t.ball.linear += 6 * 3.14159265358979323846 * a * t.ball.radius; }},
         {"rest.velocity", true, 0.01, 0.4, true, [](Truth& t, double a) { t.ball.exponent += a; }},
@@ -82,7 +84,11 @@ std::vector<Effect> all_effects() {
         {"sensor-bend", false, 1e-3, 0.2, false, [](Truth& t, double a) { t.sensor.bend += a; }},
         {"restitution-of-one-drop", false, 1e-3, 0.1, false, [](Truth& t, double a) { t.restitution[1] += a; }},
         {"plate-swings", false, 1e-3, 0.3, true,
-         [](Truth& t, double a) { t.ball.plate_amplitude += a; t.ball.plate_frequency = 7.3; t.ball.plate_phase = 1; }},
+         [](Truth& t, double a) {
+             t.ball.plate_amplitude += a;
+             t.ball.plate_frequency = 7.3;
+             t.ball.plate_phase = 1;
+         }},
         {"warms-up", false, 1e-3, 0.1, false, [](Truth& t, double a) { t.ball.by_impact += a; }},
         {"sticks", false, 1e-4, 0.02, true, [](Truth& t, double a) { t.ball.sticks += a; }},
     };

@@ -1,5 +1,6 @@
-// blindgen OUT COUNT SEED [KIND EFFECT SIZE]: writes cases OUT/case-0000 ... with measured data, and a commitment to each
-// answer; prints the answers with their salts, one JSON object a line, for whoever judges. Nothing else is written.
+// blindgen OUT COUNT SEED [KIND EFFECT SIZE]: writes cases OUT/case-0000 ... with measured data, and a commitment to
+// each answer; prints the answers with their salts, one JSON object a line, for whoever judges. Nothing else is
+// written.
 #include "case.h"
 #include "seal.h"
 
@@ -38,7 +39,8 @@ int main(int count, char** words) {
     const fs::path out = words[1];
     const int cases = std::stoi(words[2]);
     const unsigned long long seed = std::stoull(words[3]);
-    Random random(seed), salts((static_cast<unsigned long long>(std::random_device{}()) << 32) ^ std::random_device{}());
+    Random random(seed),
+        salts((static_cast<unsigned long long>(std::random_device{}()) << 32) ^ std::random_device{}());
     std::vector<Order> orders = mixed_orders(cases, random);
     if (count == 7)
         for (Order& order : orders) {

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double offset_spread = 5e-3; // s, what is known of clock offsets beforehand
 constexpr int iterations = 12;
-constexpr double enough = 1e-3;      // fall of chi-square that ends a fit
-constexpr std::size_t close = 4;     // rivals that are fitted: the nearest ones by slopes
+constexpr double enough = 1e-3;  // fall of chi-square that ends a fit
+constexpr std::size_t close = 4; // rivals that are fitted: the nearest ones by slopes
 
 struct Point {
     double restitution = 0;

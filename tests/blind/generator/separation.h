@@ -13,8 +13,8 @@ struct Separation {
     std::string nearest;   // that rival
 };
 
-/// `without` is the truth less what was hidden, and where every explanation starts; `own`, the hidden effect's id, is no
-/// rival of itself. Clock offsets must be 0, so that they cost nothing.
+/// `without` is the truth less what was hidden, and where every explanation starts; `own`, the hidden effect's id, is
+/// no rival of itself. Clock offsets must be 0, so that they cost nothing.
 Separation separation_of(const Setup& setup, const Truth& truth, const Truth& without, const std::string& own);
 
 /// The amplitude at which an effect is so separable, of the sign of `sign`; 0 where no amplitude that a laboratory

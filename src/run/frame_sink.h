@@ -15,6 +15,7 @@ struct Shot {
     observe::Frame frame;
     std::int64_t number = 0; // from 0, without gaps
     render::PlotLine plot;   // the live plot's measure so far
+    bool again = false;      // read from frames/, where the run that is resumed kept it
 };
 
 /// Keeps frames in one form. All calls come from one thread, frames in order.
@@ -23,6 +24,8 @@ public:
     virtual ~FrameSink() = default;
     /// Problems: the frame could not be kept; the run then ends.
     virtual Result<Done> take(const Shot& shot) = 0;
+    /// Whether a frame that comes again is kept already and need not be taken.
+    [[nodiscard]] virtual bool has(std::int64_t /*number*/) const { return false; }
     /// After the last frame; also after a failure elsewhere, to make the best of what came so far.
     virtual Result<Done> finish() { return Done{}; }
 };

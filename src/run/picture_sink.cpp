@@ -24,10 +24,13 @@ public:
         if (video_)
             if (Result<Done> added = video_->add(picture); !added)
                 return added;
-        if (png_)
-            return png_->add(folder_ / fmt::format("frame_{:06}.png", shot.number), std::move(picture));
+        if (png_ && !(shot.again && is_drawn(shot.number)))
+            return png_->add(file_of(shot.number), std::move(picture));
         return Done{};
     }
+
+    /// A video cannot be added to and is drawn again from its first frame.
+    [[nodiscard]] bool has(std::int64_t number) const override { return !video_ && is_drawn(number); }
 
     Result<Done> finish() override {
         Problems problems;
@@ -42,6 +45,15 @@ public:
     }
 
 private:
+    [[nodiscard]] std::filesystem::path file_of(std::int64_t number) const {
+        return folder_ / fmt::format("frame_{:06}.png", number);
+    }
+    [[nodiscard]] bool is_drawn(std::int64_t number) const {
+        std::error_code error;
+        const std::uintmax_t size = std::filesystem::file_size(file_of(number), error);
+        return !error && size > 0; // a power cut leaves empty files
+    }
+
     render::Painter painter_;
     std::filesystem::path folder_;
     std::optional<render::PngWriter> png_;

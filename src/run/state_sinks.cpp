@@ -18,6 +18,7 @@ public:
     Result<Done> take(const Shot& shot) override {
         return observe::write_frame(observe::frame_path(folder_, shot.number), shot.frame);
     }
+    [[nodiscard]] bool has(std::int64_t /*number*/) const override { return true; }
 
 private:
     std::filesystem::path folder_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/carried.h"
 #include "sim2d/kernels.h"
 #include "sim2d/wall_line.h"
 
@@ -29,10 +30,17 @@ struct KeptWall {
 class KeptMemory {
 public:
     void take(const World& world);
+    void forget();
 
     /// What the discs of these tags remember of each other, or null.
     [[nodiscard]] const Memory* of_pair(int a, int b) const;
     [[nodiscard]] std::span<const KeptWall> of_wall(int disc) const;
+
+    /// Of one that was read: whether each disc's part lies inside the whole.
+    [[nodiscard]] bool sound() const;
+    template <class Archive, As<KeptMemory> K> friend void carry(Archive& archive, K& kept) {
+        archive(kept.pairs_, kept.pairs_begin_, kept.walls_, kept.walls_begin_); // the others are room for take()
+    }
 
 private:
     std::vector<KeptPair> unsorted_pairs_;

@@ -126,10 +126,10 @@ template <class Archive, As<World> W> void carry(Archive& archive, W& world) {
            reach, skin, wall_skin, near_skin, rush, last_rush, smallest_radius, largest_radius, stale, kept, cells,
            centres, rebuilds, ledger, books, kernels, crew, seconds] = world;
     archive(step, Standing{walls}, Standing{fills}, next_fill_step, id, shape, angle, first_disc, rows, loads, body_of,
-            chunk_of, travel, chunks, flow, rush, last_rush, stale, kept, rebuilds, ledger, books);
+            chunk_of, travel, chunks, flow, rush, stale, kept, rebuilds, ledger, books);
     // Of the scene: scene, dt, shapes, plain_shapes, shape_constants, pairs, materials, images, reach and the skins,
-    // the radii. Follow from id and shape: first_tag and tags. Room for rebuilds: cells, centres. Of this process:
-    // kernels, crew, seconds.
+    // the radii. Follow from id and shape: first_tag and tags. Each step's own: last_rush. Room for rebuilds: cells,
+    // centres. Of this process: kernels, crew, seconds.
 }
 
 } // namespace tumble::sim2d

@@ -153,10 +153,10 @@ template <class Archive, As<World> W> void carry(Archive& archive, W& world) {
            wall_skin, near_skin, rush, last_rush, sphere_skin, smallest_radius, stale, kept, cells, wraps, bounds,
            rebuilds, ledger, books, kernels, crew, seconds] = world;
     archive(step, Standing{walls}, Standing{fills}, next_fill_step, id, shape, motion, load, orientation, turn, travel,
-            chunks, chunk_of, flow, rush, last_rush, stale, rebuilds, ledger, books);
+            chunks, chunk_of, flow, rush, stale, rebuilds, ledger, books);
     // Of the scene: scene, dt, shapes, plain_shapes, pairs, materials, shape_constants, images, reach and the skins,
-    // smallest_radius. Follows from id: slot_of. Room for rebuilds: kept, cells, wraps, bounds. Of this process:
-    // kernels, crew, seconds.
+    // smallest_radius. Follows from id: slot_of. Each step's own: last_rush. Room for rebuilds: kept, cells, wraps,
+    // bounds. Of this process: kernels, crew, seconds.
 }
 
 } // namespace tumble::sim3d

@@ -62,8 +62,6 @@ void FrameQueue::serve() {
 
 void FrameQueue::hand_on(const Shot& shot) {
     for (const auto& sink : sinks_) {
-        if (shot.again && sink->has(shot.number))
-            continue;
         if (const Problems problems = problems_of([&] { return sink->take(shot); }); !problems.empty()) {
             remember(problems);
             return;

@@ -24,8 +24,6 @@ public:
     virtual ~FrameSink() = default;
     /// Problems: the frame could not be kept; the run then ends.
     virtual Result<Done> take(const Shot& shot) = 0;
-    /// Whether a frame that comes again is kept already and need not be taken.
-    [[nodiscard]] virtual bool has(std::int64_t /*number*/) const { return false; }
     /// After the last frame; also after a failure elsewhere, to make the best of what came so far.
     virtual Result<Done> finish() { return Done{}; }
 };

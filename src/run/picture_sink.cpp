@@ -20,6 +20,11 @@ public:
     }
 
     Result<Done> take(const Shot& shot) override {
+        // A video cannot be added to and is drawn again from its first frame.
+        if (shot.again && !video_ && is_drawn(shot.number)) {
+            painter_.pass_over(shot.frame);
+            return Done{};
+        }
         render::Picture picture = painter_.draw(shot.frame, shot.plot);
         if (video_)
             if (Result<Done> added = video_->add(picture); !added)
@@ -28,9 +33,6 @@ public:
             return png_->add(file_of(shot.number), std::move(picture));
         return Done{};
     }
-
-    /// A video cannot be added to and is drawn again from its first frame.
-    [[nodiscard]] bool has(std::int64_t number) const override { return !video_ && is_drawn(number); }
 
     Result<Done> finish() override {
         Problems problems;

@@ -16,9 +16,8 @@ class StateSink final : public FrameSink {
 public:
     explicit StateSink(std::filesystem::path folder) : folder_(std::move(folder)) {}
     Result<Done> take(const Shot& shot) override {
-        return observe::write_frame(observe::frame_path(folder_, shot.number), shot.frame);
+        return shot.again ? Done{} : observe::write_frame(observe::frame_path(folder_, shot.number), shot.frame);
     }
-    [[nodiscard]] bool has(std::int64_t /*number*/) const override { return true; }
 
 private:
     std::filesystem::path folder_;

@@ -62,7 +62,7 @@ bool rows_fit(const World& world) {
 }
 
 /// Whether the row is a disc's, or a body's that is one: with a place among the tags.
-bool touches(const World& world, int row) {
+bool is_disc(const World& world, int row) {
     if (!below(row, world.rows.size()))
         return false;
     const int slot = world.slot_of(row);
@@ -73,18 +73,18 @@ bool touches(const World& world, int row) {
 
 bool fits(const World& world, const Chunk& chunk, const NearDiscs& near) {
     return std::all_of(near.pairs.begin(), near.pairs.end(), [&](const NearPair& pair) {
-        return touches(world, pair.a) && touches(world, pair.b) && below(pair.image, world.images.size()) &&
+        return is_disc(world, pair.a) && is_disc(world, pair.b) && below(pair.image, world.images.size()) &&
                below(pair.listed, chunk.pairs.size());
     });
 }
 
 bool fits(const World& world, const DiscPair& pair) {
-    return touches(world, pair.a) && touches(world, pair.b) && below(pair.image, world.images.size()) &&
+    return is_disc(world, pair.a) && is_disc(world, pair.b) && below(pair.image, world.images.size()) &&
            below(pair.kind, world.pairs.size());
 }
 
 bool fits(const World& world, const Chunk& chunk, const WallNear& near) {
-    if (!touches(world, near.row) || !below(near.wall, world.walls.size()) || near.touches < 0 ||
+    if (!is_disc(world, near.row) || !below(near.wall, world.walls.size()) || near.touches < 0 ||
         near.touches > max_wall_touches || !range_in(near.pieces_begin, near.pieces_count, chunk.wall_pieces.size()))
         return false;
     const auto pieces = static_cast<std::size_t>(world.walls[static_cast<std::size_t>(near.wall)].line.pieces());

@@ -32,6 +32,7 @@ struct Checkpoint {
     std::int64_t step = 0;
     double time = 0;               // s
     std::int64_t shots = 0;        // frames so far, those that only an end asks for not counted
+    std::int64_t last_shot = -1;   // step of the last of them; -1: none
     std::uint64_t series_size = 0; // bytes of series.csv so far
     std::string plot_measure;      // of the two that follow
     std::vector<double> plot_times;

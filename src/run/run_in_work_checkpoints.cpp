@@ -46,6 +46,7 @@ Checkpoint RunInWork::checkpoint_now() const {
     now.step = simulation_->steps();
     now.time = simulation_->time();
     now.shots = shots_;
+    now.last_shot = last_shot_;
     now.series_size = series_->size();
     now.plot_measure = scene_.render.plot_measure;
     now.plot_times = plot_.times;
@@ -104,6 +105,7 @@ void RunInWork::take_up(Resumable& found) {
     rows_.pass(from.step);
     frames_.pass(from.step);
     shots_ = lasting_ = from.shots;
+    last_shot_ = from.last_shot;
     kept_step_ = from.step;
     if (from.plot_measure == scene_.render.plot_measure) {
         plot_.times = std::move(from.plot_times);

@@ -150,6 +150,11 @@ TEST_CASE("a finished run goes on to a longer end, and to the same end without a
     CHECK(content_of_run(folder.path / "parts") == before);
     CHECK(ran(longer, going_on_in(folder.path / "parts")).summary.state == "finished");
     check_same_run(folder.path / "whole", folder.path / "parts");
+
+    // An end at which a frame is due anyway gets no second one.
+    const scene::Scene even = loaded(pouring, {"duration_s=0.012"});
+    REQUIRE(ran(even, in(folder.path / "even")).summary.frames == 3);
+    CHECK(ran(even, going_on_in(folder.path / "even")).summary.frames == 3);
 }
 
 TEST_CASE("pictures that are missing or stand beyond the checkpoint are put right") {

@@ -44,6 +44,13 @@ template <class Values> struct Sparse {
 };
 template <class Values> Sparse(Values&, std::size_t) -> Sparse<Values>;
 
+/// Carries a vector that is either empty or parallel to `size` others.
+template <class Archive, class Values> void carry_if_any(Archive& archive, Values& values, std::size_t size) {
+    bool any = !values.empty();
+    archive(any);
+    archive(Sparse{values, any ? size : 0});
+}
+
 /// A vector whose elements stand there before they are read, as many as were written.
 template <class Values> struct Standing { Values& values; };
 template <class Values> Standing(Values&) -> Standing<Values>;

@@ -37,8 +37,9 @@ template <class Archive, As<MeshMark> M> void carry(Archive& archive, M& mark) {
 
 template <class Archive, As<Checkpoint> C> void carry(Archive& archive, C& checkpoint) {
     auto& [scene, meshes, summary, outputs, step, time, shots, last_shot, series_size, plot_measure, plot_times,
-           plot_values, world] = checkpoint;
-    archive(meshes, summary, outputs, step, time, shots, last_shot, series_size, plot_measure, plot_times, plot_values);
+           plot_values, tracers, world] = checkpoint;
+    archive(meshes, summary, outputs, step, time, shots, last_shot, series_size, plot_measure, plot_times, plot_values,
+            tracers);
     // Arrays of their own: scene, world.
 }
 

@@ -37,7 +37,8 @@ struct Checkpoint {
     std::string plot_measure;      // of the two that follow
     std::vector<double> plot_times;
     std::vector<double> plot_values;
-    std::string world; // Simulation::state
+    std::string tracers; // what observers with a memory hold, an archive
+    std::string world;   // Simulation::state
 };
 
 /// The bytes of the file: an array file (observe/array_file.h) of kind "checkpoint".

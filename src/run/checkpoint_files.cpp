@@ -12,23 +12,24 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view prefix = "step_";
-constexpr std::string_view suffix = ".ckpt";
+constexpr std::string_view before_step = "step_";
+constexpr std::string_view behind_step = ".ckpt";
 constexpr std::size_t kept = 2;
 
 std::optional<std::int64_t> step_of(const fs::path& file) {
     const std::string name = file.filename().string();
-    if (name.size() <= prefix.size() + suffix.size() || !name.starts_with(prefix) || !name.ends_with(suffix))
+    if (name.size() <= before_step.size() + behind_step.size() || !name.starts_with(before_step) ||
+        !name.ends_with(behind_step))
         return std::nullopt;
-    const auto step =
-        parse_integer(std::string_view(name).substr(prefix.size(), name.size() - prefix.size() - suffix.size()));
+    const auto step = parse_integer(
+        std::string_view(name).substr(before_step.size(), name.size() - before_step.size() - behind_step.size()));
     return step && *step >= 0 ? std::optional(*step) : std::nullopt;
 }
 
 } // namespace
 
 fs::path checkpoint_path(const fs::path& folder, std::int64_t step) {
-    return folder / fmt::format("{}{:012}{}", prefix, step, suffix);
+    return folder / fmt::format("{}{:012}{}", before_step, step, behind_step);
 }
 
 std::vector<fs::path> list_checkpoints(const fs::path& folder) {

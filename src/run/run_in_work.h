@@ -2,6 +2,7 @@
 
 #include "observe/measures.h"
 #include "observe/series.h"
+#include "observe/tracer.h"
 #include "run/checkpoint.h"
 #include "run/frame_queue.h"
 #include "run/mesh_copies.h"
@@ -51,6 +52,7 @@ private:
                                                     RunListener& listener, const std::vector<MeshCopy>& meshes);
 
     void take_up(Resumable& found);
+    Result<Done> recall_tracers();
     Result<Done> choose_what_to_see();
     Result<Done> open_all(const std::vector<MeshCopy>& meshes);
     Result<FrameSinks> open_sinks();
@@ -79,6 +81,7 @@ private:
     std::vector<MeshMark> meshes_;
     std::shared_ptr<const observe::FrameLayout> layout_;
     std::vector<observe::Measure> measures_;
+    std::vector<observe::TracerReader> tracers_;
     std::optional<observe::Measure> plotted_;
     std::optional<observe::SeriesWriter> series_;
     render::PlotLine plot_;

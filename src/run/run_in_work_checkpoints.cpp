@@ -1,3 +1,4 @@
+#include "base/archive.h"
 #include "observe/frame_file.h"
 #include "observe/whole_file.h"
 #include "run/checkpoint_files.h"
@@ -51,6 +52,10 @@ Checkpoint RunInWork::checkpoint_now() const {
     now.plot_measure = scene_.render.plot_measure;
     now.plot_times = plot_.times;
     now.plot_values = plot_.values;
+    ArchiveWriter tracers;
+    for (const observe::TracerReader& tracer : tracers_)
+        tracers(tracer);
+    now.tracers = tracers.take();
     now.world = simulation_->state();
     return now;
 }
@@ -113,6 +118,17 @@ void RunInWork::take_up(Resumable& found) {
     }
     summary_ = from.summary;
     resumed_ = std::move(from);
+}
+
+Result<Done> RunInWork::recall_tracers() {
+    ArchiveReader before(resumed_->tracers);
+    for (observe::TracerReader& tracer : tracers_)
+        before(tracer);
+    if (!before.whole())
+        return Problem{.file = folder_.paths().checkpoints().string(),
+                       .what = "the checkpoint keeps something else of the tracers than this program",
+                       .fix = "go on with the program that wrote it, or run the scene again"};
+    return Done{};
 }
 
 /// What was made of the frames so far and cannot be gone on with, or is missing, is made again.

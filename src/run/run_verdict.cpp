@@ -21,8 +21,7 @@ double rounding_of(const Books& books) {
 
 double turned_over(const Books& books) {
     return books.kinetic_translation + books.kinetic_rotation + books.stored_normal + books.stored_tangential +
-           books.lost_normal_damping + books.lost_tangential_damping + books.lost_sliding + books.lost_history +
-           books.lost_global_damping;
+           books.stored_rolling + lost_of(books);
 }
 
 std::vector<std::string> verdict(const RunSummary& summary, const scene::Scene& scene) {

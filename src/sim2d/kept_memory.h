@@ -17,12 +17,14 @@ struct World;
 struct KeptPair {
     int first = 0; // the smaller tag
     int second = 0;
+    int further = -1; // index of its further memory; -1: none
     Memory memory{};
 };
 
 struct KeptWall {
     int disc = 0; // tag
     int wall = 0;
+    int further = -1;
     WallMemory memory;
 };
 
@@ -33,13 +35,18 @@ public:
     void forget();
 
     /// What the discs of these tags remember of each other, or null.
-    [[nodiscard]] const Memory* of_pair(int a, int b) const;
+    [[nodiscard]] const KeptPair* of_pair(int a, int b) const;
     [[nodiscard]] std::span<const KeptWall> of_wall(int disc) const;
+    /// What an entry of that index remembers beside its spring.
+    [[nodiscard]] FurtherMemory further(int index) const {
+        return index < 0 ? FurtherMemory{} : further_[static_cast<std::size_t>(index)];
+    }
 
     /// Of one that was read: whether each disc's part lies inside the whole.
     [[nodiscard]] bool sound() const;
     template <class Archive, As<KeptMemory> K> friend void carry(Archive& archive, K& kept) {
-        archive(kept.pairs_, kept.pairs_begin_, kept.walls_, kept.walls_begin_); // the others are room for take()
+        archive(kept.pairs_, kept.pairs_begin_, kept.walls_, kept.walls_begin_,
+                kept.further_); // the others are room for take()
     }
 
 private:
@@ -50,6 +57,7 @@ private:
     std::vector<KeptWall> walls_;
     std::vector<int> walls_begin_;
     std::vector<int> next_;
+    std::vector<FurtherMemory> further_;
 };
 
 } // namespace tumble::sim2d

@@ -72,6 +72,8 @@ bool is_disc(const World& world, int row) {
 }
 
 bool fits(const World& world, const Chunk& chunk, const NearDiscs& near) {
+    if (near.further.size() != (world.remembers_more ? near.pairs.size() : 0))
+        return false;
     return std::all_of(near.pairs.begin(), near.pairs.end(), [&](const NearPair& pair) {
         return is_disc(world, pair.a) && is_disc(world, pair.b) && below(pair.image, world.images.size()) &&
                below(pair.listed, chunk.pairs.size());
@@ -95,6 +97,7 @@ bool fits(const World& world, const Chunk& chunk, const WallNear& near) {
 bool fits(const World& world, const Chunk& chunk) {
     const auto all = [](const auto& list, auto&& fit) { return std::all_of(list.begin(), list.end(), fit); };
     return chunk.near_discs.size() == world.pairs.size() &&
+           chunk.wall_further.size() == (world.remembers_more ? max_wall_touches * chunk.wall_nears.size() : 0) &&
            all(chunk.pairs, [&](const DiscPair& pair) { return fits(world, pair); }) &&
            all(chunk.near_discs, [&](const NearDiscs& near) { return fits(world, chunk, near); }) &&
            all(chunk.wall_nears, [&](const WallNear& near) { return fits(world, chunk, near); });

@@ -27,19 +27,24 @@ template <class Archive, As<Memory> M> void carry(Archive& archive, M& memory) {
     archive(shear, energy);
 }
 
+template <class Archive, As<FurtherMemory> F> void carry(Archive& archive, F& further) {
+    auto& [rolling, rolling_energy, impact_speed] = further;
+    archive(rolling, rolling_energy, impact_speed);
+}
+
 template <class Archive, As<WallMemory> M> void carry(Archive& archive, M& wall_memory) {
     auto& [feature, normal, memory] = wall_memory;
     archive(feature, normal, memory);
 }
 
 template <class Archive, As<KeptPair> P> void carry(Archive& archive, P& kept) {
-    auto& [first, second, memory] = kept;
-    archive(first, second, memory);
+    auto& [first, second, further, memory] = kept;
+    archive(first, second, further, memory);
 }
 
 template <class Archive, As<KeptWall> W> void carry(Archive& archive, W& kept) {
-    auto& [disc, wall, memory] = kept;
-    archive(disc, wall, memory);
+    auto& [disc, wall, further, memory] = kept;
+    archive(disc, wall, further, memory);
 }
 
 // Lists.
@@ -55,9 +60,10 @@ template <class Archive, As<NearPair> P> void carry(Archive& archive, P& pair) {
 }
 
 template <class Archive, As<NearDiscs> N> void carry(Archive& archive, N& near) {
-    auto& [pairs, memory, touching, contacts, contact_count] = near; // the last two are each step's own
+    auto& [pairs, memory, further, touching, contacts, contact_count] = near; // the last two are each step's own
     archive(pairs);
     archive(Sparse{memory, pairs.size()}, Part{touching, pairs.size()});
+    carry_if_any(archive, further, pairs.size());
 }
 
 template <class Archive, As<WallNear> W> void carry(Archive& archive, W& near) {
@@ -74,7 +80,7 @@ template <class Archive, As<MotionSums> S> void carry(Archive& archive, S& sums)
 }
 
 template <class Archive, As<Sums> S> void carry(Archive& archive, S& sums) {
-    auto& [contacts, motion] = sums; // those of contacts are booked in the step that finds them
+    auto& [contacts, lost_air_drag, motion] = sums; // the first two are booked in the step that finds them
     archive(motion);
 }
 
@@ -84,9 +90,10 @@ template <class Archive, As<Owned> O> void carry(Archive& archive, O& owned) {
 }
 
 template <class Archive, As<Chunk> C> void carry(Archive& archive, C& chunk) {
-    auto& [owned, partners_after, partners_before, pairs, near_discs, near_until, wall_nears, wall_pieces,
+    auto& [owned, partners_after, partners_before, pairs, near_discs, near_until, wall_nears, wall_further, wall_pieces,
            wall_contacts, outbox, foreign, found, dropped_history, crossed_row, crossed_wall, sums, seconds] = chunk;
     archive(owned, partners_after, partners_before, pairs, near_discs, near_until, wall_nears, wall_pieces, sums);
+    carry_if_any(archive, wall_further, max_wall_touches * wall_nears.size());
     // Each step's own: wall_contacts, outbox, foreign, found, dropped_history. Set only in a step that ends the run:
     // crossed_row and crossed_wall. Wall time: seconds.
 }
@@ -114,22 +121,22 @@ template <class Archive, As<FillState> F> void carry(Archive& archive, F& state)
 }
 
 template <class Archive, As<Ledger> L> void carry(Archive& archive, L& ledger) {
-    auto& [lost_normal_damping, lost_tangential_damping, lost_sliding, lost_history, lost_global_damping, wall_work,
-           inserted, overlap_ratio_peak] = ledger;
-    archive(lost_normal_damping, lost_tangential_damping, lost_sliding, lost_history, lost_global_damping, wall_work,
-            inserted, overlap_ratio_peak);
+    auto& [lost_normal_damping, lost_tangential_damping, lost_sliding, lost_rolling, lost_air_drag, lost_history,
+           lost_global_damping, wall_work, inserted, overlap_ratio_peak] = ledger;
+    archive(lost_normal_damping, lost_tangential_damping, lost_sliding, lost_rolling, lost_air_drag, lost_history,
+            lost_global_damping, wall_work, inserted, overlap_ratio_peak);
 }
 
 template <class Archive, As<World> W> void carry(Archive& archive, W& world) {
-    auto& [scene, dt, step, shapes, plain_shapes, shape_constants, pairs, materials, walls, fills, next_fill_step, id,
-           shape, angle, first_disc, rows, loads, body_of, chunk_of, travel, first_tag, tags, chunks, images, flow,
-           reach, skin, wall_skin, near_skin, rush, last_rush, smallest_radius, largest_radius, stale, kept, cells,
-           centres, rebuilds, ledger, books, kernels, crew, seconds] = world;
+    auto& [scene, dt, step, shapes, plain_shapes, drag, shape_constants, pairs, materials, remembers_more, walls, fills,
+           next_fill_step, id, shape, angle, first_disc, rows, loads, body_of, chunk_of, travel, first_tag, tags,
+           chunks, images, flow, reach, skin, wall_skin, near_skin, rush, last_rush, smallest_radius, largest_radius,
+           stale, kept, cells, centres, rebuilds, ledger, books, kernels, crew, seconds] = world;
     archive(step, Standing{walls}, Standing{fills}, next_fill_step, id, shape, angle, first_disc, rows, loads, body_of,
             chunk_of, travel, chunks, flow, rush, stale, kept, rebuilds, ledger, books);
-    // Of the scene: scene, dt, shapes, plain_shapes, shape_constants, pairs, materials, images, reach and the skins,
-    // the radii. Follow from id and shape: first_tag and tags. Each step's own: last_rush. Room for rebuilds: cells,
-    // centres. Of this process: kernels, crew, seconds.
+    // Of the scene: scene, dt, shapes, plain_shapes, drag, shape_constants, pairs, materials, remembers_more, images,
+    // reach and the skins, the radii. Follow from id and shape: first_tag and tags. Each step's own: last_rush. Room
+    // for rebuilds: cells, centres. Of this process: kernels, crew, seconds.
 }
 
 } // namespace tumble::sim2d

@@ -47,6 +47,8 @@ std::string flaw_of_bodies(const World& world) {
 }
 
 bool fits(const World& world, const Chunk& chunk, const NearSpheres& near) {
+    if (near.further.size() != (world.remembers_more ? near.pairs.size() : 0))
+        return false;
     return std::all_of(near.pairs.begin(), near.pairs.end(), [&](const NearPair& pair) {
         return below(pair.a, world.id.size()) && below(pair.b, world.id.size()) &&
                below(pair.image, world.images.size()) && below(pair.listed, chunk.sphere_pairs.size());
@@ -97,6 +99,8 @@ bool fits(const World& world, const Chunk& chunk) {
     const auto all = [](const auto& list, auto&& fit) { return std::all_of(list.begin(), list.end(), fit); };
     return chunk.near_spheres.size() == world.pairs.size() &&
            candidates.touching.size() == candidates.spheres.size() + 8 &&
+           candidates.further.size() == (world.remembers_more ? candidates.spheres.size() : 0) &&
+           chunk.wall_further.size() == (world.remembers_more ? max_wall_touches * chunk.wall_candidates.size() : 0) &&
            all(chunk.sphere_pairs, [&](const SpherePair& pair) { return fits(world, pair); }) &&
            all(chunk.near_spheres, [&](const NearSpheres& near) { return fits(world, chunk, near); }) &&
            all(chunk.body_pairs, [&](const BodyPair& pair) { return fits(world, chunk, pair); }) &&

@@ -56,6 +56,11 @@ template <class Archive, As<WallMemory> M> void carry(Archive& archive, M& memor
     archive(feature, normal, lanes);
 }
 
+template <class Archive, As<FurtherLanes> F> void carry(Archive& archive, F& further) {
+    auto& [rolling, rolling_energy, impact_speed, bonded, bond_energy, unused] = further;
+    archive(rolling, rolling_energy, impact_speed, bonded, bond_energy, unused);
+}
+
 // Lists.
 
 template <class Archive, As<SpherePair> P> void carry(Archive& archive, P& pair) {
@@ -69,9 +74,10 @@ template <class Archive, As<NearPair> P> void carry(Archive& archive, P& pair) {
 }
 
 template <class Archive, As<NearSpheres> N> void carry(Archive& archive, N& near) {
-    auto& [pairs, memory, touching, contacts, contact_count] = near; // the last two are each step's own
+    auto& [pairs, memory, further, touching, contacts, contact_count] = near; // the last two are each step's own
     archive(pairs);
     archive(Sparse{memory, pairs.size()}, Part{touching, pairs.size()});
+    carry_if_any(archive, further, pairs.size());
 }
 
 template <class Archive, As<BodyPair> P> void carry(Archive& archive, P& pair) {
@@ -85,9 +91,10 @@ template <class Archive, As<SphereCandidate> C> void carry(Archive& archive, C& 
 }
 
 template <class Archive, As<ClumpCandidates> C> void carry(Archive& archive, C& candidates) {
-    auto& [spheres, memory, touching] = candidates; // touching is longer, so that kernels can load from its end
+    auto& [spheres, memory, further, touching] = candidates; // touching is longer: kernels load from its end
     archive(spheres);
     archive(Sparse{memory, spheres.size()}, touching);
+    carry_if_any(archive, further, spheres.size());
 }
 
 template <class Archive, As<BodyWall> W> void carry(Archive& archive, W& near) {
@@ -109,18 +116,20 @@ template <class Archive, As<IntegrateSums> S> void carry(Archive& archive, S& su
 }
 
 template <class Archive, As<Sums> S> void carry(Archive& archive, S& sums) {
-    auto& [contacts, motion] = sums; // those of contacts are booked in the step that finds them
+    auto& [contacts, lost_air_drag, motion] = sums; // the first two are booked in the step that finds them
     archive(motion);
 }
 
 template <class Archive, As<Chunk> C> void carry(Archive& archive, C& chunk) {
     auto& [begin, end, partners_after, partners_before, sphere_pairs, near_spheres, near_until, body_pairs, candidates,
-           touches, body_walls, wall_primitives, wall_candidates, sphere_primitives, body_contacts, wall_contacts,
-           outbox, foreign, found, dropped_history, crossed_body, crossed_wall, sums, seconds] = chunk;
+           touches, body_walls, wall_primitives, wall_candidates, wall_further, sphere_primitives, body_contacts,
+           wall_contacts, outbox, foreign, found, dropped_history, dropped_adhesion, crossed_body, crossed_wall, sums,
+           seconds] = chunk;
     archive(begin, end, partners_after, partners_before, sphere_pairs, near_spheres, near_until, body_pairs, candidates,
             body_walls, wall_primitives, wall_candidates, sphere_primitives, sums);
-    // Each step's own: touches, body_contacts, wall_contacts, outbox, foreign, found, dropped_history. Set only in a
-    // step that ends the run: crossed_body and crossed_wall. Wall time: seconds.
+    carry_if_any(archive, wall_further, max_wall_touches * wall_candidates.size());
+    // Each step's own: touches, body_contacts, wall_contacts, outbox, foreign, found, dropped_history,
+    // dropped_adhesion. Set only in a step that ends the run: crossed_body and crossed_wall. Wall time: seconds.
 }
 
 // The world.
@@ -131,8 +140,8 @@ template <class Archive, As<MeanFlow> F> void carry(Archive& archive, F& flow) {
 }
 
 template <class Archive, As<WallState> W> void carry(Archive& archive, W& state) {
-    auto& [wall, surface, pose, half_pose, travel] = state; // the first two are the scene's
-    archive(pose, half_pose, travel);
+    auto& [wall, surface, pose, half_pose, travel, way, in_place] = state; // the first two and the last are the scene's
+    archive(pose, half_pose, travel, way);
 }
 
 template <class Archive, As<FillState> F> void carry(Archive& archive, F& state) {
@@ -141,22 +150,22 @@ template <class Archive, As<FillState> F> void carry(Archive& archive, F& state)
 }
 
 template <class Archive, As<Ledger> L> void carry(Archive& archive, L& ledger) {
-    auto& [lost_normal_damping, lost_tangential_damping, lost_sliding, lost_history, wall_work, inserted,
-           overlap_ratio_peak] = ledger;
-    archive(lost_normal_damping, lost_tangential_damping, lost_sliding, lost_history, wall_work, inserted,
-            overlap_ratio_peak);
+    auto& [lost_normal_damping, lost_tangential_damping, lost_sliding, lost_rolling, lost_air_drag, lost_adhesion,
+           lost_history, wall_work, inserted, overlap_ratio_peak] = ledger;
+    archive(lost_normal_damping, lost_tangential_damping, lost_sliding, lost_rolling, lost_air_drag, lost_adhesion,
+            lost_history, wall_work, inserted, overlap_ratio_peak);
 }
 
 template <class Archive, As<World> W> void carry(Archive& archive, W& world) {
-    auto& [scene, dt, step, shapes, plain_shapes, pairs, materials, walls, fills, next_fill_step, id, shape, motion,
-           load, orientation, turn, travel, slot_of, shape_constants, chunks, chunk_of, images, flow, reach, skin,
-           wall_skin, near_skin, rush, last_rush, sphere_skin, smallest_radius, stale, kept, cells, wraps, bounds,
-           rebuilds, ledger, books, kernels, crew, seconds] = world;
+    auto& [scene, dt, step, shapes, plain_shapes, drag, pairs, materials, remembers_more, holds, hold, walls, fills,
+           next_fill_step, id, shape, motion, load, orientation, turn, travel, slot_of, shape_constants, chunks,
+           chunk_of, images, flow, reach, skin, wall_skin, near_skin, rush, last_rush, sphere_skin, smallest_radius,
+           stale, kept, cells, wraps, bounds, rebuilds, ledger, books, kernels, crew, seconds] = world;
     archive(step, Standing{walls}, Standing{fills}, next_fill_step, id, shape, motion, load, orientation, turn, travel,
             chunks, chunk_of, flow, rush, stale, rebuilds, ledger, books);
-    // Of the scene: scene, dt, shapes, plain_shapes, pairs, materials, shape_constants, images, reach and the skins,
-    // smallest_radius. Follows from id: slot_of. Each step's own: last_rush. Room for rebuilds: kept, cells, wraps,
-    // bounds. Of this process: kernels, crew, seconds.
+    // Of the scene: scene, dt, shapes, plain_shapes, drag, pairs, materials, remembers_more, holds, hold,
+    // shape_constants, images, reach and the skins, smallest_radius. Follows from id: slot_of. Each step's own:
+    // last_rush. Room for rebuilds: kept, cells, wraps, bounds. Of this process: kernels, crew, seconds.
 }
 
 } // namespace tumble::sim3d

@@ -8,6 +8,7 @@
 
 #include <cerrno>
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -93,9 +94,9 @@ nlohmann::json summary_in(const fs::path& folder) {
 } // namespace
 
 TEST_CASE("a run that is stopped and resumed, however often, leaves the folder of one that never was") {
-    for (const std::string& text : {pouring, raining}) {
+    for (const auto& [text, tracer] : {std::pair{pouring, "tracer:pair"}, std::pair{raining, "tracer:disc"}}) {
         const Folder folder;
-        const scene::Scene scene = loaded(text);
+        const scene::Scene scene = loaded(text, {fmt::format("observe.measures=[\"kinetic\", \"{}\"]", tracer)});
         run::RunOptions whole = in(folder.path / "whole"), parts = in(folder.path / "parts", 2);
         whole.pictures = whole.paraview = whole.text_dump = true;
         parts.pictures = parts.paraview = parts.text_dump = true;

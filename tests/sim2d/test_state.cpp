@@ -118,6 +118,16 @@ TEST_CASE("the same holds for every law") {
         }
 }
 
+TEST_CASE("the same holds for rolling resistance, which remembers more") {
+    for (const auto rolling : {contact::RollingLaw::cdt, contact::RollingLaw::epsd}) {
+        scene::Scene scene = busy();
+        scene.contact.additions.rolling = rolling;
+        for (contact::PairProperties& pair : scene.pairs)
+            pair.rolling_friction = 0.1;
+        check_resumed(scene, {0, 1111}, {2});
+    }
+}
+
 TEST_CASE("bodies put in by hand between two steps go into the state with what the others remember") {
     const scene::Scene scene = busy();
     const auto with_guest = [&](bool kept) {

@@ -123,6 +123,24 @@ TEST_CASE("the same holds for every law") {
         }
 }
 
+TEST_CASE("the same holds for what pairs may add: rolling resistance and adhesion, which remember more") {
+    using contact::AdhesionLaw;
+    using contact::RollingLaw;
+    for (const auto& [rolling, adhesion] : {std::pair{RollingLaw::cdt, AdhesionLaw::sjkr},
+                                            {RollingLaw::epsd, AdhesionLaw::jkr},
+                                            {RollingLaw::epsd, AdhesionLaw::dmt}}) {
+        scene::Scene scene = busy();
+        scene.contact.additions.rolling = rolling;
+        scene.contact.additions.adhesion = adhesion;
+        for (contact::PairProperties& pair : scene.pairs) {
+            pair.rolling_friction = 0.1;
+            pair.cohesion_energy = 1e4;
+            pair.work_of_adhesion = 0.02;
+        }
+        check_resumed(scene, {0, 777}, {2});
+    }
+}
+
 TEST_CASE("a world without bodies goes on too") {
     scene::Scene scene = busy();
     scene.fills.clear();

@@ -77,7 +77,9 @@ KeyTable contact() {
             .in_3d()
             .otherwise(std::string("none")),
         flag("limit_force", "True: the normal force never pulls at the end of a rebound."),
-        flag("share_among_body_contacts", "True: the contacts of one body pair act together as one spring.").in_3d(),
+        flag("share_among_body_contacts",
+             "True: n contacts of one body pair share one dashpot, each damps 1/sqrt(n) as much; their springs add up.")
+            .in_3d(),
         number("global_damping_per_s", "1/s", from(0, 1e6),
                "Mass-proportional damping of every body's motion, alpha of Cundall and Strack: a force -alpha m v.")
             .in_2d()

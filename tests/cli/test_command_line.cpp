@@ -1,8 +1,10 @@
+#include "about.h"
 #include "process.h"
 
 #include <nlohmann/json.hpp>
 
 using namespace tumble::test;
+using tumble::test::about;
 
 TEST_CASE("a mistyped command, flag or file gets the nearest right word and exit code 2") {
     const Folder folder;
@@ -39,7 +41,7 @@ TEST_CASE("nothing at all shows the help on stderr and is wrong") {
 
 TEST_CASE("every help opens with an example and goes to stdout") {
     const Folder folder;
-    for (const std::string command : {"run", "render", "check", "list", "lesson", "export"}) {
+    for (const std::string command : {"run", "render", "check", "list", "lesson", "export", "walls", "fit", "flow"}) {
         const Outcome outcome = tumble_in(folder, {command, "--help"});
         CHECK(outcome.code == 0);
         CHECK_MESSAGE(outcome.out.starts_with("Example: tumble " + command + " "), outcome.out.substr(0, 80));
@@ -113,14 +115,14 @@ TEST_CASE("check says masses, steps and margins as theory has them, and refuses 
     CHECK(outcome.code == 0);
     const auto json = nlohmann::json::parse(outcome.out);
     const double mass = 4.0 / 3.0 * M_PI * 1e-6 * 2500;
-    CHECK(json["bodies"][0]["mass_kg"].get<double>() == doctest::Approx(mass));
-    CHECK(json["bodies"][0]["inertia_kg_m2"][0].get<double>() == doctest::Approx(0.4 * mass * 1e-4));
+    CHECK(json["bodies"][0]["mass_kg"].get<double>() == about(mass));
+    CHECK(json["bodies"][0]["inertia_kg_m2"][0].get<double>() == about(0.4 * mass * 1e-4));
     CHECK(json["steps"] == 50000);
     CHECK(json["rows"] == 501);
     CHECK(json["frames"] == 51);
     // pi R sqrt(rho/G) / (0.1631 nu + 0.8766) with G = E / (2 (1 + nu)) = 4e7 Pa
     const double rayleigh = M_PI * 0.01 * std::sqrt(2500 / 4e7) / (0.1631 * 0.25 + 0.8766);
-    CHECK(json["time_step"]["rayleigh_s"].get<double>() == doctest::Approx(rayleigh));
+    CHECK(json["time_step"]["rayleigh_s"].get<double>() == about(rayleigh));
     CHECK_FALSE(std::filesystem::exists(folder.path / "out"));
     CHECK(contains(tumble_in(folder, {"check", "ball.toml"}).out, "Rayleigh time"));
     const Outcome unstable = tumble_in(folder, {"check", "ball.toml", "--set", "time_step_s=1e-3"});
@@ -137,4 +139,31 @@ TEST_CASE("check shows each wall's size and its warnings on stdout, where its an
     CHECK(outcome.err.empty());
     CHECK(contains(outcome.out, "floor  plane  glass     endless  endless  endless"));
     CHECK(contains(outcome.out, "warning: --set gravity_m_s2.1: a gravity of 981 m/s2"));
+}
+
+TEST_CASE("fit and walls write what they say, and nothing twice; flow wants a run") {
+    const Folder folder;
+    const std::vector<std::string> fit{"fit", "--cone", "10,12", "--spheres", "12", "--out", "cone.csv"};
+    const Outcome fitted = tumble_in(folder, fit);
+    CHECK(fitted.code == 0);
+    CHECK(contains(fitted.out, "12 spheres, radius"));
+    CHECK(contains(content_of(folder.path / "cone.csv"), "# Made by: tumble fit --cone 10,12 --spheres 12"));
+    const Outcome again = tumble_in(folder, fit);
+    CHECK(again.code == 2);
+    CHECK(contains(again.err, "--force replaces it"));
+    CHECK(contains(tumble_in(folder, {"fit", "--spheres", "12"}).err, "give a mesh.stl or --cone DIAMETER,HEIGHT"));
+    const Outcome judged = tumble_in(folder, {"fit", "--cone", "10,12", "--compare", "cone.csv", "--json"});
+    CHECK(judged.code == 0);
+    CHECK(nlohmann::json::parse(judged.out)["spheres"] == 12);
+
+    put(folder.path / "ball.toml", bouncing_ball(0.01));
+    const Outcome walls = tumble_in(folder, {"walls", "ball.toml", "--out", "stl"});
+    CHECK(walls.code == 0);
+    CHECK(!std::filesystem::is_empty(folder.path / "stl"));
+    CHECK(tumble_in(folder, {"walls", "ball.toml", "--out", "stl"}).code == 2);
+    CHECK(tumble_in(folder, {"flow", "nowhere"}).code == 2);
+    CHECK(tumble_in(folder, {"run", "ball.toml", "--quiet"}).code == 0);
+    const Outcome flow = tumble_in(folder, {"flow", "out/ball", "--json", "--layers", "3"});
+    CHECK(flow.code == 0);
+    CHECK(nlohmann::json::parse(flow.out)["layers"].size() == 3);
 }

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "fixtures.h"
 #include "render/color_map.h"
 #include "render/sphere_list.h"
@@ -10,6 +11,7 @@
 using namespace tumble;
 using namespace tumble::render;
 using namespace tumble::render::testing;
+using tumble::test::about;
 
 namespace {
 
@@ -34,9 +36,9 @@ TEST_CASE("a sphere covers pi r^2 times the scale squared pixels and has the col
     Painter painter = painter_for(square_view(1), layout, bare);
     const Picture picture = painter.draw(frame);
     const double scale = 0.94 * 400 / 2; // 2 m in 400 pixels less 3 % on each side
-    CHECK(painter.camera().scale == doctest::Approx(scale));
+    CHECK(painter.camera().scale == about(scale));
     const double expected = std::numbers::pi * 0.25 * scale * scale;
-    CHECK(covered_pixels(picture, viridis(1), dark()) == doctest::Approx(expected).epsilon(0.002));
+    CHECK(covered_pixels(picture, viridis(1), dark()) == about(expected, 0.002));
     // Front view: z to the right, y up.
     const int x = static_cast<int>(200 - 0.15 * scale);
     const int y = static_cast<int>(200 - 0.1 * scale);
@@ -61,6 +63,17 @@ TEST_CASE("edges are smooth: a sphere's rim holds pixels at several steps betwee
     for (const int i : {1, 2, 3}) {
         CHECK(share[static_cast<std::size_t>(i)] > 0.1 * cut);
     }
+}
+
+TEST_CASE("a body with its centre outside the clip is not drawn, and what it hid is seen") {
+    auto layout = spheres({0.5, 0.25});
+    observe::Frame frame = empty_frame(layout);
+    add_body(frame, 1, {-0.8, 0, 0}, {1, 0, 0});
+    add_body(frame, 0, {0.3, 0, 0}, {0.5, 0, 0});
+    scene::Render cut = square_view(1);
+    cut.clip = scene::Box{{0, -1, -1}, {1, 1, 1}};
+    const Picture picture = painter_for(cut, layout, bare).draw(frame);
+    CHECK(color_distance(pixel(picture, 200, 200), viridis(0.5)) <= 1);
 }
 
 TEST_CASE("the nearer sphere hides the farther, whichever is drawn first") {
@@ -119,7 +132,7 @@ TEST_CASE("in perspective a sphere covers the ellipse that its cone of sight cut
         const double k = cos_t * cos_t - sin_a * sin_a;
         const double area = std::numbers::pi * f * f * sin_a * sin_a * cos_a / std::pow(k, 1.5);
         const Picture picture = painter_for(settings, layout, bare).draw(frame);
-        CHECK(covered_pixels(picture, viridis(1), dark()) == doctest::Approx(area).epsilon(0.002));
+        CHECK(covered_pixels(picture, viridis(1), dark()) == about(area, 0.002));
     }
 }
 

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "base/rng.h"
 #include "sim3d/pouring.h"
 #include "sim3d/step.h"
@@ -6,6 +7,7 @@
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
+using tumble::test::about;
 
 namespace {
 
@@ -51,7 +53,7 @@ TEST_CASE("another skin reorders sums, and the pour ends with the same energy al
     // That no contact is missed is held in test_neighbours.cpp; bits drift apart once bodies have met many times.
     const Books thin = pour(1, nullptr, 0.4e-3).books;
     const Books thick = pour(1, nullptr, 4e-3).books;
-    CHECK(thin.gravity == doctest::Approx(thick.gravity).epsilon(0.02));
+    CHECK(thin.gravity == about(thick.gravity, 0.02));
     CHECK(std::abs(thin.closure) < 5e-3 * thin.inserted);
     CHECK(std::abs(thick.closure) < 5e-3 * thick.inserted);
 }

@@ -85,6 +85,14 @@ Tally linear_cases(const Evidence& evidence, const VectorXd& effect, int truth, 
     return tally;
 }
 
+Eigen::Index column_of(const Evidence& evidence, const std::string& id) {
+    for (std::size_t k = 0; k < evidence.causes.size(); ++k)
+        if (evidence.causes[k].id == id)
+            return static_cast<Eigen::Index>(k);
+    FAIL(id);
+    return 0;
+}
+
 /// How much of a cause's effect the nearest rival outside its class leaves.
 double separable_length(const Evidence& evidence, int cause) {
     const VectorXd own = Projector(evidence.nuisances).out(VectorXd(evidence.effects.col(cause)));
@@ -185,7 +193,8 @@ TEST_CASE("ablations: without its margin or its adequacy the decision is worse, 
     for (Eigen::Index k = 0; k < evidence.directions.blocks.cols(); ++k)
         strange += (k % 2 ? 1.0 : -1.0) * evidence.directions.blocks.col(k);
     const VectorXd beside = Projector(known).out(strange).normalized();
-    const VectorXd likened = (0.5 * unit_columns(evidence.effects).col(4) + beside).normalized();
+    const VectorXd likened =
+        (0.5 * unit_columns(evidence.effects).col(column_of(evidence, "ins.gain")) + beside).normalized();
     Settings careless;
     careless.alpha_adequacy = 1e-12;
     const VectorXd effect = 10 * Projector(evidence.nuisances).out(likened);

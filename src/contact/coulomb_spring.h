@@ -33,7 +33,8 @@ TUMBLE_INLINE TangentialPush<Real> coulomb_spring(const Touch<Real>& touch, cons
     const Vec3<Real> rate_now = slip_rate + push.force * half_kick;
     push.lost_damping = c * dot(slip_rate, rate_now) * dt;
     const Real after = cut * stretch;
-    push.lost_sliding = stiffness * after * (stretch - after);
+    // What is cut off slid under the mean of the forces before and after: second order also where the limit moves.
+    push.lost_sliding = Real(0.5) * stiffness * (dot(kept, trial) + after * stretch) * (Real(1.0) - cut);
     push.memory.energy = Real(0.5) * stiffness * after * after;
     push.lost_history = memory.energy - Real(0.5) * stiffness * dot(kept, kept);
     return push;

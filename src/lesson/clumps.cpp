@@ -190,13 +190,16 @@ Result<Walk> teach(const Values& values) {
         if (const auto problem = add(walk, s))
             return *problem;
     const double zeta = damping_ratio(s.e);
-    const auto dead = static_cast<int>(std::ceil(1 / (zeta * zeta)));
     walk.question = fmt::format("On how many spheres at once must a body land so that it does not rebound at all, with "
                                 "e = {:.4g} of one contact?",
                                 s.e);
-    walk.answer = zeta > 0 ? fmt::format("On {}: ζ = {:.4g}, and √n ζ ≥ 1 from n = 1/ζ² = {:.4g} on.", dead, zeta,
-                                         1 / (zeta * zeta))
-                           : "On no number: without a dashpot n springs give back all, as one does.";
+    const double dead = 1 / (zeta * zeta);
+    walk.answer =
+        zeta > 0 ? fmt::format("On {:.0f}: ζ = {:.4g}, and √n ζ ≥ 1 from n = 1/ζ² = {:.4g} on. That is so as long as a "
+                               "contact may pull the body back. With `limit_force = true` it may not, and at √n ζ = 1 "
+                               "the body leaves with e = exp(−2) = {:.3f} (Schwager and Pöschel 2007).",
+                               std::ceil(dead), zeta, dead, std::exp(-2))
+                 : "On no number: without a dashpot n springs give back all, as one does.";
     return walk;
 }
 

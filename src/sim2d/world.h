@@ -202,9 +202,10 @@ struct World {
     double smallest_radius = 0; // m
     double largest_radius = 0;  // m
     bool stale = true;          // the lists must be made anew
-    KeptMemory kept;            // room for rebuilds, as are the next two
+    KeptMemory kept;            // room for rebuilds, as are the next three
     Cells cells;
-    std::vector<Eigen::Vector2d> centres; // m
+    std::vector<Eigen::Vector2d> centres; // per row, m, inside the periodic box
+    std::vector<int> periods;             // per row, how many it stands past the box: y times 3 + x, as in an image
     std::int64_t rebuilds = 0;
 
     Ledger ledger;

@@ -152,10 +152,12 @@ std::optional<Problem> slip_to_roll(Walk& walk, double mu, double speed) {
                          "rolls, and friction is not needed any more:",
                          speed));
     walk.formula("m v' = −μ m g,   m R²/2 ω' = −μ m g R   →   rolls from t = v₀ / (3 μ g) on with 2/3 v₀");
+    // Looked at once a millisecond: the last two looks while it slips say when the lowest point comes to rest.
     double rolls_from = seen->time.back();
-    for (std::size_t k = 0; k < seen->time.size(); ++k)
+    for (std::size_t k = 2; k < seen->time.size(); ++k)
         if (seen->surface[k] < 1e-3 * speed) {
-            rolls_from = seen->time[k];
+            const double lost = (seen->surface[k - 2] - seen->surface[k - 1]) / (seen->time[k - 1] - seen->time[k - 2]);
+            rolls_from = seen->time[k - 1] + seen->surface[k - 1] / lost;
             break;
         }
     walk.parts.emplace_back(

@@ -115,7 +115,8 @@ void first_draw(Walk& walk, const Setup& s, double limit, double yield) {
     if (slides && yield > 0)
         grid.rows.push_back({"slides from", *slides / micro, yield / micro, "um", "μ F_n / κ_s"});
     else
-        grid.rows.push_back({"slides from", slides ? "the start" : "does not slide", yield / micro, "um", "μ F_n / κ_s"});
+        grid.rows.push_back(
+            {"slides from", slides ? "the start" : "does not slide", yield / micro, "um", "μ F_n / κ_s"});
     walk.parts.emplace_back(grid);
     walk.fact("shear_slope", slope, "N/m");
     walk.fact("shear_limit", first.shear.back(), "N");
@@ -151,9 +152,10 @@ void rub(Walk& walk, const Setup& s) {
         for (std::size_t k = steps - 1; k < traces[c]->place.size(); ++k)
             figure.curves[c].add(traces[c]->place[k].shear / micro, traces[c]->shear[k]);
     walk.parts.emplace_back(figure);
-    walk.say("The linear spring is as stiff as Mindlin's at the full overlap, so there both laws draw one loop. Pressed "
-             "half as deep they part: the linear one is as stiff as before and bears half, Mindlin's is softer by √2 "
-             "and bears a part of 1/√8, as the normal force does.");
+    walk.say(
+        "The linear spring is as stiff as Mindlin's at the full overlap, so there both laws draw one loop. Pressed "
+        "half as deep they part: the linear one is as stiff as before and bears half, Mindlin's is softer by √2 "
+        "and bears a part of 1/√8, as the normal force does.");
     // Slid over: width - yield on the first way, twice that on each of the two ways across.
     const double lost = 5 * limit * std::max(0.0, s.width - yield);
     walk.say("Each corner is a change between sticking and sliding. After a reversal the spring must first be "

@@ -111,6 +111,8 @@ std::optional<Problem> inclines(Walk& walk, double mu) {
             {slope * degrees, share, block_seen, block_theory(slope, mu), disc_seen, disc_theory(slope, mu)});
         figure.curves[1].add(slope * degrees, block_seen);
         figure.curves[3].add(slope * degrees, disc_seen);
+        walk.fact(fmt::format("block_at_{}", share), block_seen, "m/s2");
+        walk.fact(fmt::format("disc_at_{}", share), disc_seen, "m/s2");
         worst = std::max({worst, std::abs(block_seen - block_theory(slope, mu)) / g,
                           std::abs(disc_seen - disc_theory(slope, mu)) / g});
     }
@@ -124,7 +126,6 @@ std::optional<Problem> inclines(Walk& walk, double mu) {
     walk.say(fmt::format("Theory and solver differ by at most {:.1g} of g. The thesis finds the coefficients of its "
                          "media in the same way, by tilting a plane until a particle begins to slide (figure 4.7).",
                          worst));
-    walk.fact("worst_acceleration", worst);
     return std::nullopt;
 }
 

@@ -252,7 +252,8 @@ Result<Walk> teach(const Values& values) {
     walk.answer = fmt::format(
         "By {:.4g}: {:.4g} m became {:.4g} m. (3.16) with (3.10) to (3.14) put in says κ v Δt³ (1/m_x + 1/m_y): the "
         "walls' path, the velocity it leads to and the discs' path each carry one Δt. It is no error, t2 = 2 Δt is "
-        "simply an earlier moment. At equal times runs of different steps differ by far less, as the last figure shows.",
+        "simply an earlier moment. At equal times runs of different steps differ by far less, as the last figure "
+        "shows.",
         whole / eighth, whole, eighth);
     return walk;
 }

@@ -1,6 +1,6 @@
 #include "folder.h"
-#include "lesson/plot.h"
 #include "lesson/show.h"
+#include "sheet/plot.h"
 #include "taught.h"
 
 #include <filesystem>

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "sandbox.h"
 
 #include <cmath>
@@ -6,6 +7,7 @@
 using namespace tumble;
 using namespace tumble::sim2d;
 using namespace tumble::sim2d::testing;
+using tumble::test::about;
 
 namespace {
 
@@ -22,9 +24,9 @@ TEST_CASE("a disc that strikes the end of a resting clump turns it as the impuls
     // Without friction the relative speed of the two surfaces turns round: J = 2 v / (1/m + 1/M + arm^2/I).
     const double m = box.shape(disc).mass, M = box.shape(pair).mass, I = box.shape(pair).inertia;
     const double J = 2 * v / (1 / m + 1 / M + arm * arm / I);
-    CHECK(box.body_at(0).velocity.y() == doctest::Approx(J / m - v).epsilon(1e-3).scale(0));
-    CHECK(box.body_at(1).velocity.y() == doctest::Approx(-J / M).epsilon(1e-3).scale(0));
-    CHECK(box.body_at(1).angular_velocity == doctest::Approx(-J * arm / I).epsilon(1e-3).scale(0));
+    CHECK(box.body_at(0).velocity.y() == about(J / m - v, 1e-3));
+    CHECK(box.body_at(1).velocity.y() == about(-J / M, 1e-3));
+    CHECK(box.body_at(1).angular_velocity == about(-J * arm / I, 1e-3));
     CHECK(std::abs(box.body_at(1).velocity.x()) < 1e-3 * J / M);
 }
 
@@ -41,7 +43,7 @@ TEST_CASE("a row of n discs that lands flat is n springs and n dashpots: its dam
         box.step(4000); // at most 18 ms of contact
         const double together = std::sqrt(n) * zeta;
         const double expected = std::exp(-pi * together / std::sqrt(1 - together * together));
-        CHECK(box.body_at(0).velocity.y() == doctest::Approx(0.5 * expected).epsilon(3e-3).scale(0));
+        CHECK(box.body_at(0).velocity.y() == about(0.5 * expected, 3e-3));
         CHECK(std::abs(box.body_at(0).angular_velocity) < 1e-9);
         CHECK(books_of(*box.world).contacts == 0);
     }
@@ -54,6 +56,6 @@ TEST_CASE("a clump thrown without forces turns evenly about its centre of mass, 
     box.step(10000);
     const BodyState end = box.body_at(0);
     CHECK((end.position - Vector2d(1.3, 1.6)).norm() < 1e-12);
-    CHECK(end.angle == doctest::Approx(5).epsilon(1e-12).scale(0));
-    CHECK(end.angular_velocity == doctest::Approx(5).epsilon(1e-14).scale(0));
+    CHECK(end.angle == about(5, 1e-12));
+    CHECK(end.angular_velocity == about(5, 1e-14));
 }

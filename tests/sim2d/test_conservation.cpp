@@ -1,3 +1,4 @@
+#include "about.h"
 #include "base/rng.h"
 #include "sandbox.h"
 
@@ -7,6 +8,7 @@
 using namespace tumble;
 using namespace tumble::sim2d;
 using namespace tumble::sim2d::testing;
+using tumble::test::about;
 
 namespace {
 
@@ -77,8 +79,8 @@ TEST_CASE("the error of the energy balance in an impact that swings along and ac
     };
     const double coarse = missed(50), middle = missed(100), fine = missed(200);
     CHECK(coarse < 2e-3);
-    CHECK(coarse / middle == doctest::Approx(4).epsilon(0.05).scale(0));
-    CHECK(middle / fine == doctest::Approx(4).epsilon(0.05).scale(0));
+    CHECK(coarse / middle == about(4, 0.05));
+    CHECK(middle / fine == about(4, 0.05));
 }
 
 TEST_CASE("a wall that strikes a resting disc does 2 m v^2 of work, and the disc flies off with 2 v") {
@@ -89,8 +91,8 @@ TEST_CASE("a wall that strikes a resting disc does 2 m v^2 of work, and the disc
     box.put({at(disc, {-0.88, 0})});
     box.step(5000); // 0.05 s to the touch, 0.02 s of it
     const double mass = box.shape(disc).mass;
-    CHECK(box.body_at(0).velocity.x() == doctest::Approx(2 * v).epsilon(1e-4).scale(0));
-    CHECK(books_of(*box.world).wall_work == doctest::Approx(2 * mass * v * v).epsilon(1e-4).scale(0));
+    CHECK(box.body_at(0).velocity.x() == about(2 * v, 1e-4));
+    CHECK(books_of(*box.world).wall_work == about(2 * mass * v * v, 1e-4));
 }
 
 TEST_CASE("a belt that sets a disc rolling does m v^2 / 3 of work, half of which is lost to sliding") {
@@ -106,9 +108,9 @@ TEST_CASE("a belt that sets a disc rolling does m v^2 / 3 of work, half of which
     box.put({at(disc, {0, 0.1 - mass * g / k})});
     box.step(std::llround(1.5 * v / (3 * mu * g) / 2e-5));
     const Books books = books_of(*box.world);
-    CHECK(box.body_at(0).velocity.x() == doctest::Approx(v / 3).epsilon(2e-3).scale(0));
-    CHECK(books.wall_work == doctest::Approx(mass * v * v / 3).epsilon(2e-3).scale(0));
-    CHECK(books.lost_sliding == doctest::Approx(mass * v * v / 6).epsilon(5e-3).scale(0));
+    CHECK(box.body_at(0).velocity.x() == about(v / 3, 2e-3));
+    CHECK(books.wall_work == about(mass * v * v / 3, 2e-3));
+    CHECK(books.lost_sliding == about(mass * v * v / 6, 5e-3));
 }
 
 TEST_CASE("a normal force that may not pull ends a rebound sooner: restitution as Schwager and Poeschel have it") {
@@ -122,7 +124,6 @@ TEST_CASE("a normal force that may not pull ends a rebound sooner: restitution a
         box.step(10000); // twice the contact time and more
         const double zeta = -std::log(e) / std::hypot(std::log(e), pi), root = std::sqrt(1 - zeta * zeta);
         const double angle = pi - std::atan2(2 * zeta * root, 1 - 2 * zeta * zeta);
-        CHECK(box.body_at(0).velocity.y() ==
-              doctest::Approx(0.5 * std::exp(-zeta / root * angle)).epsilon(2e-3).scale(0));
+        CHECK(box.body_at(0).velocity.y() == about(0.5 * std::exp(-zeta / root * angle), 2e-3));
     }
 }

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "contact/cundall_strack.h"
 #include "contact/hertz_discs.h"
 #include "contact/material.h"
@@ -7,6 +8,7 @@
 #include <numbers>
 
 using namespace tumble::contact;
+using tumble::test::about;
 
 namespace {
 
@@ -76,23 +78,22 @@ TEST_CASE("increments of the shear force add up until Coulomb's limit F_n tan(ph
     for (int step = 1; step <= 30; ++step) {
         const auto push = law.push(DiscTouch<double>{overlap, 0, rate, 0.05, 1}, memory, dt);
         memory = push.memory;
-        CHECK(push.normal == doctest::Approx(10));
-        CHECK(push.shear == doctest::Approx(std::min(0.25 * step, 4.25)));
+        CHECK(push.normal == about(10));
+        CHECK(push.shear == about(std::min(0.25 * step, 4.25)));
     }
-    CHECK(memory.energy == doctest::Approx(4.25 * 4.25 / (2 * 500)));
+    CHECK(memory.energy == about(4.25 * 4.25 / (2 * 500)));
 }
 
 TEST_CASE("a loading loop never makes energy, and what it takes is what the law books") {
     // The dashpot's force jumps where the rig turns, which the trapezoidal rule sees as a slope: a step's part of it.
     const CundallStrack linear(pair_of(1e5, 0.7, 0.8, 0.3), true, true);
     const Dragged soft = drag(linear, 1e-3, 5e-3);
-    CHECK(soft.largest == doctest::Approx(0.3 * 100).epsilon(1e-9).scale(0));
+    CHECK(soft.largest == about(0.3 * 100, 1e-9));
     // Slides from limit / k_s = 30 N / 7e4 N/m on, twice that after each turn.
     const double yield = 30 / 7e4;
-    CHECK(soft.lost_sliding ==
-          doctest::Approx(30 * (5e-3 - yield + 10e-3 - 2 * yield + 5e-3 - 2 * yield)).epsilon(1e-3).scale(0));
+    CHECK(soft.lost_sliding == about(30 * (5e-3 - yield + 10e-3 - 2 * yield + 5e-3 - 2 * yield), 1e-3));
     CHECK(soft.lost_damping > 0);
-    CHECK(soft.booked() == doctest::Approx(soft.work).epsilon(2e-3).scale(0));
+    CHECK(soft.booked() == about(soft.work, 2e-3));
     PairProperties glass;
     glass.restitution = 0.8;
     glass.friction = 0.3;
@@ -100,7 +101,7 @@ TEST_CASE("a loading loop never makes energy, and what it takes is what the law 
     const HertzDiscs<Mindlin> hertz(derive(material, material, glass), true);
     const Dragged sphere = drag(hertz, 1e-4, 5e-4);
     CHECK(sphere.lost_sliding > 0);
-    CHECK(sphere.booked() == doctest::Approx(sphere.work).epsilon(2e-3).scale(0));
+    CHECK(sphere.booked() == about(sphere.work, 2e-3));
 }
 
 TEST_CASE("the book of sliding is second order in the step also where the normal force rises and falls") {
@@ -137,8 +138,7 @@ TEST_CASE("a contact time sets the stiffness: m* (pi^2 + ln^2 e) / t^2") {
     const CundallStrack law(derive({"a", 1, 0, 0}, {"a", 1, 0, 0}, pair), false, true);
     const double ln = std::log(0.5);
     const double k = 3 * (std::numbers::pi * std::numbers::pi + ln * ln) / 1e-4;
-    CHECK(law.push(DiscTouch<double>{0.01, 0, 0, 0.05, 3}, DiscMemory<double>{0, 0}, 1e-4).normal ==
-          doctest::Approx(0.01 * k));
+    CHECK(law.push(DiscTouch<double>{0.01, 0, 0, 0.05, 3}, DiscMemory<double>{0, 0}, 1e-4).normal == about(0.01 * k));
 }
 
 TEST_CASE("a normal force that may not pull does not") {

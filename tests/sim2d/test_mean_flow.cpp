@@ -1,3 +1,4 @@
+#include "about.h"
 #include "base/rng.h"
 #include "sandbox.h"
 #include "sim2d/mean_flow.h"
@@ -8,6 +9,7 @@ using namespace tumble;
 using namespace tumble::sim2d;
 using namespace tumble::sim2d::testing;
 using Eigen::Matrix2d;
+using tumble::test::about;
 
 namespace {
 
@@ -48,7 +50,7 @@ TEST_CASE("along a periodic direction the flow does not change, or it would jump
     const Sandbox box = flowing(Vector2d::Zero(), gradient, {true, false, false});
     const MeanFlow flow = fit_mean_flow(*box.world);
     CHECK(flow.gradient.col(0).norm() == 0);
-    CHECK(flow.gradient(0, 1) == doctest::Approx(2).epsilon(1e-5).scale(0));
+    CHECK(flow.gradient(0, 1) == about(2, 1e-5));
 }
 
 TEST_CASE("a few bodies give a mean velocity and no gradient") {
@@ -76,6 +78,5 @@ TEST_CASE("a wall that moves with the flow goes no way beside it, and one that t
     const double angle = 0.01;
     to.rotation = Eigen::Rotation2Dd(angle).toRotationMatrix();
     // The corner farthest from the axis stands sqrt(1 + 4) m off and moves along the chord.
-    CHECK(way_beside(flow, from, to, 1e-3) ==
-          doctest::Approx(2 * std::sin(angle / 2) * std::sqrt(5.0)).epsilon(1e-9).scale(0));
+    CHECK(way_beside(flow, from, to, 1e-3) == about(2 * std::sin(angle / 2) * std::sqrt(5.0), 1e-9));
 }

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "sandbox.h"
 #include "sim2d/time_step.h"
 
@@ -7,6 +8,7 @@
 using namespace tumble;
 using namespace tumble::sim2d;
 using namespace tumble::sim2d::testing;
+using tumble::test::about;
 
 namespace {
 
@@ -44,8 +46,8 @@ TEST_CASE("the reported limit is that of four contacts at once that share a body
     const auto report = time_step_report(box.scene, shapes_of(*box.world));
     const double mass = 1000 * std::numbers::pi * 0.01;
     // 1/m + R^2/I of both sides = 2 (1 + 2) / m; omega^2 = 4 k times that; limit 2 / omega.
-    CHECK(report.limit == doctest::Approx(2 / std::sqrt(4 * 1e5 * 6 / mass)).epsilon(1e-9));
-    CHECK(report.linear_period == doctest::Approx(std::numbers::pi * std::sqrt(mass / 2 / 1e5)).epsilon(1e-9));
+    CHECK(report.limit == about(2 / std::sqrt(4 * 1e5 * 6 / mass), 1e-9));
+    CHECK(report.linear_period == about(std::numbers::pi * std::sqrt(mass / 2 / 1e5), 1e-9));
     CHECK(report.rayleigh == 0);
     CHECK(report.hertz == 0);
 }
@@ -60,7 +62,7 @@ TEST_CASE("where only cohesion holds the shear spring its stiffness sets the lim
     // k_s acts with 1/m + R^2/I of both sides, as above.
     const double mass = 1000 * std::numbers::pi * 0.01;
     const auto report = time_step_report(box.scene, shapes_of(*box.world));
-    CHECK(report.limit == doctest::Approx(2 / std::sqrt(4 * 1e6 * 6 / mass)).epsilon(1e-9).scale(0));
+    CHECK(report.limit == about(2 / std::sqrt(4 * 1e6 * 6 / mass), 1e-9));
     // One such contact alone swings with w^2 = k_s 6 / m and bears twice the step, and no more.
     const auto fastest_spin = [&](double dt) {
         box.scene.time_step = dt;
@@ -84,16 +86,16 @@ TEST_CASE("a clump's arm shortens the limit: its discs turn it as they are pushe
     const BodyShape& shape = box.shape(0);
     // Two discs apart: I = 2 (m/2) (R^2/2 + d^2). A push through a disc's centre has arm 0.3 at most.
     const double mass = 2 * 1000 * std::numbers::pi * 0.01, inertia = mass * (0.005 + 0.09);
-    REQUIRE(shape.mass == doctest::Approx(mass).epsilon(1e-9).scale(0));
-    REQUIRE(shape.inertia == doctest::Approx(inertia).epsilon(1e-9).scale(0));
+    REQUIRE(shape.mass == about(mass, 1e-9));
+    REQUIRE(shape.inertia == about(inertia, 1e-9));
     const auto report = time_step_report(box.scene, shapes_of(*box.world));
     const double mobility = 2 * (1 / mass + 0.09 / inertia);
-    CHECK(report.limit == doctest::Approx(2 / std::sqrt(4 * 1e5 * mobility)).epsilon(1e-9).scale(0));
+    CHECK(report.limit == about(2 / std::sqrt(4 * 1e5 * mobility), 1e-9));
     // Rubbing on the rim has a radius more, in any direction.
     box.scene.pairs[0].friction = 0.3;
     const auto rubbing = time_step_report(box.scene, shapes_of(*box.world));
     const double full = 2 * (1 / mass + 0.16 / inertia);
-    CHECK(rubbing.limit == doctest::Approx(2 / std::sqrt(4 * 1e5 * full)).epsilon(1e-9).scale(0));
+    CHECK(rubbing.limit == about(2 / std::sqrt(4 * 1e5 * full), 1e-9));
 }
 
 TEST_CASE("a step above the limit is refused, with what to do, unless the scene insists") {

@@ -41,7 +41,8 @@ Contact contact_of(const Scene& scene, const ContactSide& a, const ContactSide& 
     contact.pair = scene.constants(a.material, b.material);
     if (contact.pair.restitution_exponent > 0)
         contact.pair.damping = contact::damping_at(speed, contact.pair);
-    contact.rubs = scene.contact.tangential != TangentialLaw::none && contact.pair.friction > 0;
+    contact.rubs =
+        scene.contact.tangential != TangentialLaw::none && (contact.pair.friction > 0 || contact.pair.cohesion > 0);
     contact.mass = 1 / (1 / a.mass + 1 / b.mass);
     contact.radius = 1 / (1 / a.radius + 1 / b.radius);
     contact.radius_small = std::min(a.radius, b.radius);

@@ -1,12 +1,16 @@
 #include "sheet/plot.h"
 
 #include "base/child_process.h"
+#include "base/hash.h"
 #include "base/text.h"
 #include "sheet/show.h"
 
+#include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <fmt/format.h>
+#include <fstream>
 
 namespace tumble::sheet {
 
@@ -49,7 +53,28 @@ std::string data_of(const Curve& curve, std::size_t index) {
     return block + "END\n";
 }
 
+/// Numbers in parts of the largest. There are 997 of them, a prime: few numbers that matter lie just between two.
+void add_rounded(Hash64& hash, const std::vector<double>& numbers) {
+    double size = 0;
+    for (const double number : numbers)
+        size = std::max(size, std::abs(number));
+    for (const double number : numbers)
+        hash.add(std::lround(size > 0 ? 997 * number / size : 0.0));
+    hash.add(fmt::format("{:.3g}", size));
+}
+
 } // namespace
+
+std::string mark_of(const Figure& figure) {
+    Hash64 hash;
+    hash.add(figure.title).add(head_of(figure.x)).add(head_of(figure.y));
+    for (const Curve& curve : figure.curves) {
+        hash.add(curve.label).add(static_cast<int>(curve.style));
+        add_rounded(hash, curve.x);
+        add_rounded(hash, curve.y);
+    }
+    return fmt::format("<!-- plotted {} -->", hash.hex());
+}
 
 std::string gnuplot_script(const Figure& figure, const std::filesystem::path& file) {
     const bool svg = file.extension() == ".svg";
@@ -65,8 +90,9 @@ std::string gnuplot_script(const Figure& figure, const std::filesystem::path& fi
     std::string plots;
     for (std::size_t k = 0; k < figure.curves.size(); ++k) {
         script += data_of(figure.curves[k], k);
-        plots += fmt::format("{}$curve{} {} title {}", k ? ", " : "plot ", k, style(figure.curves[k], k),
-                             quoted(figure.curves[k].label));
+        const std::string& label = figure.curves[k].label;
+        plots += fmt::format("{}$curve{} {} {}", k ? ", " : "plot ", k, style(figure.curves[k], k),
+                             label.empty() ? "notitle" : "title " + quoted(label));
     }
     return script + plots + "\nunset output\n";
 }
@@ -80,8 +106,11 @@ Result<Done> draw(const Figure& figure, const std::filesystem::path& file) {
         return Problem{.what = fmt::format("gnuplot could not be started: {}", std::strerror(gnuplot.error()))};
     const std::string script = gnuplot_script(figure, file);
     const bool fed = gnuplot.feed({reinterpret_cast<const std::uint8_t*>(script.data()), script.size()});
-    if (gnuplot.wait(patience) == 0 && fed)
+    if (gnuplot.wait(patience) == 0 && fed) {
+        if (file.extension() == ".svg" && !(std::ofstream(file, std::ios::app) << mark_of(figure) << '\n'))
+            return Problem{.file = file.string(), .what = "cannot be written to its end"};
         return Done{};
+    }
     return Problem{.file = file.string(), .what = "gnuplot failed: " + excerpt(trimmed(gnuplot.printed()), 300)};
 }
 

@@ -1,5 +1,7 @@
 #include "sim2d/crowd.h"
 
+#include "scene/period.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -42,14 +44,16 @@ Crowd::Crowd(const World& world) : world_(world) {
 }
 
 void Crowd::add(const std::vector<Disc>& discs) {
-    for (const Disc& disc : discs) {
+    for (Disc disc : discs) {
+        disc.centre = into_box(disc.centre);
         const auto at = place(disc.centre);
         cells_[static_cast<std::size_t>(at[0] * size_[1] + at[1])].push_back(disc);
     }
 }
 
 bool Crowd::leaves_room_for(const std::vector<Disc>& discs) const {
-    for (const Disc& disc : discs) {
+    for (Disc disc : discs) {
+        disc.centre = into_box(disc.centre);
         const auto home = place(disc.centre);
         for (int x = home[0] - 1; x <= home[0] + 1; ++x)
             for (int y = home[1] - 1; y <= home[1] + 1; ++y)
@@ -78,6 +82,13 @@ bool Crowd::cell_leaves_room(const Disc& disc, std::array<int, 2> at) const {
             return false;
     }
     return true;
+}
+
+Vector2d Crowd::into_box(Vector2d centre) const {
+    const scene::Domain& domain = world_.scene.domain;
+    for (int axis = 0; axis < 2; ++axis)
+        centre[axis] -= scene::periods_past(domain, axis, centre[axis]) * (domain.box.hi[axis] - domain.box.lo[axis]);
+    return centre;
 }
 
 std::array<int, 2> Crowd::place(const Vector2d& centre) const {

@@ -1,5 +1,6 @@
 #include "sim2d/fill.h"
 
+#include "scene/written.h"
 #include "sim2d/crowd.h"
 
 #include <cmath>
@@ -66,6 +67,11 @@ std::vector<BodyState> place_at_random(const World& world, FillState& fill, Crow
     return placed;
 }
 
+/// The key of a fill in the scene, for problems.
+std::string key_of(const World& world, const FillState& fill, const std::string& name = "") {
+    return fmt::format("fill.{}{}", &fill - world.fills.data(), name.empty() ? "" : "." + name);
+}
+
 std::string owed(const World& world, const FillState& fill) {
     const Vector3d size = fill.fill.region.hi - fill.fill.region.lo;
     return fmt::format("asked for {} of body '{}', placed {} in the region of {:.4g} x {:.4g} m; {} did not fit",
@@ -82,14 +88,11 @@ void schedule(World& world) {
 
 Problem no_room_at(const World& world, const FillState& fill, const char* what_is_there) {
     const Vector3d& at = *fill.fill.position;
-    return {world.scene.file.string(),
-            0,
-            0,
-            "fill.position_m",
-            fmt::format("body '{}' at ({:.6g}, {:.6g}) m overlaps {} at t = {:.6g} s",
-                        world.shapes[static_cast<std::size_t>(fill.fill.body)].shape.name, at.x(), at.y(),
-                        what_is_there, world.time()),
-            "move it, or let it come at another time"};
+    return scene::problem_about(world.scene, key_of(world, fill, "position_m"),
+                                fmt::format("body '{}' at ({:.6g}, {:.6g}) m overlaps {} at t = {:.6g} s",
+                                            world.shapes[static_cast<std::size_t>(fill.fill.body)].shape.name, at.x(),
+                                            at.y(), what_is_there, world.time()),
+                                "move it, or let it come at another time");
 }
 
 std::optional<Problem> insert_fill(World& world, FillState& fill) {
@@ -114,12 +117,8 @@ std::optional<Problem> insert_fill(World& world, FillState& fill) {
         return problem;
     if (fill.placed >= fill.asked || fill.fill.until > fill.fill.start)
         return std::nullopt;
-    return Problem{world.scene.file.string(),
-                   0,
-                   0,
-                   "fill",
-                   owed(world, fill),
-                   "enlarge the region, ask for fewer, or give until_s so that bodies come in over time"};
+    return scene::problem_about(world.scene, key_of(world, fill), owed(world, fill),
+                                "enlarge the region, ask for fewer, or give until_s so that bodies come in over time");
 }
 
 } // namespace
@@ -132,9 +131,10 @@ Problems prepare_fills(World& world) {
         state.asked = fill.count ? *fill.count : std::llround(fill.mass.value_or(0) / mass);
         state.next_step = static_cast<std::int64_t>(std::ceil(fill.start / world.dt - 1e-9));
         if (state.asked < 1)
-            problems.push_back({world.scene.file.string(), 0, 0, "fill",
-                                fmt::format("a fill asks for less than one body of {:.4g} kg", mass),
-                                "ask for more mass, or give a count"});
+            problems.push_back(
+                scene::problem_about(world.scene, fmt::format("fill.{}.mass_kg", world.fills.size()),
+                                     fmt::format("a fill asks for less than one body of {:.4g} kg", mass),
+                                     "ask for more mass, or give a count"));
         world.fills.push_back(std::move(state));
     }
     schedule(world);

@@ -1,5 +1,6 @@
 #include "sim3d/fill.h"
 
+#include "scene/period.h"
 #include "scene/written.h"
 #include "sim3d/placement.h"
 
@@ -43,12 +44,14 @@ public:
             add(placement_of(world, slot));
     }
 
-    void add(const Placement& body) {
+    void add(const Placement& anywhere) {
+        const Placement body = into_box(anywhere);
         cells_[index(place(bounding_centre(world_, body)))].push_back(static_cast<int>(bodies_.size()));
         bodies_.push_back(body);
     }
 
-    [[nodiscard]] bool leaves_room_for(const Placement& body) const {
+    [[nodiscard]] bool leaves_room_for(const Placement& anywhere) const {
+        const Placement body = into_box(anywhere);
         const Vector3d centre = bounding_centre(world_, body);
         const std::array<int, 3> home = place(centre);
         std::array<int, 3> at{};
@@ -61,6 +64,16 @@ public:
     }
 
 private:
+    /// With its bounding centre in the box along periodic axes, wherever its centre of mass may be then.
+    [[nodiscard]] Placement into_box(Placement body) const {
+        const scene::Domain& domain = world_.scene.domain;
+        const Vector3d centre = bounding_centre(world_, body);
+        for (int axis = 0; axis < 3; ++axis)
+            body.position[axis] -=
+                scene::periods_past(domain, axis, centre[axis]) * (domain.box.hi[axis] - domain.box.lo[axis]);
+        return body;
+    }
+
     [[nodiscard]] bool cell_leaves_room(const Placement& body, const Vector3d& centre, std::array<int, 3> at) const {
         const scene::Domain& domain = world_.scene.domain;
         Vector3d shift = Vector3d::Zero();

@@ -82,8 +82,8 @@ struct BodyPair {
     int b = 0;
     double expires = 0; // m, on the sum of the two odometers (World::travel)
     int begin = 0;      // into Chunk::candidates
-    std::int16_t count = 0;
-    std::int16_t capacity = 0;
+    int count = 0;
+    int capacity = 0;
     std::int16_t image = 0; // index into World::images: where b stands relative to its own place
 };
 

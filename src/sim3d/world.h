@@ -60,7 +60,8 @@ struct BodyWall {
     int capacity = 0;
 };
 
-constexpr int max_wall_touches = 3;
+// A sphere on the square hole of a sieve touches four edges, one in a corner where six facets meet six.
+constexpr int max_wall_touches = 8;
 
 /// A sphere near a wall and its touches.
 struct WallCandidate {
@@ -173,7 +174,7 @@ struct WallState {
     WallSurface surface;
     scene::WallPose pose;      // at the step's time
     scene::WallPose half_pose; // half a step earlier, where leapfrog's velocities live
-    double travel = 0;         // m, odometer: way beside the mean flow since the last rebuild
+    double travel = 0;         // m, odometer: way beside the mean flow and its strain since the last rebuild
 };
 
 struct FillState {

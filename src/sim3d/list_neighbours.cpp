@@ -29,16 +29,27 @@ bool worn(const World& world) {
 
 } // namespace
 
+scene::WallPose pose_of(const WallState& wall, double time) {
+    scene::WallPose pose = scene::pose_at(wall.wall.motion, time);
+    if (wall.in_place) {
+        pose.velocity = pose.velocity_at(Eigen::Vector3d::Zero());
+        pose.translation.setZero();
+        pose.rotation.setIdentity();
+    }
+    return pose;
+}
+
 void move_walls(World& world) {
     // A body's odometer holds the flow's strain over its own reach and leash; walls are listed farther out by this.
     const double strain_way = world.flow.gradient.norm() * world.wall_skin * world.dt;
     for (WallState& wall : world.walls) {
         const scene::WallPose before = wall.pose;
         if (!wall.wall.motion.at_rest()) {
-            wall.pose = scene::pose_at(wall.wall.motion, world.time());
-            wall.half_pose = scene::pose_at(wall.wall.motion, world.time() - 0.5 * world.dt);
+            wall.pose = pose_of(wall, world.time());
+            wall.half_pose = pose_of(wall, world.time() - 0.5 * world.dt);
         }
-        wall.travel += way_beside(world.flow, before, wall.pose, world.dt) + strain_way;
+        wall.way = way_beside(world.flow, before, wall.pose, world.dt);
+        wall.travel += wall.way + strain_way;
     }
 }
 

@@ -40,8 +40,6 @@ scene::WallPose pose_of(const WallState& wall, double time) {
 }
 
 void move_walls(World& world) {
-    // A body's odometer holds the flow's strain over its own reach and leash; walls are listed farther out by this.
-    const double strain_way = world.flow.gradient.norm() * world.wall_skin * world.dt;
     for (WallState& wall : world.walls) {
         const scene::WallPose before = wall.pose;
         if (!wall.wall.motion.at_rest()) {
@@ -49,7 +47,7 @@ void move_walls(World& world) {
             wall.half_pose = pose_of(wall, world.time() - 0.5 * world.dt);
         }
         wall.way = way_beside(world.flow, before, wall.pose, world.dt);
-        wall.travel += wall.way + strain_way;
+        wall.travel += wall.way;
     }
 }
 

@@ -174,8 +174,8 @@ struct WallState {
     WallSurface surface;
     scene::WallPose pose;      // at the step's time
     scene::WallPose half_pose; // half a step earlier, where leapfrog's velocities live
-    double travel = 0;         // m, odometer: way beside the mean flow and its strain since the last rebuild
-    double way = 0;            // m, the way in the last step
+    double travel = 0;         // m, odometer: way beside the mean flow since the last rebuild
+    double way = 0;            // m, the same in the last step
     bool in_place = false;     // only the surface's velocity changes: turns_in_place
 };
 

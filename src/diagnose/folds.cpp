@@ -14,16 +14,23 @@ MatrixXd rows_of(const MatrixXd& matrix, const std::vector<Eigen::Index>& rows) 
     return some;
 }
 
-/// Rows of one condition, cut into the part that may be fitted and the rest; and the rows of all other conditions.
+/// Rows of one condition, cut into the part that may be fitted and the rest; rows of all other conditions. Priors go
+/// with both that are fitted.
 struct Split {
     std::vector<Eigen::Index> others, first, rest;
+    std::vector<Eigen::Index> readings_of_others; // others without priors
 };
 
 Split split_at(const Directions& directions, int condition) {
     Split split;
     for (std::size_t k = 0; k < directions.condition.size(); ++k) {
-        const bool own = directions.condition[k] == condition;
-        (!own ? split.others : directions.early[k] ? split.first : split.rest).push_back(static_cast<Eigen::Index>(k));
+        const auto row = static_cast<Eigen::Index>(k);
+        if (directions.condition[k] == condition) {
+            (directions.early[k] ? split.first : split.rest).push_back(row);
+            continue;
+        }
+        split.others.push_back(row);
+        (directions.condition[k] < 0 ? split.first : split.readings_of_others).push_back(row);
     }
     return split;
 }
@@ -35,18 +42,19 @@ struct Prediction {
 };
 
 Prediction predict(const VectorXd& residual, const MatrixXd& slopes, const Split& split) {
-    const MatrixXd others = rows_of(slopes, split.others), first = rows_of(slopes, split.first);
-    Prediction prediction;
-    prediction.step = others.completeOrthogonalDecomposition().solve(rows_of(residual, split.others));
+    const MatrixXd first = rows_of(slopes, split.first), elsewhere = rows_of(slopes, split.readings_of_others);
+    MatrixXd others = rows_of(slopes, split.others);
     std::vector<Eigen::Index> own;
     for (Eigen::Index k = 0; k < slopes.cols(); ++k)
-        if (others.col(k).norm() < 1e-3 * first.col(k).norm())
+        if (elsewhere.col(k).norm() < 1e-3 * first.col(k).norm())
             own.push_back(k);
     MatrixXd local(first.rows(), static_cast<Eigen::Index>(own.size()));
     for (std::size_t k = 0; k < own.size(); ++k) {
-        prediction.step[own[k]] = 0;
+        others.col(own[k]).setZero();
         local.col(static_cast<Eigen::Index>(k)) = first.col(own[k]);
     }
+    Prediction prediction;
+    prediction.step = others.completeOrthogonalDecomposition().solve(rows_of(residual, split.others));
     if (!own.empty()) {
         const VectorXd missing = rows_of(residual, split.first) - first * prediction.step;
         const VectorXd found = local.completeOrthogonalDecomposition().solve(missing);

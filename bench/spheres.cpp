@@ -10,6 +10,7 @@ namespace {
 
 scene::Scene tilted_layer(double radius) {
     scene::Scene scene = bench::media_scene();
+    scene.turn_spheres = false; // as in gran/hertz/history, which does not turn spheres either
     scene.gravity = 9.81 * Eigen::Vector3d(0.438371, -0.898794, 0);
     scene.domain.box = {{0, -0.01, 0}, {0.16, 0.5, 0.08}};
     scene.domain.periodic = {true, false, true};

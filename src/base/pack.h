@@ -136,6 +136,18 @@ struct Columns {
 
 /// Columns of eight rows of four doubles; row(k) points to one, 32-byte aligned, for k = 0 .. 7.
 template <class RowOf> TUMBLE_INLINE Columns gather(RowOf&& row) {
+#if defined(__AVX512F__)
+    // Rows k and k + 2 share a register, so that the last step picks quarters, which needs no table of places.
+    const auto both = [&](int k) TUMBLE_INLINE_LAMBDA {
+        return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_load_pd(row(k))), _mm256_load_pd(row(k + 2)), 1);
+    };
+    const __m512d r02 = both(0), r13 = both(1), r46 = both(4), r57 = both(5);
+    const __m512d even03 = _mm512_unpacklo_pd(r02, r13), odd03 = _mm512_unpackhi_pd(r02, r13);
+    const __m512d even47 = _mm512_unpacklo_pd(r46, r57), odd47 = _mm512_unpackhi_pd(r46, r57);
+    const auto pack = [](__m512d lanes) TUMBLE_INLINE_LAMBDA { return Pack(static_cast<Pack::Lanes>(lanes)); };
+    return {pack(_mm512_shuffle_f64x2(even03, even47, 0x88)), pack(_mm512_shuffle_f64x2(odd03, odd47, 0x88)),
+            pack(_mm512_shuffle_f64x2(even03, even47, 0xdd)), pack(_mm512_shuffle_f64x2(odd03, odd47, 0xdd))};
+#else
     const auto quad = [&](int k) TUMBLE_INLINE_LAMBDA { return *reinterpret_cast<const Quad*>(row(k)); };
     // Rows k and k + 4 share a register; then 4 x 4 blocks are turned in both halves at once.
     const auto both = [&](int k) TUMBLE_INLINE_LAMBDA {
@@ -150,6 +162,7 @@ template <class RowOf> TUMBLE_INLINE Columns gather(RowOf&& row) {
             Pack(static_cast<Pack::Lanes>(__builtin_shufflevector(odd01, odd23, 0, 1, 8, 9, 4, 5, 12, 13))),
             Pack(static_cast<Pack::Lanes>(__builtin_shufflevector(even01, even23, 2, 3, 10, 11, 6, 7, 14, 15))),
             Pack(static_cast<Pack::Lanes>(__builtin_shufflevector(odd01, odd23, 2, 3, 10, 11, 6, 7, 14, 15)))};
+#endif
 }
 
 /// gather() undone: calls put(k, row) for the eight rows.

@@ -25,6 +25,11 @@ KeyTable top_level() {
                "Extra reach of the body neighbour list; 0: the solver chooses. "
                "Changes the time a run takes, never its contacts.")
             .otherwise(0.0),
+        flag("turn_spheres",
+             "False: bodies of one sphere are recorded as if they did not turn, which saves time; their "
+             "spin and all forces are the same. A tracer in one then reads along fixed axes.")
+            .otherwise(true)
+            .in_3d(),
     };
     return table;
 }

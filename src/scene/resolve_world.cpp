@@ -65,6 +65,7 @@ void resolve_top(const View& root, const Resolving& to) {
     scene.seed = static_cast<std::uint64_t>(root.integer("seed"));
     scene.gravity = root.vector("gravity_m_s2");
     scene.skin = root.number("skin_m");
+    scene.turn_spheres = scene.dimension == 2 || root.flag("turn_spheres");
 }
 
 void resolve_domain(const View& view, const Resolving& to) {

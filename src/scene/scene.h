@@ -217,7 +217,8 @@ struct Scene {
     bool allow_large_step = false; // expert: run even above the stable limit
     Vector3d gravity{0, -9.81, 0}; // m/s2
     Domain domain;
-    double skin = 0; // m, of the body neighbour list; 0: chosen by the solver
+    double skin = 0;          // m, of the body neighbour list; 0: chosen by the solver
+    bool turn_spheres = true; // false: bodies of one sphere keep the orientation they came with
     ContactLaws contact;
     contact::Air air;
     std::vector<contact::Material> materials;

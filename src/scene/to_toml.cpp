@@ -21,6 +21,8 @@ void write_world(const Scene& scene, TomlWriter& to) {
     to.integer("seed", static_cast<long long>(scene.seed));
     to.vector("gravity_m_s2", scene.gravity);
     to.number("skin_m", scene.skin);
+    if (scene.dimension == 3)
+        to.flag("turn_spheres", scene.turn_spheres);
 
     to.table("domain", "[domain]");
     to.vector("lo_m", scene.domain.box.lo);

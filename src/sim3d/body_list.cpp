@@ -55,7 +55,8 @@ void sort_slots(World& world, const std::vector<int>& order) {
     reorder(world.motion, order);
     reorder(world.load, order);
     reorder(world.orientation, order);
-    reorder(world.turn, order);
+    if (world.has_clumps)
+        reorder(world.turn, order);
     reorder(world.travel, order);
     reorder(world.bounds, order);
     for (std::size_t slot = 0; slot < world.id.size(); ++slot)
@@ -159,9 +160,14 @@ void add_pair(const World& world, Chunk& chunk, int a, int b, int image) {
 /// A pair belongs to the chunk of the body with the lower slot. Slots are in the cells' order.
 void list_pairs(const World& world, Chunk& chunk) {
     std::array<Cells::Seen, 27> seen{};
+    int cell = -1;
+    int rows = 0;
     for (int a = chunk.begin; a < chunk.end; ++a) {
         const Bounds& own = world.bounds[static_cast<std::size_t>(a)];
-        const int rows = world.cells.around(own.centre, seen);
+        if (const int here = world.cells.cell_of(own.centre); here != cell) {
+            cell = here;
+            rows = world.cells.around(own.centre, seen);
+        }
         for (int row = 0; row < rows; ++row) {
             const Cells::Seen& cells = seen[static_cast<std::size_t>(row)];
             const int begin = std::max(cells.begin, a + 1);

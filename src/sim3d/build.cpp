@@ -80,8 +80,10 @@ Problems make_shapes(World& world) {
         world.plain_shapes.push_back(*shape);
         world.shapes.push_back(prepare_shape(*shape, body.material));
     }
-    for (const ShapeData& data : world.shapes)
+    for (const ShapeData& data : world.shapes) {
         world.shape_constants.push_back(constants_of(data));
+        world.has_clumps = world.has_clumps || !world.shape_constants.back().single;
+    }
     return problems;
 }
 

@@ -17,7 +17,8 @@ void integrate(World& world, Chunk& chunk) {
                              {g.x(), g.y(), g.z()},
                              {},
                              {},
-                             0};
+                             0,
+                             world.scene.turn_spheres};
     Eigen::Map<Eigen::Vector3d>{context.flow_velocity} = world.flow.at(Eigen::Vector3d::Zero());
     Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>{context.flow_gradient} = world.flow.gradient;
     // The Frobenius norm bounds how fast the flow can part two points per metre between them.

@@ -226,6 +226,7 @@ struct IntegrateContext {
     double flow_velocity[3]; // m/s, of the mean flow at x = 0
     double flow_gradient[9]; // 1/s, row-major
     double strain_way;       // m, a body's half share of the flow's strain in one step
+    bool turn_spheres;       // false: bodies of one sphere keep their orientation
 };
 
 struct SphereScan {

@@ -126,6 +126,10 @@ WallMemory* heir_of(const WallMemory& old, std::span<WallMemory> now, std::span<
 /// Hands the memory of the touches a step ago to those of now; what finds no heir is forgotten, and what is new starts
 /// at rest. `further` holds what the touches remember beside it, or is null.
 void match_features(Chunk& chunk, WallCandidate& candidate, FurtherLanes* further, std::span<const WallTouch> touches) {
+    if (touches.size() == 1 && candidate.touches == 1 && candidate.memory[0].feature == touches[0].feature) {
+        candidate.memory[0].normal = touches[0].normal; // as before; the rest would find the same
+        return;
+    }
     std::array<WallMemory, max_wall_touches> now;
     std::array<FurtherLanes, max_wall_touches> further_now{};
     for (std::size_t t = 0; t < touches.size(); ++t)

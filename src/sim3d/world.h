@@ -229,6 +229,7 @@ struct World {
     std::vector<contact::PairConstants> pairs; // materials squared
     int materials = 0;
     bool remembers_more = false; // some pair's law is not plain
+    bool has_clumps = false;     // some template is not a single sphere
     std::vector<double> holds;   // m, per pair: the widest gap over which two that touched may still push or pull
     double hold = 0;             // m, the largest of them
     std::vector<WallState> walls;

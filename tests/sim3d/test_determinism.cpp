@@ -61,8 +61,9 @@ TEST_CASE("another skin reorders sums, and the pour ends with the same energy al
 namespace {
 
 /// A dense cloud of spheres and clumps in sixteen chunks, without walls or gravity.
-Sandbox cloud(int threads) {
+Sandbox cloud(int threads, bool turn_spheres = true) {
     Sandbox box({"media", 1666, 4.6e6, 0.2887}, {0.6, 0.5}, 1e-5);
+    box.scene.turn_spheres = turn_spheres;
     box.scene.domain = {{{0, 0, 0}, {0.2, 0.06, 0.06}}, {true, true, true}};
     const int ball = box.ball(3e-3);
     const int clump = box.body({{{1e-3, 0, 0}, 2.4e-3}, {{-1e-3, 0, 0}, 2e-3}});
@@ -161,4 +162,23 @@ TEST_CASE("a body flies and turns by the same bits alone and among others of bot
         CHECK(crowded.orientation.coeffs() == alone.orientation.coeffs());
         CHECK(crowded.angular_velocity == alone.angular_velocity);
     }
+}
+
+TEST_CASE("spheres that are not turned keep the orientation they came with, and nothing else changes by a bit") {
+    const Sandbox turned = cloud(1), kept = cloud(1, false);
+    REQUIRE(!advance(*turned.world, 200));
+    REQUIRE(!advance(*kept.world, 200));
+    const std::vector<BodyState> expected = bodies_of(*turned.world);
+    std::vector<BodyState> bodies = bodies_of(*kept.world);
+    int spheres = 0;
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+        if (shapes_of(*kept.world)[static_cast<std::size_t>(bodies[k].shape)].spheres.size() == 1) {
+            REQUIRE(bodies[k].orientation.coeffs() == Eigen::Quaterniond::Identity().coeffs());
+            REQUIRE(expected[k].orientation.coeffs() != Eigen::Quaterniond::Identity().coeffs());
+            bodies[k].orientation = expected[k].orientation;
+            ++spheres;
+        }
+    CHECK(spheres == 2200);
+    CHECK(same_bits(bodies, expected));
+    CHECK(books_of(*kept.world).closure == books_of(*turned.world).closure);
 }

@@ -172,7 +172,7 @@ template <class Real> struct Torqued {
     Real share;              // of the kick that is due
 };
 
-template <class Slots, class Real = typename Slots::Real>
+template <bool turns, class Slots, class Real = typename Slots::Real>
 TUMBLE_INLINE Turning<Real> turn_spheres(const IntegrateContext& context, Slots slots, const Torqued<Real>& body) {
     const Real dt(context.dt);
     const Real inertia =
@@ -180,7 +180,11 @@ TUMBLE_INLINE Turning<Real> turn_spheres(const IntegrateContext& context, Slots 
     const Vec3<Real> kick = body.torque * (dt / inertia);
     const Vec3<Real> spin = body.spin + kick * body.share;
     const Vec3<Real> now = spin - kick * Real(0.5);
-    return {spin, turned<Real>(body.q, spin, dt), Real(0.5) * inertia * dot(now, now), Real(0.0)};
+    const Real energy = Real(0.5) * inertia * dot(now, now);
+    if constexpr (turns)
+        return {spin, turned<Real>(body.q, spin, dt), energy, Real(0.0)};
+    else
+        return {spin, body.q, energy, Real(0.0)};
 }
 
 /// Angular momentum is kicked in the world frame, which keeps it to rounding; the orientation follows by the midpoint
@@ -216,8 +220,10 @@ TUMBLE_INLINE Turning<Real> turn_clumps(const IntegrateContext& context, Slots s
     return {spin, q, energy, root(dot(spin, spin)) * reach};
 }
 
-/// Moves bodies that are all single spheres, or all clumps.
-template <bool single, class Slots, class Real = typename Slots::Real>
+enum class Kind { clump, sphere, sphere_that_keeps_its_orientation };
+
+/// Moves bodies that are all of a kind.
+template <Kind kind, class Slots, class Real = typename Slots::Real>
 TUMBLE_INLINE void move(const IntegrateContext& context, Slots slots, Tally<Real>& tally) {
     const auto position = [&](int slot) TUMBLE_INLINE_LAMBDA { return context.motion[slot].position; };
     const auto velocity = [&](int slot) TUMBLE_INLINE_LAMBDA { return context.motion[slot].velocity; };
@@ -226,16 +232,19 @@ TUMBLE_INLINE void move(const IntegrateContext& context, Slots slots, Tally<Real
     const Row<Real> at = slots.load(position);
     const Row<Real> speed = slots.load(velocity);
     const Row<Real> turning = slots.load(spin);
-    const Row<Real> q = slots.load(orientation);
+    constexpr bool turns = kind != Kind::sphere_that_keeps_its_orientation;
+    Row<Real> q{};
+    if constexpr (turns)
+        q = slots.load(orientation);
     const Row<Real> force = slots.load([&](int slot) TUMBLE_INLINE_LAMBDA { return context.load[slot].force; });
     const Row<Real> torque = slots.load([&](int slot) TUMBLE_INLINE_LAMBDA { return context.load[slot].torque; });
 
     const Torqued<Real> body{{q.x, q.y, q.z, q.w}, xyz(turning), xyz(torque), turning.w};
     Turning<Real> turned;
-    if constexpr (single)
-        turned = turn_spheres(context, slots, body);
-    else
+    if constexpr (kind == Kind::clump)
         turned = turn_clumps(context, slots, body);
+    else
+        turned = turn_spheres<turns>(context, slots, body);
     Flight<Real> flight(context, xyz(at), xyz(speed), xyz(force), speed.w, turning.w, slots.load_line(context.travel),
                         turned.spun);
     flight.tally.rotation = turned.energy;
@@ -244,7 +253,8 @@ TUMBLE_INLINE void move(const IntegrateContext& context, Slots slots, Tally<Real
     slots.store(position, flight.position, at.w);
     slots.store(velocity, flight.velocity, speed.w);
     slots.store(spin, turned.spin, Real(1.0));
-    slots.store(orientation, {turned.q.w, turned.q.x, turned.q.y}, turned.q.z);
+    if constexpr (turns)
+        slots.store(orientation, {turned.q.w, turned.q.x, turned.q.y}, turned.q.z);
     slots.store_line(context.travel, flight.tally.travel);
     tally.add(flight.tally);
 }
@@ -261,10 +271,12 @@ TUMBLE_INLINE int singles_of_eight(const IntegrateContext& context, int first) {
 }
 
 TUMBLE_INLINE void move_one(const IntegrateContext& context, int slot, Tally<double>& tally) {
-    if (is_single(context, slot))
-        move<true>(context, One{slot}, tally);
+    if (!is_single(context, slot))
+        move<Kind::clump>(context, One{slot}, tally);
+    else if (context.turn_spheres)
+        move<Kind::sphere>(context, One{slot}, tally);
     else
-        move<false>(context, One{slot}, tally);
+        move<Kind::sphere_that_keeps_its_orientation>(context, One{slot}, tally);
 }
 
 } // namespace
@@ -275,10 +287,12 @@ IntegrateSums integrate(const IntegrateContext& context) {
     int slot = context.begin;
     for (; slot + lanes <= context.end; slot += lanes) {
         const int singles = singles_of_eight(context, slot);
-        if (singles == lanes)
-            move<true>(context, Eight{slot}, eights);
-        else if (singles == 0)
-            move<false>(context, Eight{slot}, eights);
+        if (singles == 0)
+            move<Kind::clump>(context, Eight{slot}, eights);
+        else if (singles == lanes && context.turn_spheres)
+            move<Kind::sphere>(context, Eight{slot}, eights);
+        else if (singles == lanes)
+            move<Kind::sphere_that_keeps_its_orientation>(context, Eight{slot}, eights);
         else
             for (int k = 0; k < lanes; ++k)
                 move_one(context, slot + k, tally);

@@ -10,19 +10,6 @@ namespace tumble::sim3d::TUMBLE_ISA {
 
 constexpr int lanes = Pack::lanes;
 
-// Which body comes next is known long before it is needed, but not to the processor.
-constexpr int ahead = 24;
-
-TUMBLE_INLINE void fetch(const void* line) {
-    __builtin_prefetch(line, 1);
-}
-
-TUMBLE_INLINE void fetch_body(const PushContext& context, int body) {
-    fetch(&context.motion[body]);
-    fetch(context.motion[body].spin);
-    fetch(&context.load[body]);
-}
-
 TUMBLE_INLINE Vec3<Pack> xyz(const Columns& c) {
     return {c.x, c.y, c.z};
 }
@@ -168,7 +155,7 @@ TUMBLE_INLINE void load_body(BodyLoad& load, Quad force, Quad torque) {
 
 TUMBLE_INLINE void hand_out(PushContext& context, const Pushed& pushed, int lane, int a, int b) {
     load_body(context.load[a], pushed.force[lane], pushed.torque_a[lane]);
-    if (b >= context.begin && b < context.end) {
+    if (b < context.end) { // a pair belongs to the chunk of its lower slot, a
         load_body(context.load[b], -pushed.force[lane], pushed.torque_b[lane]);
         return;
     }
@@ -278,9 +265,6 @@ template <class By> struct Pusher {
                 image[lane] = &context.images[pair.image];
                 shifted |= pair.image != no_image;
                 kept.set(context, lane, &memory[which[at]], which[at]);
-                const int next = which[at + ahead < count ? at + ahead : at];
-                fetch_body(context, pairs[next].b);
-                fetch(&memory[next]);
             });
             const Columns at_a = gather([&](int k) TUMBLE_INLINE_LAMBDA { return a[k]->position; });
             const Columns at_b = gather([&](int k) TUMBLE_INLINE_LAMBDA { return b[k]->position; });

@@ -6,7 +6,6 @@ namespace tumble::sim3d::TUMBLE_ISA {
 namespace {
 
 constexpr int lanes = Pack::lanes;
-constexpr int ahead = 24; // which body comes next is known long before the processor could guess it
 
 /// A bit for each of eight pairs whose gap is below `gap`; lanes from n on repeat the last pair.
 template <class Pair>
@@ -27,23 +26,29 @@ TUMBLE_INLINE unsigned closer_than(double gap, const BodyMotion* motion, const P
     return bits(dot(d, d) < reach * reach) & ((1U << n) - 1);
 }
 
-/// Appends first + lane for every set bit; room for eight more is needed. Which bits are set is hard to predict: all
-/// eight are written, and the count advances only where it is one.
+/// Appends first + lane for every set bit; room for eight more is needed. Which bits are set is hard to predict, so
+/// eight are written whatever they are.
 TUMBLE_INLINE void append(unsigned set, int first, int* to, int& count) {
+#if defined(__AVX512VL__)
+    const __m256i number = _mm256_add_epi32(_mm256_set1_epi32(first), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+    const __m256i packed = _mm256_maskz_compress_epi32(static_cast<__mmask8>(set), number);
+    __builtin_memcpy(to + count, &packed, sizeof packed);
+    count += __builtin_popcount(set);
+#else
     for (int lane = 0; lane < lanes; ++lane) {
         to[count] = first + lane;
         count += static_cast<int>(set >> lane & 1);
     }
+#endif
 }
 
-/// Calls pack(first, n) for every eight of `count` pairs, with the second body of the pairs a while ahead fetched.
-template <class Pair, class PackOf>
-TUMBLE_INLINE void by_packs(const BodyMotion* motion, const Pair* pairs, int count, PackOf&& pack) {
-    for (int first = 0; first < count; first += lanes) {
-        for (int k = first + ahead; k < first + ahead + lanes && k < count; ++k)
-            __builtin_prefetch(&motion[pairs[k].b]);
-        pack(first, count - first < lanes ? count - first : lanes);
-    }
+/// Calls pack(first, n) for every eight of `count` pairs; full packs are known to be full.
+template <class PackOf> TUMBLE_INLINE void by_packs(int count, PackOf&& pack) {
+    int first = 0;
+    for (; first + lanes <= count; first += lanes)
+        pack(first, lanes);
+    if (first < count)
+        pack(first, count - first);
 }
 
 /// One bit per byte, each 0 or 1; the lowest n.
@@ -79,7 +84,7 @@ int near_bodies(const Bounds* bounds, int begin, int end, const Bounds& sphere, 
 int near_spheres(const BodyMotion* motion, const SpherePair* pairs, int count, const Shift* images, double skin,
                  int* found) {
     int n = 0;
-    by_packs(motion, pairs, count, [&](int first, int of_these) TUMBLE_INLINE_LAMBDA {
+    by_packs(count, [&](int first, int of_these) TUMBLE_INLINE_LAMBDA {
         append(closer_than(skin, motion, pairs + first, of_these, images), first, found, n);
     });
     return n;
@@ -88,7 +93,7 @@ int near_spheres(const BodyMotion* motion, const SpherePair* pairs, int count, c
 TouchCounts touch_spheres(const BodyMotion* motion, const NearPair* pairs, int count, const Shift* images, double hold,
                           std::uint8_t* touching, int* contacts, int* ended) {
     TouchCounts counts{0, 0};
-    by_packs(motion, pairs, count, [&](int first, int n) TUMBLE_INLINE_LAMBDA {
+    by_packs(count, [&](int first, int n) TUMBLE_INLINE_LAMBDA {
         const unsigned was = bits_of_bytes(touching + first, n);
         unsigned now = closer_than(0, motion, pairs + first, n, images);
         if (hold > 0)

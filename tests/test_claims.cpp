@@ -171,24 +171,23 @@ TEST_CASE("bowl: load, sensor, drive and size are the thesis'") {
     const auto mass_of = [&](const scene::BodyTemplate& body) {
         return sim3d::make_body_shape(body, bowl.materials[static_cast<std::size_t>(body.material)]).value().mass;
     };
-    CHECK(mass_of(bowl.bodies[0]) == doctest::Approx(0.000490733).epsilon(1e-5)); // appendix C.2
+    CHECK(mass_of(bowl.bodies[0]) == about(0.000490733, 1e-5)); // appendix C.2
     CHECK(bowl.bodies[0].spheres.size() == 36);
-    CHECK(*bowl.fills[0].count * mass_of(bowl.bodies[0]) == doctest::Approx(7.0).epsilon(0.001));
+    CHECK(*bowl.fills[0].count * mass_of(bowl.bodies[0]) == about(7.0, 0.001));
     CHECK(mass_of(bowl.bodies[1]) == 0.0277206);
     CHECK(bowl.bodies[1].spheres.size() == 43);
-    CHECK(bowl.time_step == doctest::Approx(1.0 / 350000).epsilon(1e-12));
+    CHECK(bowl.time_step == about(1.0 / 350000, 1e-12));
     const auto& wall = std::get<scene::BowlShape>(bowl.walls[0].shape);
     const auto& disc = std::get<scene::BowlDiscShape>(bowl.walls[1].shape);
-    CHECK(2 * wall.radius == doctest::Approx(0.333));
+    CHECK(2 * wall.radius == about(0.333));
     CHECK(wall.height == 0.21);
-    CHECK(bowl.walls[1].motion.rotations[0].angular_velocity == doctest::Approx(200 * 2 * std::numbers::pi / 60));
+    CHECK(bowl.walls[1].motion.rotations[0].angular_velocity == about(200 * 2 * std::numbers::pi / 60));
     // 18 litres: the cylinder less the space behind the rim, a triangle carried round at its centroid.
     const double behind =
         2 * std::numbers::pi * (disc.radius - disc.rim_width / 3) * disc.rim_width * disc.rim_rise / 2;
-    CHECK(std::numbers::pi * wall.radius * wall.radius * wall.height - behind == doctest::Approx(0.018).epsilon(0.02));
+    CHECK(std::numbers::pi * wall.radius * wall.radius * wall.height - behind == about(0.018, 0.02));
     const scene::Scene spheres = loaded("bowl-spheres.toml");
-    CHECK(sim3d::make_body_shape(spheres.bodies[0], spheres.materials[0]).value().mass ==
-          doctest::Approx(0.000490733).epsilon(1e-4));
+    CHECK(sim3d::make_body_shape(spheres.bodies[0], spheres.materials[0]).value().mass == about(0.000490733, 1e-4));
 }
 
 TEST_CASE("bowl-quick, with a ninth of its load: the disc flings the media outwards and lifts them up its rim") {

@@ -118,13 +118,27 @@ std::string content_of(const std::filesystem::path& path) {
 }
 
 const std::filesystem::path src = std::filesystem::path(TUMBLE_ROOT) / "src";
+const std::filesystem::path tests = std::filesystem::path(TUMBLE_ROOT) / "tests";
 
-Tree tree_of_src() {
+Tree tree_of(const std::filesystem::path& root) {
     Tree tree;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(src))
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root))
         if (const auto kind = entry.path().extension(); kind == ".h" || kind == ".cpp")
-            tree[entry.path().lexically_relative(src).generic_string()] = content_of(entry.path());
+            tree[entry.path().lexically_relative(root).generic_string()] = content_of(entry.path());
     return tree;
+}
+
+/// Tests that compare by doctest's own measure: of what is far below 1 it accepts nearly anything.
+Faults loose_comparisons(const Tree& tree) {
+    Faults faults;
+    const std::regex loose(R"(.*\bApprox\b.*)");
+    for (const auto& [path, content] : tree) {
+        const auto lines = split(content, '\n');
+        for (std::size_t i = 0; path != "about.h" && i < lines.size(); ++i)
+            if (lines[i].size() < 1000 && std::regex_match(std::string(lines[i]), loose))
+                faults.push_back(fmt::format("{}:{}: compare with about() of tests/about.h", path, i + 1));
+    }
+    return faults;
 }
 
 const std::string small_list = "# a comment\n0 base : -\n1 scene : base\n2 run : base scene\n3 cli : run\n";
@@ -143,7 +157,7 @@ Faults faults_with(const std::string& path, const std::string& content) {
 } // namespace
 
 TEST_CASE("every #include goes down the list in src/layers.txt") {
-    const Tree tree = tree_of_src();
+    const Tree tree = tree_of(src);
     CHECK(tree.size() > 10);
     for (const std::string& fault : faults_of(content_of(src / "layers.txt"), tree))
         FAIL_CHECK("src/" << fault);
@@ -169,6 +183,17 @@ TEST_CASE("the checker finds each kind of fault in a made-up bad tree") {
     CHECK(faults_with("run/bad.cpp", "std::cerr << 1;") == Faults{"run/bad.cpp:1: only cli prints and exits"});
     CHECK(faults_with("run/bad.cpp", "fprintf(f, \"\");") == Faults{"run/bad.cpp:1: only cli prints and exits"});
     CHECK(faults_with("run/fine.cpp", "std::snprintf(b, 9, \"\"); on_exit_(x);").empty());
+}
+
+TEST_CASE("every comparison of a test says how far it may be off, relative to its value") {
+    const Tree tree = tree_of(tests);
+    CHECK(tree.contains("about.h"));
+    for (const std::string& fault : loose_comparisons(tree))
+        FAIL_CHECK("tests/" << fault);
+    const std::string of_doctest = std::string("Ap") + "prox";
+    CHECK(loose_comparisons({{"a/test.cpp", "\nCHECK(x == doctest::" + of_doctest + "(1e-6));\n"}}) ==
+          Faults{"a/test.cpp:2: compare with about() of tests/about.h"});
+    CHECK(loose_comparisons({{"a/test.cpp", "CHECK(x.is" + of_doctest + "(y));\n"}}).empty()); // Eigen's is relative
 }
 
 TEST_CASE("files may have 500 lines and not one more") {

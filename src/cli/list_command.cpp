@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <map>
 #include <memory>
+#include <set>
 
 namespace tumble::cli {
 
@@ -62,26 +64,46 @@ int list_scenes(const ListArguments& arguments) {
     return show(items, {"file", "title"}, arguments.json);
 }
 
-/// What a pair of words in [contact] selects; the words themselves come from the key list.
+/// What a word of a key in [contact] selects; the words themselves come from the key list.
 std::string law_sentence(const std::string& key, const std::string& word) {
-    if (word == "hertz")
-        return "Hertz contact with damping by restitution (Tsuji et al. 1992)";
-    if (word == "mindlin")
-        return "Mindlin spring with history, capped by Coulomb friction";
-    if (word == "linear")
-        return key == "normal" ? "spring and dashpot of constant stiffness"
-                               : "spring of constant stiffness with history";
-    return word == "none" ? "no tangential force" : "";
+    static const std::map<std::string, std::string> sentences{
+        {"normal hertz", "Hertz contact with damping by restitution (Tsuji et al. 1992)"},
+        {"normal linear", "spring and dashpot of constant stiffness"},
+        {"tangential mindlin", "Mindlin spring with history, capped by Coulomb friction"},
+        {"tangential linear", "spring of constant stiffness with history, capped by Coulomb friction"},
+        {"tangential none", "no tangential force"},
+        {"rolling cdt", "constant torque against the rolling (Zhou et al. 1999)"},
+        {"rolling epsd", "rolling spring and dashpot, capped (Ai et al. 2011, type C)"},
+        {"rolling none", "no rolling resistance"},
+        {"adhesion sjkr", "pull in proportion to the area of contact, simplified JKR"},
+        {"adhesion jkr", "JKR in place of Hertz, with necks that hold beyond contact (Johnson et al. 1971)"},
+        {"adhesion dmt", "constant pull while in contact (Derjaguin et al. 1975)"},
+        {"adhesion none", "no adhesion"}};
+    const auto found = sentences.find(key + " " + word);
+    return found == sentences.end() ? "" : found->second;
+}
+
+/// The kinds of scene that take a word of a key: "", or one of them.
+std::string dimensions_of(const scene::KeyTable& table, const std::string& name, const std::string& word) {
+    const auto taken = [&](int dimension) {
+        const scene::Key* key = scene::find_key(table, name, dimension);
+        return key && std::find(key->words.begin(), key->words.end(), word) != key->words.end();
+    };
+    return taken(2) && taken(3) ? "" : taken(2) ? "2D" : "3D";
 }
 
 int list_laws(const ListArguments& arguments) {
     Json items = Json::array();
+    std::set<std::string> listed;
     if (const scene::KeyTable* contact = scene::find_table("contact"))
         for (const scene::Key& key : contact->keys)
             for (const std::string& word : key.words)
-                items.push_back(
-                    {{"key", "contact." + key.name}, {"law", word}, {"sentence", law_sentence(key.name, word)}});
-    return show(items, {"key", "law", "sentence"}, arguments.json);
+                if (listed.insert(key.name + " " + word).second)
+                    items.push_back({{"key", "contact." + key.name},
+                                     {"law", word},
+                                     {"in", dimensions_of(*contact, key.name, word)},
+                                     {"sentence", law_sentence(key.name, word)}});
+    return show(items, {"key", "law", "in", "sentence"}, arguments.json);
 }
 
 int list_measures(const ListArguments& arguments) {
@@ -101,11 +123,12 @@ int list_keys(const ListArguments& arguments) {
         for (const scene::Key& key : keys.keys)
             items.push_back({{"table", keys.head},
                              {"key", key.name},
+                             {"in", scene::mark_of(key.in)},
                              {"type", scene::describe(key)},
                              {"unit", key.unit},
                              {"default", key.required ? "required" : scene::describe(key.standard)},
                              {"sentence", key.sentence}});
-    return show(items, {"table", "key", "default", "sentence"}, arguments.json);
+    return show(items, {"table", "key", "in", "default", "sentence"}, arguments.json);
 }
 
 int list_causes(const ListArguments& arguments) {

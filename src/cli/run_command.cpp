@@ -48,7 +48,7 @@ int run_it(RunArguments& arguments) {
     const Result<run::RunSummary> summary = run::run_scene(*scene, arguments.options, line);
     line.end();
     if (!summary)
-        return refuse(summary.problems(), arguments.json, wrong);
+        return refuse(summary.problems(), arguments.json, stop_wanted(arguments.options.stop) ? stop_code() : wrong);
     return tell_outcome(*summary, arguments.json, arguments.quiet);
 }
 

@@ -29,6 +29,7 @@ TUMBLE_INLINE TangentialPush<Real> limited_spring(const Vec3<Real>& normal, cons
     push.memory.spring = trial * cut;
     const Real c = select(slides, none, damping);
     push.force = (push.memory.spring * stiffness + rate * c) * Real(-1.0);
+    push.viscous = rate * (none - c);
 
     const Vec3<Real> rate_now = rate + push.force * half_kick;
     push.lost_damping = c * dot(rate, rate_now) * dt;

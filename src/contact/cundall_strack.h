@@ -49,8 +49,8 @@ public:
         if (rubs_)
             rub(touch, memory, root_mass, friction, share, half_kick, dt, push);
         else
-            push.shear = push.memory.shear = push.memory.energy = push.lost_shear_damping = push.lost_sliding =
-                Real(0.0);
+            push.shear = push.memory.shear = push.memory.energy = push.shear_viscous = push.lost_shear_damping =
+                push.lost_sliding = Real(0.0);
         push.lost_normal_damping = push.lost_normal_damping * dt;
         push.lost_history = Real(0.0);
         return push;
@@ -76,8 +76,9 @@ private:
         const Real sum = elastic + c * touch.normal_rate;
         push.normal = limit_force_ ? larger(sum, Real(0.0)) : sum;
         push.stored_normal = Real(0.5) * elastic * touch.overlap;
+        push.normal_viscous = push.normal - elastic;
         // The dashpot's work is its force times the rate at the step, half a kick later.
-        push.lost_normal_damping = (push.normal - elastic) * (touch.normal_rate - half_kick * push.normal);
+        push.lost_normal_damping = push.normal_viscous * (touch.normal_rate - half_kick * push.normal);
     }
 
     /// (3.24), (3.26), (3.27), then Coulomb's limit F_n tan(phi) + c; the dashpot D_s = c_s s' is silent while the
@@ -95,6 +96,7 @@ private:
         const Real c = select(slides, Real(0.0), dashpot);
         const Real viscous = c * touch.shear_rate;
         push.shear = held + viscous;
+        push.shear_viscous = viscous;
         push.memory.shear = held;
         const Real compliance = Real(1.0) / k;
         push.memory.energy = Real(0.5) * held * held * compliance;

@@ -26,11 +26,20 @@ template <class Real> struct DiscPush {
     Real normal; // N along e, pushes the two apart when positive
     Real shear;  // N along t
     DiscMemory<Real> memory;
+    Real normal_viscous; // N, the dashpots' parts of the forces
+    Real shear_viscous;
     Real stored_normal;       // J
     Real lost_normal_damping; // J in this step
     Real lost_shear_damping;
     Real lost_sliding;
     Real lost_history;
 };
+
+/// As book_ahead of law.h: by how much more than this contact changes n' and s' until the step, m/s.
+template <class Real>
+TUMBLE_INLINE void book_ahead(DiscPush<Real>& push, Real normal_ahead, Real shear_ahead, Real dt) {
+    push.lost_normal_damping = push.lost_normal_damping + push.normal_viscous * normal_ahead * dt;
+    push.lost_shear_damping = push.lost_shear_damping + push.shear_viscous * shear_ahead * dt;
+}
 
 } // namespace tumble::contact

@@ -108,6 +108,8 @@ TUMBLE_INLINE void let_go(FullPush<Real>& push, const Memory<Real>& memory, cons
     push.force = push.force * holds;
     push.torque = push.torque * holds;
     push.memory = {push.memory.spring * holds, push.memory.energy * holds};
+    push.normal_viscous = push.normal_viscous * holds;
+    push.tangential_viscous = push.tangential_viscous * holds;
     push.further = {{further.rolling.spring * holds, further.rolling.energy * holds},
                     further.impact_speed * holds,
                     holds,
@@ -155,6 +157,8 @@ template <class Normal, class Tangential> struct FullLaw {
         push.force = touch.normal * force + tangential.force;
         push.torque = rolling.torque;
         push.memory = tangential.memory;
+        push.normal_viscous = force - normal.elastic;
+        push.tangential_viscous = tangential.viscous;
         push.further.rolling = rolling.memory;
         push.stored_normal = normal.stored;
         push.lost_normal_damping = -((force - normal.elastic) * rate_now * dt);

@@ -36,6 +36,8 @@ public:
                              Memory<Real>{{memory.shear, none, none}, memory.energy}, dt);
         push.shear = -shear.force.x;
         push.memory = {shear.memory.spring.x, shear.memory.energy};
+        push.normal_viscous = push.normal - normal.elastic;
+        push.shear_viscous = -shear.viscous.x;
         push.stored_normal = normal.stored;
         const Real rate_now = touch.normal_rate - Real(0.5) * push.normal * (dt / touch.mass);
         push.lost_normal_damping = (push.normal - normal.elastic) * rate_now * dt;

@@ -5,6 +5,14 @@
 
 namespace tumble::contact {
 
+/// Books the dashpots' work at the velocity of the step where more than this contact changes it until then: by `ahead`,
+/// m/s of a's surface relative to b's, half a step of gravity or of a wall that speeds up.
+template <class Real>
+TUMBLE_INLINE void book_ahead(Push<Real>& push, const Vec3<Real>& normal, const Vec3<Real>& ahead, Real dt) {
+    push.lost_normal_damping = push.lost_normal_damping - push.normal_viscous * dot(ahead, normal) * dt;
+    push.lost_tangential_damping = push.lost_tangential_damping - dot(push.tangential_viscous, ahead) * dt;
+}
+
 /// A normal and a tangential law put together. `limit_force` true: the normal force never pulls at the end of a
 /// rebound.
 template <class Normal, class Tangential> struct Law {
@@ -28,6 +36,8 @@ template <class Normal, class Tangential> struct Law {
         Push<Real> push;
         push.force = touch.normal * force + tangential.force;
         push.memory = tangential.memory;
+        push.normal_viscous = force - normal.elastic;
+        push.tangential_viscous = tangential.viscous;
         push.stored_normal = normal.stored;
         push.lost_normal_damping = -((force - normal.elastic) * rate_now * dt);
         push.lost_tangential_damping = tangential.lost_damping;

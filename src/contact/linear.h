@@ -38,7 +38,7 @@ struct NoTangential {
     TUMBLE_INLINE static TangentialPush<Real> push(const Touch<Real>&, const Vec3<Real>&, Real, Real,
                                                    const PairConstants&, const Memory<Real>&, Real) {
         const Real none(0.0);
-        return {{none, none, none}, {{none, none, none}, none}, none, none, none};
+        return {{none, none, none}, {{none, none, none}, none}, {none, none, none}, none, none, none};
     }
 };
 

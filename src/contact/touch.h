@@ -32,16 +32,19 @@ template <class Real> struct NormalPush {
 template <class Real> struct TangentialPush {
     Vec3<Real> force; // N on a
     Memory<Real> memory;
-    Real lost_damping; // J in this step
-    Real lost_sliding; // J in this step
-    Real lost_history; // J in this step
+    Vec3<Real> viscous; // N on a, the dashpot's part of the force
+    Real lost_damping;  // J in this step
+    Real lost_sliding;  // J in this step
+    Real lost_history;  // J in this step
 };
 
 template <class Real> struct Push {
     Vec3<Real> force; // N on a; b gets the opposite
     Memory<Real> memory;
-    Real stored_normal;       // J
-    Real lost_normal_damping; // J in this step
+    Real normal_viscous;           // N along the normal, the dashpots' parts of the force
+    Vec3<Real> tangential_viscous; // N on a
+    Real stored_normal;            // J
+    Real lost_normal_damping;      // J in this step
     Real lost_tangential_damping;
     Real lost_sliding;
     Real lost_history;

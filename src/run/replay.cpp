@@ -133,7 +133,7 @@ Replayed replay(const Recording& recording, const ReplayOptions& options, const 
     Problems& problems = replayed.reason;
     const auto all = static_cast<std::int64_t>(recording.frames.size());
     for (const std::filesystem::path& file : recording.frames) {
-        if (options.stop && options.stop->load(std::memory_order_relaxed)) {
+        if (stop_wanted(options.stop)) {
             replayed.stopped = true;
             break;
         }

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "base/problem.h"
+#include "base/stop.h"
 #include "run/frame_sink.h"
 #include "run/run_folder.h"
 
-#include <atomic>
 #include <functional>
 #include <limits>
 #include <string>
@@ -18,7 +18,7 @@ struct ReplayOptions {
     double to = std::numeric_limits<double>::infinity();    // s
     std::string plot_measure;                               // of series.csv, for the small plot; may be missing there
     double duration = 0;                                    // s, of the whole run: where the plot's time axis ends
-    const std::atomic<bool>* stop = nullptr;
+    StopFlag stop = nullptr;
 };
 
 struct Replayed {

@@ -24,7 +24,7 @@ Result<Resumable> resumable_from(const fs::path& file, const scene::Scene& scene
         return Problem{.file = file.string(),
                        .what = "counts on rows of series.csv that are not there",
                        .fix = "put series.csv back as the run left it, or run the scene again"};
-    Result<SimulationPtr> simulation = restore(scene, options.threads, checkpoint.world);
+    Result<SimulationPtr> simulation = restore(scene, options.threads, checkpoint.world, options.stop);
     if (!simulation)
         return simulation.problems();
     checkpoint.world = {}; // as large as all the rest, and the simulation has it
@@ -102,6 +102,8 @@ Result<Resumable> find_checkpoint(const scene::Scene& scene, const std::string& 
             }
             problems = found.problems();
         }
+        if (stop_wanted(options.stop))
+            return stopped_before_it_began();
         for (Problem& problem : problems)
             problem.file = file.string();
         useless.insert(useless.end(), problems.begin(), problems.end());

@@ -96,7 +96,7 @@ Result<std::unique_ptr<RunInWork>> RunInWork::prepare(const scene::Scene& scene,
 
 Result<std::unique_ptr<RunInWork>> RunInWork::begin(const scene::Scene& scene, const RunOptions& options,
                                                     RunListener& listener, const std::vector<MeshCopy>& meshes) {
-    Result<SimulationPtr> simulation = simulate(scene, options.threads);
+    Result<SimulationPtr> simulation = simulate(scene, options.threads, options.stop);
     if (!simulation)
         return simulation.problems();
     Result<FolderInWork> folder =
@@ -208,10 +208,6 @@ Result<FrameSinks> RunInWork::open_sinks() {
     return sinks;
 }
 
-bool RunInWork::stop_wanted() const {
-    return options_.stop && options_.stop->load(std::memory_order_relaxed);
-}
-
 void RunInWork::step_to_the_end() {
     listener_.started(summary_.folder, progress());
     for (std::string& sentence : check_built(scene_, *simulation_).warnings)
@@ -226,7 +222,7 @@ void RunInWork::step_to_the_end() {
             summary_.state = "finished";
             break;
         }
-        if (stop_wanted()) {
+        if (stop_wanted(options_.stop)) {
             summary_.state = "stopped";
             break;
         }

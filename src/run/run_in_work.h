@@ -70,7 +70,6 @@ private:
     void warn(std::string sentence);
     void take_stock();
     [[nodiscard]] Progress progress() const;
-    [[nodiscard]] bool stop_wanted() const;
 
     const scene::Scene& scene_;
     RunOptions options_;

@@ -135,7 +135,7 @@ Result<Done> RunInWork::recall_tracers() {
 void RunInWork::bring_back_frames() {
     if (!options_.pictures && !options_.video && !options_.paraview && !options_.text_dump)
         return;
-    for (std::int64_t number = 0; number < shots_ && !stop_wanted(); ++number) {
+    for (std::int64_t number = 0; number < shots_ && !stop_wanted(options_.stop); ++number) {
         Result<observe::Frame> frame =
             observe::read_frame(observe::frame_path(folder_.paths().frames(), number), layout_);
         if (!frame)

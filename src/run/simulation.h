@@ -3,6 +3,7 @@
 #include "base/books.h"
 #include "base/phases.h"
 #include "base/problem.h"
+#include "base/stop.h"
 #include "observe/frame.h"
 #include "scene/scene.h"
 #include "scene/time_step.h"
@@ -33,7 +34,8 @@ class Simulation {
 public:
     virtual ~Simulation() = default;
 
-    /// Takes `steps` steps. A state that stopped being sane ends it early with a problem.
+    /// Takes `steps` steps. A state that stopped being sane ends it early with a problem; a stop that is wanted may end
+    /// it early without one.
     virtual std::optional<Problem> advance(std::int64_t steps) = 0;
 
     [[nodiscard]] virtual double time() const = 0; // s
@@ -56,14 +58,15 @@ public:
 using SimulationPtr = std::unique_ptr<Simulation>;
 
 /// The solver that the scene asks for, ready to step at t = 0. `threads` >= 1 changes the time taken, never the result.
-/// Problems: those of the solver's build_world.
-Result<SimulationPtr> simulate(const scene::Scene& scene, int threads);
+/// Problems: those of the solver's build_world, and that a stop was wanted meanwhile.
+Result<SimulationPtr> simulate(const scene::Scene& scene, int threads, StopFlag stop = nullptr);
 
 /// The same in a state that state() gave. Problems: those of the solver's restore_world.
-Result<SimulationPtr> restore(const scene::Scene& scene, int threads, const std::string& state);
+Result<SimulationPtr> restore(const scene::Scene& scene, int threads, const std::string& state,
+                              StopFlag stop = nullptr);
 
 /// The solvers to choose from, one file each. Without a state they begin at t = 0.
-Result<SimulationPtr> simulate_in_2d(const scene::Scene& scene, int threads, const std::string* state);
-Result<SimulationPtr> simulate_in_3d(const scene::Scene& scene, int threads, const std::string* state);
+Result<SimulationPtr> simulate_in_2d(const scene::Scene& scene, int threads, StopFlag stop, const std::string* state);
+Result<SimulationPtr> simulate_in_3d(const scene::Scene& scene, int threads, StopFlag stop, const std::string* state);
 
 } // namespace tumble::run

@@ -110,9 +110,9 @@ private:
 
 } // namespace
 
-Result<SimulationPtr> simulate_in_2d(const scene::Scene& scene, int threads, const std::string* state) {
+Result<SimulationPtr> simulate_in_2d(const scene::Scene& scene, int threads, StopFlag stop, const std::string* state) {
     Result<sim2d::WorldPtr> world =
-        state ? sim2d::restore_world(scene, threads, *state) : sim2d::build_world(scene, threads);
+        state ? sim2d::restore_world(scene, threads, *state, stop) : sim2d::build_world(scene, threads, stop);
     if (!world)
         return world.problems();
     return SimulationPtr(std::make_unique<Simulation2d>(scene, std::move(*world)));

@@ -79,9 +79,9 @@ private:
 
 } // namespace
 
-Result<SimulationPtr> simulate_in_3d(const scene::Scene& scene, int threads, const std::string* state) {
+Result<SimulationPtr> simulate_in_3d(const scene::Scene& scene, int threads, StopFlag stop, const std::string* state) {
     Result<sim3d::WorldPtr> world =
-        state ? sim3d::restore_world(scene, threads, *state) : sim3d::build_world(scene, threads);
+        state ? sim3d::restore_world(scene, threads, *state, stop) : sim3d::build_world(scene, threads, stop);
     if (!world)
         return world.problems();
     return SimulationPtr(std::make_unique<Simulation3d>(scene, std::move(*world)));

@@ -1,6 +1,7 @@
 #include "run/wall_triangles.h"
 
 #include "scene/bowl_mesh.h"
+#include "scene/trough_profile.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -183,23 +184,17 @@ private:
 
     /// (z, y) from the rim at negative z over the bottom to the other rim; a rim below the arc's end cuts the arc.
     static std::vector<Eigen::Vector2d> trough_profile(const scene::TroughShape& trough) {
-        const double centre = trough.floor + trough.radius;
-        const double cut = std::acos(std::clamp((centre - trough.rim) / trough.radius, -1.0, 1.0));
-        const double tangent = std::numbers::pi / 2 - trough.flare;
-        const double end = std::min(tangent, cut);
-        const double arc_top = centre - trough.radius * std::cos(end);
+        const scene::TroughProfile half = scene::profile_of(trough);
         std::vector<Eigen::Vector2d> profile;
-        const double rim_z = trough.radius * std::sin(end) + (trough.rim - arc_top) * std::tan(trough.flare);
-        const bool sides = tangent < cut && trough.rim > arc_top;
-        if (sides)
-            profile.emplace_back(-rim_z, trough.rim);
+        if (half.side)
+            profile.emplace_back(-half.rim_half, trough.rim);
         constexpr int strips = strips_per_turn / 2;
         for (int i = 0; i <= strips; ++i) {
-            const double angle = end * (2.0 * i / strips - 1);
-            profile.emplace_back(trough.radius * std::sin(angle), centre - trough.radius * std::cos(angle));
+            const double angle = half.arc_end * (2.0 * i / strips - 1);
+            profile.emplace_back(trough.radius * std::sin(angle), half.centre - trough.radius * std::cos(angle));
         }
-        if (sides)
-            profile.emplace_back(rim_z, trough.rim);
+        if (half.side)
+            profile.emplace_back(half.rim_half, trough.rim);
         return profile;
     }
 };

@@ -1,6 +1,7 @@
 #include "scene/extent.h"
 
 #include "scene/outline.h"
+#include "scene/trough_profile.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -31,11 +32,7 @@ struct Extent {
         return {shape.centre - reach, shape.centre + reach};
     }
     Box operator()(const TroughShape& shape) const {
-        // The sides begin where the bottom has turned to their slope.
-        const double side = shape.floor + shape.radius * (1 - std::sin(shape.flare));
-        const double rim =
-            shape.radius * std::cos(shape.flare) + std::max(0.0, shape.rim - side) * std::tan(shape.flare);
-        const double half = std::max(shape.radius * std::cos(shape.flare), rim);
+        const double half = profile_of(shape).rim_half;
         return {{-endless, shape.floor, -half}, {endless, shape.rim, half}};
     }
     Box operator()(const BowlShape& shape) const { return upright(shape.base, shape.radius, shape.height); }

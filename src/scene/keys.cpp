@@ -80,6 +80,10 @@ bool belongs_in(const Key& key, int dimension) {
     return key.in == Dimensions::both || (key.in == Dimensions::two) == (dimension == 2);
 }
 
+const char* mark_of(Dimensions dimensions) {
+    return dimensions == Dimensions::two ? "2D" : dimensions == Dimensions::three ? "3D" : "";
+}
+
 std::string plain(double value) {
     return std::abs(value) < 1e9 && value == std::floor(value) ? fmt::format("{:.0f}", value) : shortest(value);
 }

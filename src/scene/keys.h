@@ -86,6 +86,8 @@ const Key* find_key(const KeyTable& table, std::string_view name);
 /// Of the keys of that name the one for scenes of that dimension (2 or 3), or nullptr.
 const Key* find_key(const KeyTable& table, std::string_view name, int dimension);
 bool belongs_in(const Key& key, int dimension);
+/// "2D", "3D", or "" for both.
+const char* mark_of(Dimensions dimensions);
 
 /// A number for a sentence: "100000" where shortest() would say "1e+05".
 std::string plain(double value);

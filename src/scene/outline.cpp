@@ -1,5 +1,7 @@
 #include "scene/outline.h"
 
+#include "scene/trough_profile.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -45,12 +47,10 @@ struct Pieces {
 
     /// From the rim at negative x over the bottom to the other rim; a rim below the sides' start cuts the arc.
     std::vector<OutlinePiece> operator()(const TroughShape& shape) const {
-        const Vector2d centre(0, shape.floor + shape.radius);
-        const double cut = std::acos(std::clamp((centre.y() - shape.rim) / shape.radius, -1.0, 1.0));
-        const double tangent = pi / 2 - shape.flare;
-        const double end = std::min(tangent, cut); // from straight down
-        const OutlinePiece bottom = arc(centre, shape.radius, -pi / 2 - end, 2 * end);
-        if (cut <= tangent)
+        const TroughProfile profile = profile_of(shape);
+        const OutlinePiece bottom =
+            arc({0, profile.centre}, shape.radius, -pi / 2 - profile.arc_end, 2 * profile.arc_end);
+        if (!profile.side)
             return {bottom};
         const double lean = (shape.rim - bottom.to.y()) * std::tan(shape.flare);
         return {straight({bottom.from.x() - lean, shape.rim}, bottom.from), bottom,

@@ -43,9 +43,8 @@ std::string default_of(const Key& key) {
 }
 
 std::string row(const Key& key, const KeyTable& table) {
-    const char* const in = key.in == Dimensions::two ? "2D" : key.in == Dimensions::three ? "3D" : "";
     std::string text =
-        fmt::format("| `{}` | {} | {} | {} |", key.name, in, bar_escaped(describe(key)), default_of(key));
+        fmt::format("| `{}` | {} | {} | {} |", key.name, mark_of(key.in), bar_escaped(describe(key)), default_of(key));
     if (!table.kind_key.empty())
         text += fmt::format(" {} |", fmt::join(key.only_for, ", "));
     return text + " " + bar_escaped(key.sentence) + " |\n";

@@ -55,6 +55,13 @@ std::string in_words(const Eigen::Vector3d& point, const Resolving& to);
 /// A box from two corner keys; in two dimensions it reaches half the depth to either side.
 Box box_of(const View& view, const std::string& lo, const std::string& hi, const Resolving& to);
 
+/// The shape as it is, its fault (faults.h, bowl_mesh.h) reported at its key.
+template <class Shape> Shape without_fault(const Shape& shape, const View& view, const Resolving& to) {
+    if (const auto fault = view.whole() ? fault_of(shape) : std::nullopt)
+        to.refuse(view, fault->key, fault->what, fault->fix);
+    return shape;
+}
+
 /// A wall's outline in a scene of two dimensions.
 Outline resolve_outline(const View& view, const Resolving& to);
 /// What keeps the outline from being a wall in its domain, reported at the wall.

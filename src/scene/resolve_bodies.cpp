@@ -1,4 +1,5 @@
 #include "base/text.h"
+#include "scene/faults.h"
 #include "scene/keys.h"
 #include "scene/read_clump.h"
 #include "scene/resolve.h"
@@ -129,10 +130,8 @@ void resolve_bodies(const View& root, const Resolving& to) {
         else if (view.given("inertia_kg_m2")) {
             const Vector3d i = view.vector("inertia_kg_m2");
             body.principal_inertia = i;
-            // The two smaller moments of any real body sum to more than the largest.
-            if (2 * i.maxCoeff() > i.sum() * (1 + 1e-9))
-                to.refuse(view, "inertia_kg_m2", fmt::format("no body has the moments {}", in_words(i, to)),
-                          "the largest cannot exceed the sum of the other two");
+            if (const auto fault = fault_of_inertia(i))
+                to.refuse(view, fault->key, fault->what, fault->fix);
         }
         if (view.given("tracer_point_m"))
             body.tracer_point = view.vector("tracer_point_m") * (view.given("scale") ? view.number("scale") : 1.0);

@@ -1,4 +1,5 @@
 #include "scene/extent.h"
+#include "scene/faults.h"
 #include "scene/keys.h"
 #include "scene/outline.h"
 #include "scene/resolve.h"
@@ -54,11 +55,7 @@ TroughShape profile(const View& view, const Resolving& to) {
     shape.floor = view.number("floor_m");
     shape.rim = view.number("rim_m");
     shape.flare = view.number("flare_deg");
-    if (view.given("floor_m") && view.given("rim_m") && shape.rim <= shape.floor)
-        to.refuse(view, "rim_m",
-                  fmt::format("the rim at {} m is not above the floor at {} m", plain(shape.rim), plain(shape.floor)),
-                  "raise the rim");
-    return shape;
+    return without_fault(shape, view, to);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "base/text.h"
 #include "scene/bowl_mesh.h"
 #include "scene/extent.h"
+#include "scene/faults.h"
 #include "scene/keys.h"
 #include "scene/read_stl.h"
 #include "scene/resolve.h"
@@ -19,25 +20,15 @@ PlaneShape plane(const View& view, const Resolving& to) {
 BoxShape box(const View& view, const Resolving& to) {
     BoxShape shape;
     shape.box = box_of(view, "lo_m", "hi_m", to);
-    if (view.given("lo_m") && view.given("hi_m") && !has_volume(shape.box))
-        to.refuse(
-            view, "hi_m",
-            fmt::format("the box from {} to {} has no volume", in_words(shape.box.lo, to), in_words(shape.box.hi, to)),
-            "each value of hi_m must be above that of lo_m");
     for (const std::string& face : view.words("open"))
         shape.open[static_cast<std::size_t>(2 * (face[1] - 'x') + (face[0] == '+'))] = true;
-    return shape;
+    return without_fault(shape, view, to);
 }
 
 DiscShape disc(const View& view, const Resolving& to) {
-    DiscShape shape{view.vector("centre_m"), direction_of(view, "normal", to), view.number("radius_m"),
-                    view.number("hole_radius_m")};
-    if (view.given("hole_radius_m") && view.given("radius_m") && shape.hole_radius >= shape.radius)
-        to.refuse(view, "hole_radius_m",
-                  fmt::format("a hole of radius {} m leaves nothing of a disc of {} m", plain(shape.hole_radius),
-                              plain(shape.radius)),
-                  "make it smaller than radius_m");
-    return shape;
+    return without_fault(DiscShape{view.vector("centre_m"), direction_of(view, "normal", to), view.number("radius_m"),
+                                   view.number("hole_radius_m")},
+                         view, to);
 }
 
 TroughShape trough(const View& view, const Resolving& to) {
@@ -48,16 +39,10 @@ TroughShape trough(const View& view, const Resolving& to) {
     shape.flare = view.number("flare_deg");
     shape.x_lo = view.given("x_lo_m") ? view.number("x_lo_m") : to.scene.domain.box.lo.x();
     shape.x_hi = view.given("x_hi_m") ? view.number("x_hi_m") : to.scene.domain.box.hi.x();
-    if (view.given("radius_m") && view.given("floor_m") && view.given("rim_m") &&
-        shape.rim < shape.floor + shape.radius)
-        to.refuse(view, "rim_m",
-                  fmt::format("the rim at {} m is below the end of the round bottom at {} m", plain(shape.rim),
-                              plain(shape.floor + shape.radius)),
-                  "the sides begin at floor_m + radius_m; raise the rim");
     if (shape.x_lo >= shape.x_hi)
         to.refuse(view, view.written("x_lo_m") ? "x_lo_m" : "x_hi_m", "the trough has no length along x",
                   "give x_lo_m below x_hi_m");
-    return shape;
+    return without_fault(shape, view, to);
 }
 
 MeshShape mesh(const View& view, const Resolving& to) {
@@ -85,12 +70,6 @@ MeshShape mesh(const View& view, const Resolving& to) {
 Ribs ribs(const View& view) {
     return {static_cast<int>(view.integer("rib_count")), view.number("rib_height_m"), view.number("rib_width_m"),
             view.number("rib_crest_m")};
-}
-
-template <class Shape> Shape without_fault(const Shape& shape, const View& view, const Resolving& to) {
-    if (const auto fault = view.whole() ? fault_of(shape) : std::nullopt)
-        to.refuse(view, fault->key, fault->what, fault->fix);
-    return shape;
 }
 
 WallShape resolve_shape(const View& view, const Resolving& to) {

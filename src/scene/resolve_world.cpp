@@ -1,3 +1,4 @@
+#include "scene/faults.h"
 #include "scene/keys.h"
 #include "scene/resolve.h"
 
@@ -96,25 +97,13 @@ void resolve_contact(const View& view, const Resolving& to) {
         const auto adhesion = std::find(words_of_adhesion.begin(), words_of_adhesion.end(), view.text("adhesion"));
         if (adhesion != words_of_adhesion.end())
             laws.additions.adhesion = static_cast<contact::AdhesionLaw>(adhesion - words_of_adhesion.begin());
-        if (laws.normal == NormalLaw::linear && (laws.additions.adhesion == contact::AdhesionLaw::jkr ||
-                                                 laws.additions.adhesion == contact::AdhesionLaw::dmt))
-            to.refuse(view, "adhesion",
-                      fmt::format("adhesion = \"{}\" builds on Hertz' contact, which normal = \"linear\" does not have",
-                                  view.text("adhesion")),
-                      "write normal = \"hertz\", or adhesion = \"sjkr\"");
     }
     laws.limit_force = view.flag("limit_force");
     laws.share_among_body_contacts = view.flag("share_among_body_contacts");
     laws.global_damping = view.number("global_damping_per_s");
     laws.accepted_overlap = view.number("accepted_overlap");
-    if (laws.normal == NormalLaw::linear && laws.tangential == TangentialLaw::mindlin)
-        to.refuse(view, view.written("tangential") ? "tangential" : "normal",
-                  "normal = \"linear\" does not go with tangential = \"mindlin\", whose stiffness is Hertz'",
-                  "write tangential = \"linear\" or \"none\", or normal = \"hertz\"");
-    if (to.scene.dimension == 2 && laws.normal == NormalLaw::hertz && laws.tangential == TangentialLaw::linear)
-        to.refuse(view, view.written("tangential") ? "tangential" : "normal",
-                  "in two dimensions normal = \"hertz\" does not go with tangential = \"linear\"",
-                  "write tangential = \"mindlin\" or \"none\", or normal = \"linear\"");
+    for (const Problem& fault : faults_of(laws, to.scene.dimension))
+        to.refuse(view, view.written(fault.key) ? fault.key : "normal", fault.what, fault.fix);
 }
 
 void resolve_air(const View& root, const Resolving& to) {

@@ -1,3 +1,4 @@
+#include "scene/faults.h"
 #include "scene/written.h"
 #include "sim2d/body_shape.h"
 #include "sim2d/fill.h"
@@ -52,6 +53,8 @@ ShapeConstants constants_of(const ShapeData& data) {
 Problems make_shapes(World& world) {
     Problems problems;
     for (const scene::BodyTemplate& body : world.scene.bodies) {
+        if (stop_wanted(world.stop))
+            break;
         const auto shape =
             make_body_shape(body, world.scene.materials[static_cast<std::size_t>(body.material)], world.scene.depth);
         if (!shape) {
@@ -132,6 +135,13 @@ Problems check_periods(const World& world) {
     return problems;
 }
 
+Problems check_laws(const World& world) {
+    Problems problems;
+    for (const Problem& fault : scene::faults_of(world.scene.contact, 2))
+        problems.push_back(scene::problem_about(world.scene, "contact." + fault.key, fault.what, fault.fix));
+    return problems;
+}
+
 Problems check_step(const World& world) {
     const scene::TimeStepReport report = time_step_report(world.scene, world.plain_shapes);
     if (report.stable() || world.scene.allow_large_step)
@@ -149,19 +159,24 @@ void append(Problems& all, const Problems& more) {
 }
 
 /// All of the world but its bodies.
-Result<WorldPtr> prepare_world(const scene::Scene& scene, int threads) {
+Result<WorldPtr> prepare_world(const scene::Scene& scene, int threads, StopFlag stop) {
     WorldPtr world(new World(std::max(threads, 1)));
     world->scene = scene;
     world->dt = scene.time_step;
+    world->stop = stop;
     world->kernels = &choose_kernels();
     make_pairs(*world);
-    if (Problems problems = make_shapes(*world); !problems.empty())
+    Problems problems = make_shapes(*world);
+    append(problems, check_laws(*world));
+    if (stop_wanted(stop))
+        return stopped_before_it_began();
+    if (!problems.empty())
         return problems;
     make_walls(*world);
     choose_skins(*world);
     make_drag(*world);
     make_images(*world);
-    Problems problems = check_periods(*world);
+    append(problems, check_periods(*world));
     append(problems, check_step(*world));
     append(problems, prepare_fills(*world));
     if (!problems.empty())
@@ -171,16 +186,18 @@ Result<WorldPtr> prepare_world(const scene::Scene& scene, int threads) {
 
 } // namespace
 
-Result<WorldPtr> build_world(const scene::Scene& scene, int threads) {
-    Result<WorldPtr> world = prepare_world(scene, threads);
+Result<WorldPtr> build_world(const scene::Scene& scene, int threads, StopFlag stop) {
+    Result<WorldPtr> world = prepare_world(scene, threads, stop);
     if (world)
         if (auto problem = insert_due_fills(**world))
             return *problem;
+    if (stop_wanted(stop))
+        return stopped_before_it_began();
     return world;
 }
 
-Result<WorldPtr> restore_world(const scene::Scene& scene, int threads, std::string_view state) {
-    Result<WorldPtr> world = prepare_world(scene, threads);
+Result<WorldPtr> restore_world(const scene::Scene& scene, int threads, std::string_view state, StopFlag stop) {
+    Result<WorldPtr> world = prepare_world(scene, threads, stop);
     if (world)
         if (auto problem = restore(**world, state))
             return *problem;

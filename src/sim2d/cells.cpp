@@ -8,13 +8,6 @@ namespace tumble::sim2d {
 
 using Eigen::Vector2d;
 
-namespace {
-
-// A few points far apart must not make millions of empty cells.
-constexpr double cells_per_point = 4;
-
-} // namespace
-
 void Cells::sort(const scene::Domain& domain, const std::vector<Vector2d>& points, double reach) {
     periodic_ = {domain.periodic[0], domain.periodic[1]};
     Vector2d lo = domain.box.lo.head<2>();

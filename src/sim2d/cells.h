@@ -8,6 +8,9 @@
 
 namespace tumble::sim2d {
 
+/// A few points far apart must not make millions of empty cells.
+constexpr double cells_per_point = 4;
+
 /// Points by the cell they stand in. Cells are at least as wide as the reach, so neighbours stand in the 9 cells
 /// around. The longer side of the grid is the slower index.
 class Cells {

@@ -31,12 +31,15 @@ bool in_wall(const World& world, const std::vector<Disc>& discs) {
     return false;
 }
 
-Crowd::Crowd(const World& world) : world_(world) {
-    const double width = std::max(2 * world.largest_radius, 1e-9);
-    const scene::Box& box = world.scene.domain.box;
+Crowd::Crowd(const World& world, std::int64_t more) : world_(world) {
+    double width = std::max(2 * world.largest_radius, 1e-9);
+    const Vector2d length = (world.scene.domain.box.hi - world.scene.domain.box.lo).head<2>();
+    const double room = cells_per_point * (static_cast<double>(more) + world.tags) + 64;
+    while ((length / width).array().floor().max(1).prod() > room)
+        width *= 1.41;
     for (int k = 0; k < 2; ++k)
-        size_[static_cast<std::size_t>(k)] = std::clamp(static_cast<int>((box.hi[k] - box.lo[k]) / width), 1, 2000);
-    cells_.resize(static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]));
+        size_[static_cast<std::size_t>(k)] = std::max(static_cast<int>(length[k] / width), 1);
+    first_.assign(static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]), -1);
     for (int slot = 0; slot < world.bodies(); ++slot)
         add(discs_of(world, {world.shape[static_cast<std::size_t>(slot)],
                              {world.row(slot).x, world.row(slot).y},
@@ -46,8 +49,10 @@ Crowd::Crowd(const World& world) : world_(world) {
 void Crowd::add(const std::vector<Disc>& discs) {
     for (Disc disc : discs) {
         disc.centre = into_box(disc.centre);
-        const auto at = place(disc.centre);
-        cells_[static_cast<std::size_t>(at[0] * size_[1] + at[1])].push_back(disc);
+        int& first = first_[index(place(disc.centre))];
+        next_.push_back(first);
+        first = static_cast<int>(discs_.size());
+        discs_.push_back(disc);
     }
 }
 
@@ -76,7 +81,8 @@ bool Crowd::cell_leaves_room(const Disc& disc, std::array<int, 2> at) const {
         shift[axis] = turn * (domain.box.hi[axis] - domain.box.lo[axis]);
         at[k] -= turn * size_[k];
     }
-    for (const Disc& other : cells_[static_cast<std::size_t>(at[0] * size_[1] + at[1])]) {
+    for (int k = first_[index(at)]; k >= 0; k = next_[static_cast<std::size_t>(k)]) {
+        const Disc& other = discs_[static_cast<std::size_t>(k)];
         const double reach = disc.radius + other.radius;
         if ((other.centre + shift - disc.centre).squaredNorm() < reach * reach)
             return false;
@@ -100,6 +106,10 @@ std::array<int, 2> Crowd::place(const Vector2d& centre) const {
         at[k] = std::clamp(static_cast<int>(std::floor(part * size_[k])), 0, size_[k] - 1);
     }
     return at;
+}
+
+std::size_t Crowd::index(const std::array<int, 2>& at) const {
+    return static_cast<std::size_t>(at[0]) * static_cast<std::size_t>(size_[1]) + static_cast<std::size_t>(at[1]);
 }
 
 } // namespace tumble::sim2d

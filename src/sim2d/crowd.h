@@ -23,8 +23,8 @@ bool in_wall(const World& world, const std::vector<Disc>& discs);
 /// Discs by cell, growing as bodies are placed.
 class Crowd {
 public:
-    /// All discs of the world.
-    explicit Crowd(const World& world);
+    /// All discs of the world, and room for `more`.
+    Crowd(const World& world, std::int64_t more);
 
     void add(const std::vector<Disc>& discs);
     [[nodiscard]] bool leaves_room_for(const std::vector<Disc>& discs) const;
@@ -33,11 +33,14 @@ private:
     /// Along periodic axes.
     [[nodiscard]] Eigen::Vector2d into_box(Eigen::Vector2d centre) const;
     [[nodiscard]] std::array<int, 2> place(const Eigen::Vector2d& centre) const;
+    [[nodiscard]] std::size_t index(const std::array<int, 2>& at) const;
     [[nodiscard]] bool cell_leaves_room(const Disc& disc, std::array<int, 2> at) const;
 
     const World& world_;
     std::array<int, 2> size_{1, 1};
-    std::vector<std::vector<Disc>> cells_;
+    std::vector<int> first_; // per cell, of its discs; -1: none
+    std::vector<int> next_;  // per disc, in its cell
+    std::vector<Disc> discs_;
 };
 
 } // namespace tumble::sim2d

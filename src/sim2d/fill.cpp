@@ -50,7 +50,8 @@ std::vector<BodyState> place_at_random(const World& world, FillState& fill, Crow
     const scene::Box& region = fill.fill.region;
     std::vector<BodyState> placed;
     int misses = 0;
-    while (fill.placed + static_cast<std::int64_t>(placed.size()) < fill.asked && misses < misses_until_full) {
+    while (fill.placed + static_cast<std::int64_t>(placed.size()) < fill.asked && misses < misses_until_full &&
+           !stop_wanted(world.stop)) {
         Placement body{fill.fill.body, {}, 0};
         for (int axis = 0; axis < 2; ++axis)
             body.position[axis] = fill.rng.uniform(region.lo[axis], region.hi[axis]);
@@ -97,7 +98,9 @@ Problem no_room_at(const World& world, const FillState& fill, const char* what_i
 
 std::optional<Problem> insert_fill(World& world, FillState& fill) {
     std::vector<BodyState> placed;
-    Crowd crowd(world);
+    const std::int64_t bodies = fill.fill.position ? 1 : fill.asked - fill.placed;
+    const auto& shape = world.shape_constants[static_cast<std::size_t>(fill.fill.body)];
+    Crowd crowd(world, bodies * shape.exposed_count);
     if (fill.fill.position) {
         const Placement body{fill.fill.body, fill.fill.position->head<2>(), angle_for(fill)};
         const std::vector<Disc> discs = discs_of(world, body);
@@ -107,7 +110,12 @@ std::optional<Problem> insert_fill(World& world, FillState& fill) {
             return no_room_at(world, fill, "another body");
         placed.push_back(state_of(fill.fill, body));
     } else {
+        const Rng before = fill.rng;
         placed = place_at_random(world, fill, crowd);
+        if (stop_wanted(world.stop)) {
+            fill.rng = before;
+            return std::nullopt;
+        }
     }
     fill.placed += static_cast<std::int64_t>(placed.size());
     const double again = world.time() + fill.fill.every;
@@ -143,7 +151,7 @@ Problems prepare_fills(World& world) {
 
 std::optional<Problem> insert_due_fills(World& world) {
     for (FillState& fill : world.fills)
-        if (!fill.over && fill.next_step <= world.step)
+        if (!fill.over && fill.next_step <= world.step && !stop_wanted(world.stop))
             if (auto problem = insert_fill(world, fill))
                 return problem;
     schedule(world);

@@ -119,6 +119,7 @@ struct PushContext {
     const Shift* images;
     bool periodic;
     double dt;
+    double gravity[2]; // m/s2
     contact::PairConstants pair;
     int normal_law;     // scene::NormalLaw
     int tangential_law; // scene::TangentialLaw

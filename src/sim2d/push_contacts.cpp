@@ -12,6 +12,7 @@ PushContext context_of(World& world, Chunk& chunk, std::size_t kind) {
     context.images = world.images.data();
     context.periodic = world.scene.domain.periodic[0] || world.scene.domain.periodic[1];
     context.dt = world.dt;
+    Eigen::Map<Eigen::Vector2d>{context.gravity} = world.scene.gravity.head<2>();
     context.pair = world.pairs[kind];
     context.normal_law = static_cast<int>(world.scene.contact.normal);
     context.tangential_law = static_cast<int>(world.scene.contact.tangential);

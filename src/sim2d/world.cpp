@@ -82,9 +82,12 @@ std::optional<Problem> insert(World& world, const std::vector<BodyState>& bodies
 
 std::optional<Problem> advance(World& world, std::int64_t steps) {
     for (std::int64_t k = 0; k < steps; ++k) {
-        if (world.step >= world.next_fill_step)
+        if (world.step >= world.next_fill_step) {
             if (auto problem = insert_due_fills(world))
                 return problem;
+            if (stop_wanted(world.stop))
+                return std::nullopt;
+        }
         step(world);
         if (auto problem = insanity(world))
             return problem;

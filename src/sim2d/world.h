@@ -5,6 +5,7 @@
 #include "base/parallel_for.h"
 #include "base/phases.h"
 #include "base/rng.h"
+#include "base/stop.h"
 #include "contact/air_drag.h"
 #include "contact/material.h"
 #include "scene/scene.h"
@@ -224,6 +225,7 @@ struct World {
     Ledger ledger;
     Books books;
     const Kernels* kernels = nullptr;
+    StopFlag stop = nullptr;
     Crew crew;
     PhaseSeconds seconds{};
 

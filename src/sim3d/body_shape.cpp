@@ -1,6 +1,7 @@
 #include "sim3d/body_shape.h"
 
 #include "base/angle_cover.h"
+#include "scene/faults.h"
 #include "sim3d/union_moments.h"
 
 #include <Eigen/Eigenvalues>
@@ -47,15 +48,9 @@ Problems faults_of(const scene::BodyTemplate& body, const contact::Material& mat
                                       "give a positive density, or the body's mass"));
     if (body.mass && !(*body.mass > 0 && std::isfinite(*body.mass)))
         problems.push_back(problem_of(body, fmt::format("the mass is {} kg", *body.mass), "a mass must be positive"));
-    if (body.principal_inertia) {
-        const Vector3d& inertia = *body.principal_inertia;
-        const bool possible =
-            inertia.allFinite() && inertia.minCoeff() > 0 && 2 * inertia.maxCoeff() <= inertia.sum() * (1 + 1e-9);
-        if (!possible)
-            problems.push_back(problem_of(
-                body, fmt::format("no body has the inertia {}, {}, {} kg m2", inertia.x(), inertia.y(), inertia.z()),
-                "each moment must be positive and at most the sum of the other two"));
-    }
+    if (body.principal_inertia)
+        if (const auto fault = scene::fault_of_inertia(*body.principal_inertia))
+            problems.push_back(problem_of(body, fault->what, fault->fix));
     return problems;
 }
 

@@ -1,4 +1,5 @@
 #include "contact/jkr.h"
+#include "scene/faults.h"
 #include "scene/written.h"
 #include "sim3d/body_list.h"
 #include "sim3d/body_shape.h"
@@ -71,6 +72,8 @@ ShapeConstants constants_of(const ShapeData& data) {
 Problems make_shapes(World& world) {
     Problems problems;
     for (const scene::BodyTemplate& body : world.scene.bodies) {
+        if (stop_wanted(world.stop))
+            break;
         const auto shape = make_body_shape(body, world.scene.materials[static_cast<std::size_t>(body.material)]);
         if (!shape) {
             for (const Problem& problem : shape.problems())
@@ -91,6 +94,8 @@ Problems make_walls(World& world) {
     Problems problems;
     const scene::Domain& domain = world.scene.domain;
     for (const scene::Wall& wall : world.scene.walls) {
+        if (stop_wanted(world.stop))
+            break;
         const auto surface = WallSurface::make(wall.shape, domain);
         if (!surface) {
             for (Problem problem : surface.problems()) {
@@ -190,14 +195,11 @@ Problems check_periods(const World& world) {
     return problems;
 }
 
-Problems check_law(const World& world) {
-    const scene::ContactLaws& laws = world.scene.contact;
-    if (laws.normal == scene::NormalLaw::linear && laws.tangential == scene::TangentialLaw::mindlin)
-        return {scene::problem_about(world.scene, "contact.tangential",
-                                     "tangential = \"mindlin\" takes its stiffness from the Hertz contact, which "
-                                     "normal = \"linear\" does not have",
-                                     "write tangential = \"linear\" or \"none\", or normal = \"hertz\"")};
-    return {};
+Problems check_laws(const World& world) {
+    Problems problems;
+    for (const Problem& fault : scene::faults_of(world.scene.contact, 3))
+        problems.push_back(scene::problem_about(world.scene, "contact." + fault.key, fault.what, fault.fix));
+    return problems;
 }
 
 Problems check_step(const World& world) {
@@ -217,15 +219,18 @@ void append(Problems& all, const Problems& more) {
 }
 
 /// All of the world but its bodies.
-Result<WorldPtr> prepare_world(const scene::Scene& scene, int threads) {
+Result<WorldPtr> prepare_world(const scene::Scene& scene, int threads, StopFlag stop) {
     WorldPtr world(new World(std::max(threads, 1)));
     world->scene = scene;
     world->dt = scene.time_step;
+    world->stop = stop;
     world->kernels = &choose_kernels();
     make_pairs(*world);
     Problems problems = make_shapes(*world);
     append(problems, make_walls(*world));
-    append(problems, check_law(*world));
+    append(problems, check_laws(*world));
+    if (stop_wanted(stop))
+        return stopped_before_it_began();
     if (!problems.empty())
         return problems;
     choose_skins(*world);
@@ -242,16 +247,18 @@ Result<WorldPtr> prepare_world(const scene::Scene& scene, int threads) {
 
 } // namespace
 
-Result<WorldPtr> build_world(const scene::Scene& scene, int threads) {
-    Result<WorldPtr> world = prepare_world(scene, threads);
+Result<WorldPtr> build_world(const scene::Scene& scene, int threads, StopFlag stop) {
+    Result<WorldPtr> world = prepare_world(scene, threads, stop);
     if (world)
         if (auto problem = insert_due_fills(**world))
             return *problem;
+    if (stop_wanted(stop))
+        return stopped_before_it_began();
     return world;
 }
 
-Result<WorldPtr> restore_world(const scene::Scene& scene, int threads, std::string_view state) {
-    Result<WorldPtr> world = prepare_world(scene, threads);
+Result<WorldPtr> restore_world(const scene::Scene& scene, int threads, std::string_view state, StopFlag stop) {
+    Result<WorldPtr> world = prepare_world(scene, threads, stop);
     if (world)
         if (auto problem = restore(**world, state))
             return *problem;

@@ -169,7 +169,8 @@ std::vector<BodyState> place_at_random(const World& world, FillState& fill, Crow
     const Eigen::Quaterniond as_written = shape_of(world, fill).written_from_principal;
     std::vector<BodyState> placed;
     int misses = 0;
-    while (fill.placed + static_cast<std::int64_t>(placed.size()) < fill.asked && misses < misses_until_full) {
+    while (fill.placed + static_cast<std::int64_t>(placed.size()) < fill.asked && misses < misses_until_full &&
+           !stop_wanted(world.stop)) {
         Vector3d position;
         for (int axis = 0; axis < 3; ++axis)
             position[axis] = fill.rng.uniform(region.lo[axis], region.hi[axis]);
@@ -235,8 +236,13 @@ std::optional<Problem> insert_fill(World& world, FillState& fill) {
             return no_room_at(world, fill, "another body");
         placed.push_back(state_of(fill.fill, *fill.fill.position, orientation));
     } else {
+        const Rng before = fill.rng;
         Crowd crowd(world, fill.asked - fill.placed);
         placed = place_at_random(world, fill, crowd);
+        if (stop_wanted(world.stop)) {
+            fill.rng = before;
+            return std::nullopt;
+        }
     }
     fill.placed += static_cast<std::int64_t>(placed.size());
     const double again = world.time() + fill.fill.every;
@@ -271,7 +277,7 @@ Problems prepare_fills(World& world) {
 
 std::optional<Problem> insert_due_fills(World& world) {
     for (FillState& fill : world.fills)
-        if (!fill.over && fill.next_step <= world.step)
+        if (!fill.over && fill.next_step <= world.step && !stop_wanted(world.stop))
             if (auto problem = insert_fill(world, fill))
                 return problem;
     schedule(world);

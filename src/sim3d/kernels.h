@@ -201,6 +201,7 @@ struct PushContext {
     int end;
     const Shift* images;
     double dt;
+    double gravity[3]; // m/s2
     contact::PairConstants pair;
     int normal_law;     // scene::NormalLaw
     int tangential_law; // scene::TangentialLaw

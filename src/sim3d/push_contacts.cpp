@@ -12,6 +12,7 @@ PushContext context_of(World& world, Chunk& chunk, std::size_t kind) {
     context.end = chunk.end;
     context.images = world.images.data();
     context.dt = world.dt;
+    Eigen::Map<Eigen::Vector3d>{context.gravity} = world.scene.gravity;
     context.pair = world.pairs[kind];
     context.normal_law = static_cast<int>(world.scene.contact.normal);
     context.tangential_law = static_cast<int>(world.scene.contact.tangential);

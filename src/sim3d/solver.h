@@ -3,6 +3,7 @@
 #include "base/books.h"
 #include "base/phases.h"
 #include "base/problem.h"
+#include "base/stop.h"
 #include "scene/motion.h"
 #include "scene/scene.h"
 
@@ -27,7 +28,7 @@ using WorldPtr = std::unique_ptr<World, WorldDeleter>;
 
 /// Ready to step at t = 0, fills that are due at 0 inserted. `threads` >= 1 changes the time taken, never a bit of the
 /// result. Problems: a fill that cannot fit at once, a time step above the stable limit, a wall outside the domain.
-Result<WorldPtr> build_world(const scene::Scene& scene, int threads);
+Result<WorldPtr> build_world(const scene::Scene& scene, int threads, StopFlag stop = nullptr);
 
 /// Everything that the steps to come depend on and that the scene does not say, as bytes.
 std::string state_of(const World& world);
@@ -35,10 +36,11 @@ std::string state_of(const World& world);
 /// The world of a scene as state_of kept it: steps taken from it give the same bits as if it had never been kept,
 /// whatever the number of threads before and now. Problems: those of the scene that build_world finds without placing
 /// bodies; bytes that are damaged, of another layout, or of a scene with other bodies, walls or fills.
-Result<WorldPtr> restore_world(const scene::Scene& scene, int threads, std::string_view state);
+Result<WorldPtr> restore_world(const scene::Scene& scene, int threads, std::string_view state, StopFlag stop = nullptr);
 
 /// Takes `steps` steps, inserting fills when they are due. A state that stopped being sane ends it early with a problem
-/// naming body, time and reason; the world then stays at the last step taken.
+/// naming body, time and reason; the world then stays at the last step taken. A stop that is wanted ends a search for
+/// room, and with it the stretch of steps, as if that search had not begun; between steps it is the caller who asks.
 std::optional<Problem> advance(World& world, std::int64_t steps);
 
 /// Puts bodies exactly where they are said to be (ids are given anew, in order), whatever they overlap; their energy is

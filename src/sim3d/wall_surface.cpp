@@ -1,6 +1,7 @@
 #include "sim3d/wall_surface.h"
 
 #include "scene/bowl_mesh.h"
+#include "scene/faults.h"
 #include "sim3d/wall_parts.h"
 
 #include <algorithm>
@@ -39,13 +40,15 @@ Problems faults_of(const scene::PlaneShape& shape) {
     return problems;
 }
 
-Problems faults_of(const scene::BoxShape& shape) {
-    Problems problems;
-    for (int axis = 0; axis < 3; ++axis)
-        if (!(shape.box.hi[axis] > shape.box.lo[axis]))
-            problems.push_back(problem_of(fmt::format("the box is empty along {}", "xyz"[axis]),
-                                          "its hi must be above its lo on every axis"));
+/// Where the parts of a shape are right, whether they go together.
+template <class Shape> Problems and_whole(Problems problems, const Shape& shape) {
+    if (const auto fault = problems.empty() ? scene::fault_of(shape) : std::nullopt)
+        problems.push_back(*fault);
     return problems;
+}
+
+Problems faults_of(const scene::BoxShape& shape) {
+    return and_whole({}, shape);
 }
 
 Problems faults_of(const scene::CylinderShape& shape) {
@@ -60,24 +63,16 @@ Problems faults_of(const scene::DiscShape& shape) {
     Problems problems;
     need_direction(problems, "normal", shape.normal);
     need_positive(problems, "radius", shape.radius);
-    if (!(shape.hole_radius >= 0 && shape.hole_radius < shape.radius))
-        problems.push_back(
-            problem_of(fmt::format("the hole's radius is {} m in a disc of {} m", shape.hole_radius, shape.radius),
-                       "it must be at least 0 and smaller than the disc's"));
-    return problems;
+    return and_whole(std::move(problems), shape);
 }
 
 Problems faults_of(const scene::TroughShape& shape) {
     Problems problems;
     need_positive(problems, "radius", shape.radius);
-    if (!(shape.rim > shape.floor))
-        problems.push_back(
-            problem_of(fmt::format("the trough's rim ({} m) is not above its floor ({} m)", shape.rim, shape.floor),
-                       "raise the rim"));
     if (!(shape.flare >= 0 && shape.flare < std::numbers::pi / 2))
         problems.push_back(problem_of(fmt::format("the trough's sides lean by {} rad", shape.flare),
                                       "the flare must be at least 0 and below a right angle"));
-    return problems;
+    return and_whole(std::move(problems), shape);
 }
 
 Problems faults_of(const scene::MeshShape&) {
@@ -87,9 +82,7 @@ Problems faults_of(const scene::MeshShape&) {
 template <class Bowl> Problems faults_of_bowl(const Bowl& shape) {
     Problems problems;
     need_positive(problems, "radius", shape.radius);
-    if (const auto fault = problems.empty() ? scene::fault_of(shape) : std::nullopt)
-        problems.push_back(*fault);
-    return problems;
+    return and_whole(std::move(problems), shape);
 }
 
 Problems faults_of(const scene::BowlShape& shape) {

@@ -1,3 +1,4 @@
+#include "scene/trough_profile.h"
 #include "sim3d/wall_parts.h"
 
 #include <Eigen/Core>
@@ -22,14 +23,13 @@ struct Nearest {
 /// The U of scene::TroughShape, endless along x.
 class Trough final : public SurfaceParts {
 public:
-    explicit Trough(const scene::TroughShape& shape) : radius_(shape.radius), centre_(shape.floor + shape.radius, 0) {
-        const double tangent = std::numbers::pi / 2 - shape.flare;
-        // A rim below the tangent point cuts the arc.
-        const double cut = std::acos(std::clamp((centre_.x() - shape.rim) / radius_, -1.0, 1.0));
-        arc_end_ = std::min(tangent, cut);
-        side_start_ = centre_ + radius_ * Vector2d(-std::cos(arc_end_), std::sin(arc_end_));
+    explicit Trough(const scene::TroughShape& shape) : radius_(shape.radius) {
+        const scene::TroughProfile profile = scene::profile_of(shape);
+        centre_ = {profile.centre, 0};
+        arc_end_ = profile.arc_end;
+        side_start_ = {profile.arc_top, profile.arc_half};
         along_ = Vector2d(std::sin(arc_end_), std::cos(arc_end_));
-        side_length_ = cut < tangent ? 0 : (shape.rim - side_start_.x()) / along_.x();
+        side_length_ = profile.side ? (shape.rim - side_start_.x()) / along_.x() : 0;
     }
 
     [[nodiscard]] int primitives() const override { return 1; }

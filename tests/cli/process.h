@@ -41,6 +41,17 @@ public:
     /// As Ctrl-C does: also to whatever the program has started.
     void send_to_all(int signal) const { kill(-pid_, signal); }
 
+    /// Whether a handler of the program's own waits for the signal by now; before it is the program, this test's does.
+    [[nodiscard]] bool catches(int signal) const {
+        const std::string process = "/proc/" + std::to_string(pid_);
+        std::error_code error;
+        if (std::filesystem::read_symlink(process + "/exe", error) != std::filesystem::canonical(TUMBLE_PROGRAM))
+            return false;
+        const std::string status = content_of(process + "/status");
+        const std::size_t at = status.find("SigCgt:");
+        return at != std::string::npos && (std::stoull(status.substr(at + 7), nullptr, 16) >> (signal - 1) & 1) != 0;
+    }
+
     Outcome wait() {
         int status = 0;
         waitpid(pid_, &status, 0);

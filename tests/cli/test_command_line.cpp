@@ -2,9 +2,10 @@
 #include "process.h"
 
 #include <nlohmann/json.hpp>
+#include <set>
+#include <tuple>
 
 using namespace tumble::test;
-using tumble::test::about;
 
 TEST_CASE("a mistyped command, flag or file gets the nearest right word and exit code 2") {
     const Folder folder;
@@ -102,6 +103,20 @@ TEST_CASE("the lists name what scenes may say") {
     CHECK(found);
     CHECK(contains(tumble_in(folder, {"list", "laws"}).out, "hertz"));
     CHECK(contains(tumble_in(folder, {"list", "keys"}).out, "duration_s"));
+    const auto laws = nlohmann::json::parse(tumble_in(folder, {"list", "laws", "--json"}).out);
+    std::set<std::pair<std::string, std::string>> once;
+    for (const auto& law : laws) {
+        CHECK(once.emplace(law["key"], law["law"]).second);
+        CHECK_MESSAGE(!law["sentence"].get<std::string>().empty(), law["law"]);
+        CHECK(law["in"] == (law["key"] == "contact.adhesion" ? "3D" : ""));
+    }
+    CHECK(once.contains({"contact.rolling", "epsd"}));
+    // A name that 2D and 3D take differently is there once for each.
+    std::set<std::tuple<std::string, std::string, std::string>> keys;
+    for (const auto& key : nlohmann::json::parse(tumble_in(folder, {"list", "keys", "--json"}).out))
+        CHECK_MESSAGE(keys.emplace(key["table"], key["key"], key["in"]).second, key["key"]);
+    CHECK(keys.contains({"[contact]", "normal", "2D"}));
+    CHECK(keys.contains({"[contact]", "normal", "3D"}));
     std::filesystem::create_directory(folder.path / "scenes");
     put(folder.path / "scenes" / "ball.toml", bouncing_ball(1));
     CHECK(contains(tumble_in(folder, {"list", "scenes"}).out, "A ball that bounces"));

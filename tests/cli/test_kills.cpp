@@ -137,6 +137,25 @@ TEST_CASE("Ctrl-C leaves a checkpoint, from which the same command with --resume
     CHECK(summary_in(folder.path / "out/crowd")["resumed"][0]["checkpoint"] == checkpoint);
 }
 
+TEST_CASE("Ctrl-C or SIGTERM while bodies are still being placed ends the run at once and leaves nothing behind") {
+    const Folder folder;
+    put(folder.path / "crowd.toml", crowd);
+    // 37 % of the region, where random places run out at 38 %: this fill takes minutes.
+    const std::vector<std::string> words{"run",   "crowd.toml",           "--threads", "1",
+                                         "--set", "fill.0.count=3000000", "--set",     "body.ball.radius_mm=0.0152",
+                                         "--set", "allow_large_step=true"};
+    for (const auto& [signal, code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}}) {
+        Process process(folder.path, words);
+        REQUIRE(eventually([&] { return process.catches(signal); }));
+        process.send(signal);
+        const Outcome stopped = process.wait();
+        CHECK(stopped.code == code);
+        CHECK(contains(stopped.err, "stopped while the scene was being built"));
+        CHECK(stopped.out.empty());
+        CHECK_FALSE(fs::exists(folder.path / "out"));
+    }
+}
+
 TEST_CASE("the video of a resumed run is whole") {
     if (std::system("ffmpeg -version > /dev/null 2>&1") != 0) {
         MESSAGE("skipped: ffmpeg is not installed");

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "process.h"
 
 #include <nlohmann/json.hpp>
@@ -15,7 +16,7 @@ TEST_CASE("without a name experiments are listed, with one it is performed, on s
     const auto json = nlohmann::json::parse(weighed.out);
     CHECK(json["experiment"] == "weigh");
     CHECK(json["parameters"]["mass_g"] == 9.4);
-    CHECK(json["facts"]["density_cone"]["value"].get<double>() == doctest::Approx(2 * 1870.1).epsilon(1e-4));
+    CHECK(json["facts"]["density_cone"]["value"].get<double>() == about(2 * 1870.1, 1e-4));
 }
 
 TEST_CASE("records are written as CSV that another command takes") {
@@ -28,8 +29,8 @@ TEST_CASE("records are written as CSV that another command takes") {
     CHECK_MESSAGE(found.code == 0, found.err);
     const auto facts = nlohmann::json::parse(found.out)["facts"];
     // What the sensor experiment puts in without flags: 1478.2 rpm and 0.5 mrad.
-    CHECK(facts["fundamental"]["value"].get<double>() == doctest::Approx(1478.2 / 60).epsilon(1e-5));
-    CHECK(facts["rocking_angle"]["value"].get<double>() == doctest::Approx(0.5).epsilon(0.02));
+    CHECK(facts["fundamental"]["value"].get<double>() == about(1478.2 / 60, 1e-5));
+    CHECK(facts["rocking_angle"]["value"].get<double>() == about(0.5, 0.02));
 }
 
 TEST_CASE("a record of a testing machine is evaluated, and a wrong name, flag or value gets exit code 2") {
@@ -37,7 +38,7 @@ TEST_CASE("a record of a testing machine is evaluated, and a wrong name, flag or
     put(folder.path / "t.csv", "force_N,strain,strain_across\n0,0,0\n100,0.001,-0.0003\n200,0.002,-0.0006\n");
     const Outcome outcome = tumble_in(folder, {"lab", "tension", "--record", "t.csv", "--json"});
     CHECK_MESSAGE(outcome.code == 0, outcome.err);
-    CHECK(nlohmann::json::parse(outcome.out)["facts"]["poisson_ratio"]["value"].get<double>() == doctest::Approx(0.3));
+    CHECK(nlohmann::json::parse(outcome.out)["facts"]["poisson_ratio"]["value"].get<double>() == about(0.3));
     put(folder.path / "w.csv", "weight_N,strain\n0,0\n");
     const Outcome wrong = tumble_in(folder, {"lab", "tension", "--record", "w.csv"});
     CHECK(wrong.code == 2);

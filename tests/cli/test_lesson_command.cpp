@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 using namespace tumble::test;
-using tumble::test::about;
 
 TEST_CASE("without a name lessons are listed, with one it is walked through, on stdout") {
     const Folder folder;

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "contact/cundall_strack.h"
 #include "contact/full_discs.h"
 #include "contact/full_law.h"
@@ -12,6 +13,7 @@
 
 using namespace tumble;
 using namespace tumble::contact;
+using tumble::test::about;
 
 namespace {
 
@@ -131,9 +133,9 @@ TEST_CASE("constant directional torque: mu_r R* F_n against what rolls, nothing 
         const Turn<double> turn{{50, 3 * speed, -4 * speed}, 1e20};
         const auto push = FullLaw<Hertz, Mindlin>{}.push(pressed, turn, pair, fresh, just_begun, dt);
         CHECK(push.torque.x == 0);
-        CHECK(push.torque.y == doctest::Approx(-0.6 * expected));
-        CHECK(push.torque.z == doctest::Approx(0.8 * expected));
-        CHECK(push.lost_rolling_damping == doctest::Approx(expected * 5 * speed * dt));
+        CHECK(push.torque.y == about(-0.6 * expected));
+        CHECK(push.torque.z == about(0.8 * expected));
+        CHECK(push.lost_rolling_damping == about(expected * 5 * speed * dt));
     }
     const auto at_rest = FullLaw<Hertz, Mindlin>{}.push(pressed, {{0, 0, 0}, 1}, pair, fresh, just_begun, dt);
     CHECK(same(at_rest.torque, {0, 0, 0}));
@@ -144,14 +146,14 @@ TEST_CASE("the rolling spring has the stiffness 2.25 k_n (mu_r R*)^2 and gives w
     const double limit = 0.15 * 2e-3 * press(pair);
     const double stiffness = 2.25 * (press(pair) / 1e-6) * 0.15 * 0.15 * 2e-3 * 2e-3;
     // So the whole torque is mobilised over the angle d / (2.25 mu_r R*).
-    CHECK(limit / stiffness == doctest::Approx(1e-6 / (2.25 * 0.15 * 2e-3)));
+    CHECK(limit / stiffness == about(1e-6 / (2.25 * 0.15 * 2e-3)));
     double angle = 0, largest = 0;
     roll(pair, pressed, {3 * limit / stiffness}, [&](const auto& push, double turned) {
         angle += turned;
-        CHECK(push.torque.z == doctest::Approx(-std::min(stiffness * angle, limit)));
+        CHECK(push.torque.z == about(-std::min(stiffness * angle, limit)));
         largest = std::max(largest, push.further.rolling.energy);
     });
-    CHECK(largest == doctest::Approx(limit * limit / (2 * stiffness)));
+    CHECK(largest == about(limit * limit / (2 * stiffness)));
 }
 
 TEST_CASE("rolling to and fro costs what the law books as lost, and less than the yield can hold costs nothing") {
@@ -165,11 +167,11 @@ TEST_CASE("rolling to and fro costs what the law books as lost, and less than th
             lost += push.lost_rolling_sliding + push.lost_rolling_damping;
             stored = push.further.rolling.energy;
         });
-        CHECK(work == doctest::Approx(lost + stored).epsilon(1e-3));
+        CHECK(work == about(lost + stored, 1e-3));
         // Twice the way less the yield on either side, at the limit; the first leg only once.
         const double limit = 0.15 * 2e-3 * press(pair);
         const double expected = limit * yield * (reach > 1 ? (reach - 1) + 2 * (2 * reach - 2) : 0.0);
-        CHECK(lost == doctest::Approx(expected).epsilon(1e-3));
+        CHECK(lost == about(expected, 1e-3));
     }
 }
 
@@ -180,18 +182,18 @@ TEST_CASE("the rolling dashpot is eta_r times the critical 2 sqrt(I_r k_r), and 
     const Turn<double> slow{{0, 0, 1e-3}, inertia};
     const auto push = FullLaw<Hertz, Mindlin>{}.push(pressed, slow, pair, fresh, just_begun, dt);
     const double c = 2 * 0.3 * std::sqrt(inertia * stiffness);
-    CHECK(push.torque.z == doctest::Approx(-(c + stiffness * dt) * 1e-3));
+    CHECK(push.torque.z == about(-(c + stiffness * dt) * 1e-3));
     const Turn<double> fast{{0, 0, 1e9}, inertia};
     const auto yielding = FullLaw<Hertz, Mindlin>{}.push(pressed, fast, pair, fresh, just_begun, dt);
-    CHECK(yielding.torque.z == doctest::Approx(-0.15 * 2e-3 * press(pair)));
+    CHECK(yielding.torque.z == about(-0.15 * 2e-3 * press(pair)));
     CHECK(yielding.lost_rolling_damping == 0);
 }
 
 TEST_CASE("friction weakens from mu_s to mu_k over the speed v_c") {
     const PairConstants pair = everything(RollingLaw::none);
-    CHECK(friction_at(0.0, pair) == doctest::Approx(0.3));
-    CHECK(friction_at(0.05, pair) == doctest::Approx(0.1 + 0.2 / std::exp(1)));
-    CHECK(friction_at(5.0, pair) == doctest::Approx(0.1));
+    CHECK(friction_at(0.0, pair) == about(0.3));
+    CHECK(friction_at(0.05, pair) == about(0.1 + 0.2 / std::exp(1)));
+    CHECK(friction_at(5.0, pair) == about(0.1));
 }
 
 TEST_CASE("a restitution that falls with speed asks for the damping of e_0 (v / v_0)^-p, at most that of e_most") {
@@ -205,10 +207,10 @@ TEST_CASE("a restitution that falls with speed asks for the damping of e_0 (v / 
         fixed.restitution = e;
         return derive(glass, glass, fixed).damping;
     };
-    CHECK(damping_at(2.0, pair) == doctest::Approx(damping_of(0.4)));
-    CHECK(damping_at(32.0, pair) == doctest::Approx(damping_of(0.2)));
-    CHECK(damping_at(0.125, pair) == doctest::Approx(damping_of(0.8)));
-    CHECK(damping_at(1e-12, pair) == doctest::Approx(damping_of(0.9)));
+    CHECK(damping_at(2.0, pair) == about(damping_of(0.4)));
+    CHECK(damping_at(32.0, pair) == about(damping_of(0.2)));
+    CHECK(damping_at(0.125, pair) == about(damping_of(0.8)));
+    CHECK(damping_at(1e-12, pair) == about(damping_of(0.9)));
 }
 
 TEST_CASE("a contact keeps the speed of its impact, and its damping with it") {
@@ -226,8 +228,7 @@ TEST_CASE("a contact keeps the speed of its impact, and its damping with it") {
     // e(1/16) is 0.4 * 2: the viscous force of a pair with that restitution.
     PairProperties fixed = rubbing();
     fixed.restitution = 0.8;
-    CHECK(push.force.x ==
-          doctest::Approx(Law<Hertz, Mindlin>{}.push(touch, derive(glass, glass, fixed), fresh, dt).force.x));
+    CHECK(push.force.x == about(Law<Hertz, Mindlin>{}.push(touch, derive(glass, glass, fixed), fresh, dt).force.x));
 }
 
 TEST_CASE("eight contacts with every addition give each the very bits of one alone") {

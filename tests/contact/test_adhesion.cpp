@@ -1,3 +1,4 @@
+#include "about.h"
 #include "contact/full_law.h"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 
 using namespace tumble;
 using namespace tumble::contact;
+using tumble::test::about;
 
 namespace {
 
@@ -75,8 +77,7 @@ TEST_CASE("JKR: at an overlap the contact radius solves both of Johnson, Kendall
         const double solved = a * a / radius - std::sqrt(2 * pi * work * a / E_eff());
         CHECK(std::abs(solved - overlap) < 1e-9 * (tear_scale() + std::abs(overlap)));
         CHECK(push.elastic ==
-              doctest::Approx(4 * E_eff() * a * a * a / (3 * radius) - std::sqrt(8 * pi * work * E_eff() * a * a * a))
-                  .epsilon(1e-9));
+              about(4 * E_eff() * a * a * a / (3 * radius) - std::sqrt(8 * pi * work * E_eff() * a * a * a), 1e-9));
     }
 }
 
@@ -96,13 +97,13 @@ TEST_CASE(
         last_force = -pull.force;
     });
     const double pull_off = 1.5 * pi * work * radius;
-    CHECK(strongest == doctest::Approx(pull_off).epsilon(1e-4));
-    CHECK(last_gap == doctest::Approx(3 * tear_scale()).epsilon(2e-3));
-    CHECK(last_force == doctest::Approx(5.0 / 9 * pull_off).epsilon(0.05)); // the force falls steeply there
+    CHECK(strongest == about(pull_off, 1e-4));
+    CHECK(last_gap == about(3 * tear_scale(), 2e-3));
+    CHECK(last_force == about(5.0 / 9 * pull_off, 0.05)); // the force falls steeply there
     // What a contact costs that is made at overlap 0 and torn, 7.09 (w^5 R^4 / E^2)^(1/3) (Thornton and Ning 1998).
     const double cost = 7.09 * std::cbrt(std::pow(work, 5) * std::pow(radius, 4) / std::pow(E_eff(), 2));
-    CHECK(torn == doctest::Approx(cost).epsilon(5e-3));
-    CHECK(-work_done == doctest::Approx(cost).epsilon(1e-2));
+    CHECK(torn == about(cost, 5e-3));
+    CHECK(-work_done == about(cost, 1e-2));
 }
 
 TEST_CASE("JKR: a contact forms at overlap 0, with 8/9 of the pull-off force, and not before") {
@@ -112,7 +113,7 @@ TEST_CASE("JKR: a contact forms at overlap 0, with 8/9 of the pull-off force, an
         if (!pull.held)
             CHECK(pull.force == 0);
         if (pull.held && first) {
-            CHECK(-pull.force == doctest::Approx(8.0 / 9 * 1.5 * pi * work * radius).epsilon(2e-3));
+            CHECK(-pull.force == about(8.0 / 9 * 1.5 * pi * work * radius, 2e-3));
             first = false;
         }
     });
@@ -122,28 +123,28 @@ TEST_CASE("JKR: a contact forms at overlap 0, with 8/9 of the pull-off force, an
 TEST_CASE("JKR: far beyond the reach of adhesion the force is that of Hertz") {
     const double deep = 1e7 * tear_scale();
     const Touch<double> touch{deep, {1, 0, 0}, {0, 0, 0}, radius, 1e-6, 1};
-    CHECK(Jkr::push(touch, 0.0, sticky(AdhesionLaw::jkr)).elastic == doctest::Approx(hertz(deep)).epsilon(1e-3));
+    CHECK(Jkr::push(touch, 0.0, sticky(AdhesionLaw::jkr)).elastic == about(hertz(deep), 1e-3));
 }
 
 TEST_CASE("DMT: Hertz' force less 2 pi w R*, and that is the pull-off force") {
     double strongest = 0;
     const double little = 1e-4 * tear_scale();
     drag(sticky(AdhesionLaw::dmt), {little, 5 * tear_scale(), little}, [&](double overlap, const Pull& pull) {
-        CHECK(pull.force == doctest::Approx(hertz(overlap) - 2 * pi * work * radius).epsilon(1e-9));
+        CHECK(pull.force == about(hertz(overlap) - 2 * pi * work * radius, 1e-9));
         strongest = std::max(strongest, -pull.force);
     });
-    CHECK(strongest == doctest::Approx(2 * pi * work * radius).epsilon(0.01));
+    CHECK(strongest == about(2 * pi * work * radius, 0.01));
 }
 
 TEST_CASE("SJKR: a pull of k 2 pi R* d, which gives a pull-off force of 2/3 pi^3 k^3 R*^2 / E*^2") {
     double strongest = 0;
     drag(sticky(AdhesionLaw::sjkr), {0, 1e-5, 0}, [&](double overlap, const Pull& pull) {
         if (overlap > 0)
-            CHECK(pull.force == doctest::Approx(hertz(overlap) - 2e4 * 2 * pi * radius * overlap).epsilon(1e-9));
+            CHECK(pull.force == about(hertz(overlap) - 2e4 * 2 * pi * radius * overlap, 1e-9));
         strongest = std::max(strongest, -pull.force);
     });
     const double expected = 2.0 / 3 * std::pow(pi * 2e4, 3) * radius * radius / (E_eff() * E_eff());
-    CHECK(strongest == doctest::Approx(expected).epsilon(1e-3));
+    CHECK(strongest == about(expected, 1e-3));
 }
 
 TEST_CASE("the energy that an adhesive contact stores is the force's integral over the overlap") {
@@ -182,7 +183,7 @@ TEST_CASE("friction is limited by what presses the surfaces together: the pull o
         const Touch<double> touch{overlap, {1, 0, 0}, {0, 1e6, 0}, radius, 1e-6, 1};
         const auto push = FullLaw<Hertz, Mindlin>{}.push(touch, {}, pair, fresh, Further<double>{}, dt);
         CHECK(std::abs(push.force.x) < 1e-9 * hertz(overlap));
-        CHECK(push.force.y == doctest::Approx(-0.5 * hertz(overlap)));
+        CHECK(push.force.y == about(-0.5 * hertz(overlap)));
     }
     // JKR: the load and twice the pull-off force (Thornton 1991).
     const PairConstants pair = sticky(AdhesionLaw::jkr, 0.5);
@@ -190,5 +191,5 @@ TEST_CASE("friction is limited by what presses the surfaces together: the pull o
     Touch<double> pressed = touch;
     pressed.overlap = 20 * tear_scale();
     const auto push = FullLaw<Hertz, Mindlin>{}.push(pressed, {}, pair, fresh, Further<double>{}, dt);
-    CHECK(push.force.y == doctest::Approx(-0.5 * (push.force.x + 3 * pi * work * radius)));
+    CHECK(push.force.y == about(-0.5 * (push.force.x + 3 * pi * work * radius)));
 }

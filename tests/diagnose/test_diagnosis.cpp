@@ -1,3 +1,4 @@
+#include "about.h"
 #include "base/rng.h"
 #include "base/text.h"
 #include "diagnose/verdict.h"
@@ -8,6 +9,7 @@
 
 using namespace tumble;
 using namespace tumble::diagnose;
+using tumble::test::about;
 
 namespace {
 
@@ -127,9 +129,9 @@ const Seen& seen(const Diagnosis& diagnosis, const std::string& id) {
 TEST_CASE("a simulation that is right agrees with its data, and its nuisances are found") {
     const Diagnosis diagnosis = Laboratory{.offset = 0.003}.diagnosis();
     CHECK_MESSAGE(diagnosis.decision.outcome == Outcome::consistent, verdict_of(diagnosis));
-    CHECK(diagnosis.nuisances[0].value == doctest::Approx(0.79).epsilon(1e-3));
-    CHECK(diagnosis.nuisances[1].value == doctest::Approx(0.003).epsilon(0.2));
-    CHECK(diagnosis.noise.ratio == doctest::Approx(1).epsilon(0.1));
+    CHECK(diagnosis.nuisances[0].value == about(0.79, 1e-3));
+    CHECK(diagnosis.nuisances[1].value == about(0.003, 0.2));
+    CHECK(diagnosis.noise.ratio == about(1, 0.1));
     CHECK(seen(diagnosis, "ins.gain").lower < 0);
     CHECK(seen(diagnosis, "ins.gain").upper > 0);
 }
@@ -160,7 +162,7 @@ TEST_CASE("a clock's offset is absorbed by the nuisance that is there for it; wi
 TEST_CASE("twice the scatter, half as sure; and the order of the series does not matter") {
     const Diagnosis fine = Laboratory{.distort = two_per_cent}.diagnosis();
     const Diagnosis coarse = Laboratory{.sigma = 4e-3, .distort = two_per_cent}.diagnosis();
-    CHECK(seen(coarse, "ins.gain").error == doctest::Approx(2 * seen(fine, "ins.gain").error).epsilon(0.05));
+    CHECK(seen(coarse, "ins.gain").error == about(2 * seen(fine, "ins.gain").error, 0.05));
     Measurement turned = Laboratory{.distort = two_per_cent}.measurement();
     std::reverse(turned.records.begin(), turned.records.end());
     const Diagnosis other = Laboratory::diagnosed(turned);

@@ -1,9 +1,11 @@
+#include "about.h"
 #include "diagnose/cause.h"
 
 #include <cmath>
 #include <doctest/doctest.h>
 
 using namespace tumble::diagnose;
+using tumble::test::about;
 
 namespace {
 
@@ -21,8 +23,8 @@ Signal parabola() {
 
 TEST_CASE("a signal is read exactly between its rows where it is a cubic") {
     const Signal signal = parabola();
-    CHECK(signal.at(0.12345) == doctest::Approx(1 - 4.9 * 0.12345 * 0.12345).epsilon(1e-12));
-    CHECK(signal.rate_at(0.3) == doctest::Approx(-9.8 * 0.3).epsilon(1e-9));
+    CHECK(signal.at(0.12345) == about(1 - 4.9 * 0.12345 * 0.12345, 1e-12));
+    CHECK(signal.rate_at(0.3) == about(-9.8 * 0.3, 1e-9));
     CHECK(signal.at(-1) == 1);
 }
 
@@ -33,7 +35,7 @@ TEST_CASE("a low pass lags a ramp by its time constant") {
         ramp.value.push_back(2e-3 * k);
     }
     // y' = (x - y) / tau settles to x - tau x'.
-    CHECK(ramp.low_passed(0.05, 0).at(0.9) == doctest::Approx(2 * (0.9 - 0.05)).epsilon(1e-6));
+    CHECK(ramp.low_passed(0.05, 0).at(0.9) == about(2 * (0.9 - 0.05), 1e-6));
 }
 
 TEST_CASE("a perfect instrument shows the signal bit for bit, and so does every cause at its null value") {
@@ -60,15 +62,15 @@ TEST_CASE("a high pass forgets what is constant from the record's beginning on, 
     const std::vector<double> times{0.0, 0.5, 1.0};
     const std::vector<double> shown = seen_through({.high_pass = 2}, rest, times);
     for (std::size_t k = 0; k < times.size(); ++k)
-        CHECK(shown[k] == doctest::Approx(2 * std::exp(-2 * times[k])).epsilon(1e-9));
-    CHECK(seen_through({.high_pass = 1e-9}, rest, times)[2] == doctest::Approx(2).epsilon(1e-8));
+        CHECK(shown[k] == about(2 * std::exp(-2 * times[k]), 1e-9));
+    CHECK(seen_through({.high_pass = 1e-9}, rest, times)[2] == about(2, 1e-8));
 }
 
 TEST_CASE("a clock that starts late and runs fast shows an earlier time") {
     const Signal signal = parabola();
     const Instrument late{.clock_offset = 0.1, .clock_rate = 0.25};
-    CHECK(seen_through(late, signal, std::vector{0.6})[0] == doctest::Approx(signal.at(0.4)));
-    CHECK(clock_seen_through(late, std::vector{0.6})[0] == doctest::Approx(0.4));
+    CHECK(seen_through(late, signal, std::vector{0.6})[0] == about(signal.at(0.4)));
+    CHECK(clock_seen_through(late, std::vector{0.6})[0] == about(0.4));
 }
 
 TEST_CASE("every cause of the library is whole: a name, a fingerprint, a range around its null, one way to act") {

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "diagnose/measurement.h"
 #include "folder.h"
 
@@ -6,6 +7,7 @@
 
 using namespace tumble;
 using namespace tumble::diagnose;
+using tumble::test::about;
 
 namespace {
 
@@ -72,9 +74,9 @@ TEST_CASE("a measurement is read into SI, its sigma with its column's unit") {
     REQUIRE(read);
     const Record& record = read->records.at(0);
     CHECK(record.condition == "low");
-    CHECK(record.time[3] == doctest::Approx(0.03));
-    CHECK(record.channels.at(0).value[1] == doctest::Approx(0.1995));
-    CHECK(record.channels[0].sigma == doctest::Approx(0.0015));
+    CHECK(record.time[3] == about(0.03));
+    CHECK(record.channels.at(0).value[1] == about(0.1995));
+    CHECK(record.channels[0].sigma == about(0.0015));
     CHECK(read->nuisances.at(0).spread == 0.05);
     CHECK(read->warnings.empty());
 }

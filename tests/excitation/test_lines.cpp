@@ -1,3 +1,4 @@
+#include "about.h"
 #include "excitation/lines.h"
 #include "excitation/motion.h"
 #include "excitation/show.h"
@@ -8,6 +9,7 @@
 using namespace tumble;
 using namespace tumble::excitation;
 using namespace tumble::excitation::testing;
+using tumble::test::about;
 
 namespace {
 
@@ -52,7 +54,7 @@ TEST_CASE("without noise every line comes back exactly, at a frequency that is n
     const Excitation found = found_in(recorded(trough, {.rate = 1000, .duration = 1.28}));
     check_tones(found, trough, 0, 1e-6);
     CHECK(found.lines.size() == 4);
-    CHECK(found.explained == doctest::Approx(1));
+    CHECK(found.explained == about(1));
 }
 
 TEST_CASE("orders and half orders are told apart from mains and from a line that fits nothing") {
@@ -75,7 +77,7 @@ TEST_CASE("gravity, drift, uneven sampling and another rate change nothing but t
     const Excitation found = found_in(recorded(trough, how));
     const std::vector<Tone> large(trough.begin(), trough.begin() + 5);
     check_tones(found, large, 4.5, 0);
-    CHECK(found.offset[1] == doctest::Approx(-9.81 + 0.25).epsilon(1e-3));
+    CHECK(found.offset[1] == about(-9.81 + 0.25, 1e-3));
 }
 
 TEST_CASE("a record that was sampled far too fast is thinned out and says the same") {
@@ -142,9 +144,9 @@ TEST_CASE("the strongest line is the fundamental unless the motor's speed says w
     // A machine that answers more strongly at its second order.
     const std::vector<Tone> tones{{1, 24.6, 1e-4, 0}, {1, 49.2, 1e-4, 0}};
     const Record record = recorded(tones, {.noise = 0.01});
-    CHECK(found_in(record).fundamental == doctest::Approx(49.2).epsilon(1e-4));
+    CHECK(found_in(record).fundamental == about(49.2, 1e-4));
     const Excitation told = found_in(record, {.motor = 25});
-    CHECK(told.fundamental == doctest::Approx(24.6).epsilon(1e-4));
+    CHECK(told.fundamental == about(24.6, 1e-4));
     CHECK(name_of(told.lines[1], 50) == "order 2");
 }
 
@@ -158,16 +160,16 @@ TEST_CASE("an orbit has the axes, the sense and the area of the ellipse that was
     // x = 3 sin, y = 1 sin(+90 deg): axes 3 and 1 along x and y, from y towards x: y leads.
     const Excitation found = found_in(recorded({{0, 25, 3e-3, 0}, {1, 25, 1e-3, pi / 2}}, {.duration = 1.7}, 2));
     const Orbit orbit = orbit_of(found.lines[0], 0, 1);
-    CHECK(orbit.half_long / 3e-3 == doctest::Approx(1));
-    CHECK(orbit.half_short / 1e-3 == doctest::Approx(1));
+    CHECK(orbit.half_long / 3e-3 == about(1));
+    CHECK(orbit.half_short / 1e-3 == about(1));
     CHECK(std::abs(orbit.tilt) < 1e-6);
-    CHECK(orbit.phase == doctest::Approx(pi / 2));
-    CHECK(orbit.area / 3e-6 == doctest::Approx(-pi));
+    CHECK(orbit.phase == about(pi / 2));
+    CHECK(orbit.area / 3e-6 == about(-pi));
     CHECK(orbit.is_open());
     // In phase: a line at atan(1/3).
     const Excitation line =
         found_in(recorded({{0, 25, 3e-3, 0.5}, {1, 25, 1e-3, 0.5}}, {.duration = 1.7, .noise = 0.1}, 2));
-    CHECK(orbit_of(line.lines[0], 0, 1).tilt == doctest::Approx(std::atan2(1, 3)).epsilon(1e-3));
+    CHECK(orbit_of(line.lines[0], 0, 1).tilt == about(std::atan2(1, 3), 1e-3));
     CHECK_FALSE(orbit_of(line.lines[0], 0, 1).is_open());
 }
 

@@ -1,9 +1,11 @@
+#include "about.h"
 #include "base/text.h"
 #include "synthetic.h"
 
 using namespace tumble;
 using namespace tumble::excitation;
 using namespace tumble::excitation::testing;
+using tumble::test::about;
 
 namespace {
 
@@ -42,10 +44,10 @@ TEST_CASE("units in the heads are turned into SI, and the columns may stand in a
     REQUIRE_MESSAGE(record.ok(), to_string(record.problems()));
     REQUIRE(record->channels.size() == 2);
     CHECK(record->warnings.empty());
-    CHECK(record->time[5] == doctest::Approx(5e-3));
+    CHECK(record->time[5] == about(5e-3));
     CHECK(record->channels[0].axis == 1);
-    CHECK(record->channels[0].values[3] == doctest::Approx(1e-3 * std::cos(2.1)));
-    CHECK(record->channels[1].values[3] == doctest::Approx(9.80665 * std::sin(2.1)));
+    CHECK(record->channels[0].values[3] == about(1e-3 * std::cos(2.1)));
+    CHECK(record->channels[1].values[3] == about(9.80665 * std::sin(2.1)));
 }
 
 TEST_CASE("what makes a record useless is told by line, and no record comes back") {

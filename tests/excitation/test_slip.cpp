@@ -1,4 +1,5 @@
 #include "../folder.h"
+#include "about.h"
 #include "excitation/slip.h"
 
 #include <cmath>
@@ -7,6 +8,7 @@
 
 using namespace tumble;
 using namespace tumble::excitation;
+using tumble::test::about;
 
 namespace {
 
@@ -26,14 +28,14 @@ std::string printed(double fundamental, const std::vector<double>& orders) {
 TEST_CASE("the lines that the thesis printed were made by a motor that turned 24.609 to 24.665 Hz") {
     const auto found = find_slip(test::content_of(printed_lines), printed_lines.string(), {});
     REQUIRE_MESSAGE(found.ok(), to_string(found.problems()));
-    CHECK(found->bin == doctest::Approx(0.78125).epsilon(1e-6));
-    CHECK(found->nominal == doctest::Approx(25));
+    CHECK(found->bin == about(0.78125, 1e-6));
+    CHECK(found->nominal == about(25));
     // By hand: bin 95 as order 3 allows (94.5 to 95.5) 0.78125 / 3, bin 110 as 7/2 (109.5 to 110.5) 0.78125 / 3.5; of
     // all seven these leave the least. Bin 32 as order 1 has the same lower end, 31.5 * 0.78125.
-    CHECK(found->fundamental.lo == doctest::Approx(94.5 * 0.78125 / 3).epsilon(1e-6));
-    CHECK(found->fundamental.hi == doctest::Approx(110.5 * 0.78125 / 3.5).epsilon(1e-6));
-    CHECK(found->fundamental.lo == doctest::Approx(24.609).epsilon(1e-4));
-    CHECK(found->fundamental.hi == doctest::Approx(24.665).epsilon(1e-4));
+    CHECK(found->fundamental.lo == about(94.5 * 0.78125 / 3, 1e-6));
+    CHECK(found->fundamental.hi == about(110.5 * 0.78125 / 3.5, 1e-6));
+    CHECK(found->fundamental.lo == about(24.609, 1e-4));
+    CHECK(found->fundamental.hi == about(24.665, 1e-4));
     CHECK(found->orders == 7);
     CHECK(found->at_nominal == 3); // 25 Hz itself: 12.5, 25 and 100 Hz
     for (const BinnedLine& line : found->lines) {
@@ -47,7 +49,7 @@ TEST_CASE("the chance that bins off by up to two agree is counted, not guessed")
     const double chance = find_slip(test::content_of(printed_lines), printed_lines.string(), {})->chance;
     // A whole number of the 5^7 ways.
     const double ways = chance * std::pow(5, 7);
-    CHECK(ways == doctest::Approx(std::round(ways)).epsilon(1e-9));
+    CHECK(ways == about(std::round(ways), 1e-9));
     CHECK(std::lround(ways) == 15); // counted beside by another program: 1.9e-4
     // Three low orders agree often: that is no evidence.
     CHECK(find_slip(printed(25, {0.5, 1, 1.5}), "few.csv", {})->chance > 0.1);
@@ -65,8 +67,8 @@ TEST_CASE("the interval holds the fundamental that made the list, whatever it wa
 }
 
 TEST_CASE("a line half-way between two bins is shown at 2/pi of its amplitude, at 8/(3 pi) with Hann's window") {
-    CHECK(shown_without_window(0.5) == doctest::Approx(2 / 3.14159265));
-    CHECK(shown_with_hann(0.5) == doctest::Approx(8 / (3 * 3.14159265)));
+    CHECK(shown_without_window(0.5) == about(2 / 3.14159265));
+    CHECK(shown_with_hann(0.5) == about(8 / (3 * 3.14159265)));
     CHECK(shown_without_window(0) == 1);
 }
 

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "base/rng.h"
 #include "fit/report.h"
 #include "fit/spheres.h"
@@ -10,6 +11,7 @@
 using namespace tumble;
 using namespace tumble::fit;
 using Eigen::Vector3d;
+using tumble::test::about;
 
 namespace {
 
@@ -33,11 +35,11 @@ TEST_CASE("a box has the volume, centre and second moments of a box, whichever w
     std::vector<scene::Triangle> faces = box(0.01, 0.02, 0.03);
     for (int turn = 0; turn < 2; ++turn) {
         const Solid solid = solid_of(faces).value();
-        CHECK(solid.volume == doctest::Approx(6e-6).scale(0));
-        CHECK(solid.area == doctest::Approx(2 * (2 + 3 + 6) * 1e-4).scale(0));
+        CHECK(solid.volume == about(6e-6));
+        CHECK(solid.area == about(2 * (2 + 3 + 6) * 1e-4));
         CHECK((solid.centre - Vector3d(0.005, 0.01, 0.015)).norm() < 1e-15);
-        CHECK(solid.second(0, 0) == doctest::Approx(6e-6 * 1e-4 / 12).scale(0));
-        CHECK(solid.second(2, 2) == doctest::Approx(6e-6 * 9e-4 / 12).scale(0));
+        CHECK(solid.second(0, 0) == about(6e-6 * 1e-4 / 12));
+        CHECK(solid.second(2, 2) == about(6e-6 * 9e-4 / 12));
         CHECK(std::abs(solid.second(0, 1)) < 1e-20);
         for (auto& face : faces)
             std::swap(face[0], face[1]);
@@ -46,19 +48,18 @@ TEST_CASE("a box has the volume, centre and second moments of a box, whichever w
 
 TEST_CASE("a cone has the volume and centre of a cone") {
     const Solid solid = solid_of(Cone{0.010, 0.012});
-    CHECK(solid.volume == doctest::Approx(pi * 0.005 * 0.005 * 0.012 / 3).epsilon(2e-5).scale(0));
-    CHECK(solid.centre.y() == doctest::Approx(0.003).scale(0));
+    CHECK(solid.volume == about(pi * 0.005 * 0.005 * 0.012 / 3, 2e-5));
+    CHECK(solid.centre.y() == about(0.003));
     // Of the round cone: m (3/20 r^2 + 3/80 h^2) across, 3/10 m r^2 along its axis.
-    CHECK(solid.second(0, 0) + solid.second(2, 2) ==
-          doctest::Approx(0.3 * 25e-6 * solid.volume).epsilon(1e-4).scale(0));
-    CHECK(solid.second(1, 1) == doctest::Approx(3.0 / 80 * 144e-6 * solid.volume).scale(0));
+    CHECK(solid.second(0, 0) + solid.second(2, 2) == about(0.3 * 25e-6 * solid.volume, 1e-4));
+    CHECK(solid.second(1, 1) == about(3.0 / 80 * 144e-6 * solid.volume));
 }
 
 TEST_CASE("depth is the distance to the nearest face, negative outside") {
     const Solid solid = solid_of(box(1, 2, 3)).value();
-    CHECK(depth_in(solid, {0.5, 1, 1.5}) == doctest::Approx(0.5).scale(0));
-    CHECK(depth_in(solid, {0.9, 1, 1.5}) == doctest::Approx(0.1).scale(0));
-    CHECK(depth_in(solid, {-3, 1, 7}) == doctest::Approx(-5).scale(0));
+    CHECK(depth_in(solid, {0.5, 1, 1.5}) == about(0.5));
+    CHECK(depth_in(solid, {0.9, 1, 1.5}) == about(0.1));
+    CHECK(depth_in(solid, {-3, 1, 7}) == about(-5));
 }
 
 TEST_CASE("points of the surface lie on it, as many a face as its area") {
@@ -70,7 +71,7 @@ TEST_CASE("points of the surface lie on it, as many a face as its area") {
         CHECK(std::abs(depth_in(solid, point)) < 1e-12);
         below += point.z() < 1e-12 ? 1 : 0;
     }
-    CHECK(below == doctest::Approx(1000).epsilon(0.01).scale(0)); // 2 of 22
+    CHECK(below == about(1000, 0.01)); // 2 of 22
 }
 
 TEST_CASE("an open mesh and one whose triangles are turned against each other are refused, with how many edges") {
@@ -93,7 +94,7 @@ TEST_CASE("the spheres of a cone are as many as asked for, touch it from inside 
         CHECK(spheres.size() == static_cast<std::size_t>(n));
         for (const scene::Sphere& sphere : spheres) {
             CHECK(sphere.radius > 0.0006 * (1 - 1e-12));
-            CHECK(depth_in(solid, sphere.centre) == doctest::Approx(sphere.radius).epsilon(2e-4).scale(0));
+            CHECK(depth_in(solid, sphere.centre) == about(sphere.radius, 2e-4));
         }
         const auto again = spheres_in(cone, {n, 0.0006}).value();
         for (std::size_t i = 0; i < spheres.size(); ++i)
@@ -121,13 +122,13 @@ TEST_CASE("more spheres fill a cone better") {
 TEST_CASE("the report of one sphere in a cube: pi / 6 of the volume, off by nothing at faces and by a corner's rest") {
     const Solid cube = solid_of(box(2, 2, 2)).value();
     const Report report = compare(cube, {{Vector3d(1, 1, 1), 1}});
-    CHECK(report.union_volume / report.solid_volume == doctest::Approx(pi / 6).scale(0));
-    CHECK(report.gap_max == doctest::Approx(std::sqrt(3.0) - 1).epsilon(0.02).scale(0));
+    CHECK(report.union_volume / report.solid_volume == about(pi / 6));
+    CHECK(report.gap_max == about(std::sqrt(3.0) - 1, 0.02));
     CHECK(report.gap_mean > 0.2);
     CHECK(report.stands_out == 0);
-    CHECK(compare(cube, {{Vector3d(1, 1, 1), 1.25}}).stands_out == doctest::Approx(0.25).scale(0));
-    CHECK(report.union_inertia[0] == doctest::Approx(0.4 * report.union_volume).scale(0));
-    CHECK(report.solid_inertia[0] == doctest::Approx(8 * 4.0 / 6).scale(0));
+    CHECK(compare(cube, {{Vector3d(1, 1, 1), 1.25}}).stands_out == about(0.25));
+    CHECK(report.union_inertia[0] == about(0.4 * report.union_volume));
+    CHECK(report.solid_inertia[0] == about(8 * 4.0 / 6));
 }
 
 TEST_CASE("spheres in a closed mesh stay inside it and fill it; a long box gets a row of its thickness") {
@@ -135,7 +136,7 @@ TEST_CASE("spheres in a closed mesh stay inside it and fill it; a long box gets 
     const auto few = spheres_in(bar, {4, 0.001}).value();
     const auto many = spheres_in(bar, {60, 0.0005}).value();
     for (const scene::Sphere& sphere : many)
-        CHECK(depth_in(bar, sphere.centre) == doctest::Approx(sphere.radius).scale(0));
+        CHECK(depth_in(bar, sphere.centre) == about(sphere.radius));
     for (const scene::Sphere& sphere : few)
         CHECK(sphere.radius > 0.0044); // points of the grid, 1 mm apart, lie 0.5 mm off the axis
     CHECK(compare(bar, many).union_volume > compare(bar, few).union_volume);
@@ -148,9 +149,9 @@ TEST_CASE("scaled to a volume, the union has it, and the clump file reads back t
     const double factor = scale_to_volume(spheres, 3e-7);
     CHECK(factor > 1);
     const Report report = compare(solid_of(Cone{0.010, 0.012}), spheres);
-    CHECK(report.union_volume == doctest::Approx(3e-7).epsilon(1e-7).scale(0));
+    CHECK(report.union_volume == about(3e-7, 1e-7));
     CHECK(report.stands_out > 0);
-    CHECK(equivalent_radius(report.union_volume) == doctest::Approx(std::cbrt(3 * 3e-7 / (4 * pi))).scale(0));
+    CHECK(equivalent_radius(report.union_volume) == about(std::cbrt(3 * 3e-7 / (4 * pi))));
     const std::string text = clump_file(spheres, report, {"a line"});
     CHECK(text.starts_with("# a line\n# 36 spheres, "));
     const auto read = scene::parse_clump(text, "cone.csv").value();
@@ -164,6 +165,6 @@ TEST_CASE("scaled to a volume, the union has it, and the clump file reads back t
 TEST_CASE("the thesis' cone of 65 spheres is short of its own cone of 20 by 24 mm") {
     const auto spheres = scene::read_clump(TUMBLE_ROOT "/scenes/clumps/cone-65.csv").value();
     const Report report = compare(solid_of(Cone{0.020, 0.024}), spheres);
-    CHECK(report.solid_volume == doctest::Approx(pi * 1e-4 * 0.024 / 3).epsilon(1e-4).scale(0));
-    CHECK(report.union_volume == doctest::Approx(2.80571e-6).epsilon(1e-5).scale(0)); // fuller than the ideal cone
+    CHECK(report.solid_volume == about(pi * 1e-4 * 0.024 / 3, 1e-4));
+    CHECK(report.union_volume == about(2.80571e-6, 1e-5)); // fuller than the ideal cone
 }

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "base/rng.h"
 #include "performed.h"
 
@@ -6,40 +7,41 @@
 using namespace tumble;
 using namespace tumble::lab;
 using namespace tumble::lab::testing;
+using tumble::test::about;
 
 TEST_CASE("dead weights on a tripod give back the modulus and the ratio that were put in") {
     const Outcome outcome = performed("press", {{"loads", "4"}});
-    CHECK(outcome.sheet.fact("exponent") == doctest::Approx(1.5).epsilon(0.005));
-    CHECK(outcome.sheet.fact("youngs_modulus") == doctest::Approx(4.6e9).epsilon(0.02));
-    CHECK(outcome.sheet.fact("poisson_ratio") == doctest::Approx(0.2887).epsilon(0.05));
+    CHECK(outcome.sheet.fact("exponent") == about(1.5, 0.005));
+    CHECK(outcome.sheet.fact("youngs_modulus") == about(4.6e9, 0.02));
+    CHECK(outcome.sheet.fact("poisson_ratio") == about(0.2887, 0.05));
 }
 
 TEST_CASE("the cone of 65 spheres has the volume and the mass that its union has") {
     // 2.8064e-6 m3 and 4.675 g at 1665.71 kg/m3 (design, from the thesis' table of spheres).
     const Outcome outcome = performed("weigh");
-    CHECK(outcome.sheet.fact("volume_model") == doctest::Approx(2806.4).epsilon(5e-4));
-    CHECK(outcome.sheet.fact("mass_model") == doctest::Approx(4.675).epsilon(5e-4));
+    CHECK(outcome.sheet.fact("volume_model") == about(2806.4, 5e-4));
+    CHECK(outcome.sheet.fact("mass_model") == about(4.675, 5e-4));
     // pi / 12 * 20^2 * 24 mm3 = 2513.3 mm3; 4.7 g over it.
-    CHECK(outcome.sheet.fact("density_cone") == doctest::Approx(4.7e-3 / 2513.27e-9).epsilon(1e-4));
-    CHECK(outcome.sheet.fact("density_turned") == doctest::Approx(1665.7).epsilon(1e-3));
+    CHECK(outcome.sheet.fact("density_cone") == about(4.7e-3 / 2513.27e-9, 1e-4));
+    CHECK(outcome.sheet.fact("density_turned") == about(1665.7, 1e-3));
 }
 
 TEST_CASE("the thesis' tables come out as printed, but for an average and a standard deviation") {
     const Outcome outcome = performed("thesis");
     const auto fact = [&](const char* name) { return outcome.sheet.fact(name); };
     // Computed beside, with another program (numpy): mean and sample standard deviation of sqrt(h / 200 mm).
-    CHECK(fact("mean_0") == doctest::Approx(0.66982).epsilon(1e-4));
-    CHECK(fact("mean_1") == doctest::Approx(0.66770).epsilon(1e-4));
-    CHECK(fact("mean_2") == doctest::Approx(0.79462).epsilon(1e-4));
-    CHECK(fact("sd_0") / 0.01930 == doctest::Approx(1).epsilon(1e-3));
-    CHECK(fact("sd_1") / 0.02748 == doctest::Approx(1).epsilon(1e-3));
-    CHECK(fact("sd_2") / 0.00896 == doctest::Approx(1).epsilon(1e-3));
+    CHECK(fact("mean_0") == about(0.66982, 1e-4));
+    CHECK(fact("mean_1") == about(0.66770, 1e-4));
+    CHECK(fact("mean_2") == about(0.79462, 1e-4));
+    CHECK(fact("sd_0") / 0.01930 == about(1, 1e-3));
+    CHECK(fact("sd_1") / 0.02748 == about(1, 1e-3));
+    CHECK(fact("sd_2") / 0.00896 == about(1, 1e-3));
     for (const char* name : {"same_0", "same_1", "same_2"})
         CHECK(fact(name) == 10);
     // e^2 h of the three readings of 0.159; gravity during the contact takes a little, 3 % of the smallest.
-    CHECK(fact("lining_rebound_0") == doctest::Approx(5.06).epsilon(0.03));
-    CHECK(fact("lining_rebound_1") == doctest::Approx(31.8).epsilon(0.01));
-    CHECK(fact("lining_rebound_2") == doctest::Approx(168.2).epsilon(0.01));
+    CHECK(fact("lining_rebound_0") == about(5.06, 0.03));
+    CHECK(fact("lining_rebound_1") == about(31.8, 0.01));
+    CHECK(fact("lining_rebound_2") == about(168.2, 0.01));
 }
 
 TEST_CASE("a record of a testing machine gives modulus and ratio with errors, and says when it is no straight line") {

@@ -1,18 +1,20 @@
+#include "about.h"
 #include "taught.h"
 
 #include <cmath>
 
 using namespace tumble::lesson;
 using namespace tumble::lesson::testing;
+using tumble::test::about;
 
 TEST_CASE("rolling-resistance: without it a ball keeps its speed, with it it stops after 7 v^2 / (10 mu_r g)") {
     const Walk walk = taught("rolling-resistance", {{"rolling_friction", "0.1"}, {"speed_m_s", "0.5"}});
     const double distance = 7 * 0.5 * 0.5 / (10 * 0.1 * 9.81);
-    CHECK(walk.fact("free_speed") == doctest::Approx(0.5).epsilon(1e-3));
-    CHECK(walk.fact("stop_distance_cdt") == doctest::Approx(distance).epsilon(2e-3));
-    CHECK(walk.fact("stop_distance_epsd") == doctest::Approx(walk.fact("stop_distance_theory_epsd")).epsilon(5e-3));
-    CHECK(walk.fact("stop_distance_theory_epsd") == doctest::Approx(distance).epsilon(0.05));
-    CHECK(walk.fact("stop_distance_small") == doctest::Approx(distance).epsilon(2e-3));
+    CHECK(walk.fact("free_speed") == about(0.5, 1e-3));
+    CHECK(walk.fact("stop_distance_cdt") == about(distance, 2e-3));
+    CHECK(walk.fact("stop_distance_epsd") == about(walk.fact("stop_distance_theory_epsd"), 5e-3));
+    CHECK(walk.fact("stop_distance_theory_epsd") == about(distance, 0.05));
+    CHECK(walk.fact("stop_distance_small") == about(distance, 2e-3));
 }
 
 TEST_CASE(

@@ -6,7 +6,6 @@
 
 using namespace tumble;
 using namespace tumble::test;
-using tumble::test::about;
 
 namespace {
 

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "base/rng.h"
 #include "observe/cycle.h"
 
@@ -9,6 +10,7 @@
 using namespace tumble;
 using observe::Cycle;
 using observe::find_cycle;
+using tumble::test::about;
 
 namespace {
 
@@ -32,21 +34,21 @@ double wave(double t) {
 
 TEST_CASE("a sine has its period, twice its amplitude and its number of cycles") {
     const Cycle cycle = Signal(4.7, 0.01, wave).cycle();
-    CHECK(cycle.period == doctest::Approx(0.97).epsilon(0.011).scale(0)); // a sample
-    CHECK(cycle.peak_to_peak == doctest::Approx(0.07).epsilon(1e-3).scale(0));
+    CHECK(cycle.period == about(0.97, 0.011)); // a sample
+    CHECK(cycle.peak_to_peak == about(0.07, 1e-3));
     CHECK(cycle.cycles >= 3);
     CHECK(cycle.cycles <= 4);
-    CHECK(cycle.highest == doctest::Approx(0.095).epsilon(1e-3).scale(0));
-    CHECK(cycle.lowest == doctest::Approx(0.025).epsilon(1e-2).scale(0));
+    CHECK(cycle.highest == about(0.095, 1e-3));
+    CHECK(cycle.lowest == about(0.025, 1e-2));
 }
 
 TEST_CASE("jitter of a tenth of the height makes no turning points of its own") {
     Rng rng(3);
     const Cycle cycle = Signal(9.7, 0.01, [&](double t) { return wave(t) + rng.uniform(-0.0035, 0.0035); }).cycle();
-    CHECK(cycle.period == doctest::Approx(0.97).epsilon(0.05).scale(0));
+    CHECK(cycle.period == about(0.97, 0.05));
     CHECK(cycle.tops.size() >= 9); // of ten, the first rises from where the record begins
     CHECK(cycle.tops.size() <= 10);
-    CHECK(cycle.peak_to_peak == doctest::Approx(0.077).epsilon(0.05).scale(0)); // the extremes of the jitter add
+    CHECK(cycle.peak_to_peak == about(0.077, 0.05)); // the extremes of the jitter add
 }
 
 TEST_CASE("cycles of uneven length and height give the median, not the mean") {
@@ -60,7 +62,7 @@ TEST_CASE("cycles of uneven length and height give the median, not the mean") {
         }
         return 0.0;
     };
-    CHECK(Signal(8.5, 0.005, value).cycle().period == doctest::Approx(1.0).epsilon(0.06).scale(0));
+    CHECK(Signal(8.5, 0.005, value).cycle().period == about(1.0, 0.06));
 }
 
 TEST_CASE("what never turns has no cycle, and values that are no numbers are left out") {
@@ -73,5 +75,5 @@ TEST_CASE("what never turns has no cycle, and values that are no numbers are lef
     const Cycle holes = Signal(4.7, 0.01, [](double t) {
                             return std::fmod(t, 0.05) < 0.01 ? std::numeric_limits<double>::quiet_NaN() : wave(t);
                         }).cycle();
-    CHECK(holes.period == doctest::Approx(0.97).epsilon(0.02).scale(0));
+    CHECK(holes.period == about(0.97, 0.02));
 }

@@ -7,7 +7,6 @@
 
 using namespace tumble;
 using namespace tumble::test;
-using tumble::test::about;
 
 namespace {
 

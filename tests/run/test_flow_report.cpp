@@ -1,3 +1,4 @@
+#include "about.h"
 #include "folder.h"
 #include "observe/series.h"
 #include "run/flow_report.h"
@@ -8,6 +9,7 @@
 #include <numbers>
 
 using namespace tumble;
+using tumble::test::about;
 
 namespace {
 
@@ -79,15 +81,15 @@ TEST_CASE("a bouncing ball's cycle is two free falls, in the frames and in its t
     REQUIRE_MESSAGE(report.ok(), to_string(report.problems()));
     // Dropped by 50 mm: 2 sqrt(2 h / g) = 0.202 s from top to top, and 4 ms of the soft contact.
     const observe::Cycle cycle = report->paths[0].cycle();
-    CHECK(cycle.period == doctest::Approx(2 * std::sqrt(2 * 0.05 / 9.81)).epsilon(0.06).scale(0));
-    CHECK(cycle.peak_to_peak == doctest::Approx(0.05).epsilon(0.06).scale(0));
-    CHECK(report->kinetic.front() == doctest::Approx(0.5 * 1000 * 4 * std::numbers::pi / 3 * 8e-6 * 0.04).scale(0));
+    CHECK(cycle.period == about(2 * std::sqrt(2 * 0.05 / 9.81), 0.06));
+    CHECK(cycle.peak_to_peak == about(0.05, 0.06));
+    CHECK(report->kinetic.front() == about(0.5 * 1000 * 4 * std::numbers::pi / 3 * 8e-6 * 0.04));
 
     const auto series = observe::read_series(options.folder / "series.csv").value();
     const auto* height = series.find("tracer:bouncer_y");
     const auto* time = series.find("time");
     REQUIRE(height != nullptr);
-    CHECK(observe::find_cycle(*time, *height).period == doctest::Approx(cycle.period).epsilon(1e-9).scale(0));
+    CHECK(observe::find_cycle(*time, *height).period == about(cycle.period, 1e-9));
     // In flight nothing is felt, on the plate a push upwards.
     const auto* felt = series.find("tracer:bouncer_felt_y");
     REQUIRE(felt != nullptr);

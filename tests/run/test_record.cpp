@@ -1,3 +1,4 @@
+#include "about.h"
 #include "base/text.h"
 #include "run/record.h"
 #include "scene/load.h"
@@ -8,6 +9,7 @@
 #include <filesystem>
 
 using namespace tumble;
+using tumble::test::about;
 
 namespace {
 
@@ -40,7 +42,7 @@ TEST_CASE("a sphere recorded on its own falls as a stone does, and its rows rise
         if (row > 0)
             CHECK(t > series->values[0][row - 1]);
         if (t < 0.44) // 1 m takes 0.452 s; leapfrog with velocities half a step off is exact under constant force
-            CHECK(series->values[1][row] == doctest::Approx(1.12 - 0.5 * 9.81 * t * t).epsilon(1e-9));
+            CHECK(series->values[1][row] == about(1.12 - 0.5 * 9.81 * t * t, 1e-9));
     }
 }
 
@@ -64,11 +66,11 @@ TEST_CASE("a ball that comes to rest is recorded to the end, at rest where its w
     const auto series =
         run::record(bounce({"fill.0.position_m.1=0.14", "duration_s=1", "pair.leather-wood.restitution=0.3"}));
     REQUIRE_MESSAGE(series, to_string(series.problems()));
-    CHECK(series->values[0].back() == doctest::Approx(1).epsilon(2e-3));
+    CHECK(series->values[0].back() == about(1, 2e-3));
     // Hertz: m g = 4/3 E* sqrt(R) d^1.5, E* = 1.27e6 / (1 - 0.3^2) with a floor 10^4 times as stiff.
     const double modulus = 1 / ((1 - 0.09) / 1.27e6 + (1 - 0.09) / 1e10);
     const double depth = std::pow(0.6 * 9.81 / (4.0 / 3 * modulus * std::sqrt(0.12)), 2.0 / 3);
-    CHECK(series->values[1].back() == doctest::Approx(0.12 - depth).epsilon(1e-4));
+    CHECK(series->values[1].back() == about(0.12 - depth, 1e-4));
 }
 
 // docs/diagnosis.md, "What is not yet so".

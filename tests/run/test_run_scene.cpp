@@ -11,7 +11,6 @@
 
 using namespace tumble;
 using namespace tumble::test;
-using tumble::test::about;
 namespace fs = std::filesystem;
 
 namespace {

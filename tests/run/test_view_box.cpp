@@ -5,7 +5,6 @@
 
 using namespace tumble;
 using namespace tumble::test;
-using tumble::test::about;
 
 namespace {
 

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "folder.h"
 #include "run/wall_files.h"
 #include "scene/extent.h"
@@ -8,6 +9,7 @@
 
 using namespace tumble;
 using Eigen::Vector3d;
+using tumble::test::about;
 
 namespace {
 
@@ -41,16 +43,16 @@ TEST_CASE("walls written as STL are read back as large as they are and where the
     REQUIRE_MESSAGE(files.ok(), to_string(files.problems()));
     REQUIRE(files->size() == 2);
     const scene::Box bowl = read_box(folder.path / "bowl.stl");
-    CHECK(bowl.hi.y() == doctest::Approx(0.21).scale(0));
-    CHECK(bowl.hi.z() == doctest::Approx(0.1665).epsilon(0.001).scale(0));
+    CHECK(bowl.hi.y() == about(0.21));
+    CHECK(bowl.hi.z() == about(0.1665, 0.001));
     // Of three ribs the first points along +x: there the facet's middle lies inside the circle, at -x there is none.
     const scene::Box disc = read_box(folder.path / "disc.stl");
-    CHECK(disc.lo.y() == doctest::Approx(0.1).scale(0));
+    CHECK(disc.lo.y() == about(0.1));
     // After a second it has turned by 60 degrees, and a rib points along -x.
     REQUIRE(run::write_wall_files(bowl_and_disc(), {"disc"}, 1.0, folder.path / "later", false).ok());
     const scene::Box later = read_box(folder.path / "later" / "disc.stl");
-    CHECK(later.lo.x() == doctest::Approx(-disc.hi.x()).epsilon(1e-6).scale(0));
-    CHECK(later.hi.x() == doctest::Approx(-disc.lo.x()).epsilon(1e-6).scale(0));
+    CHECK(later.lo.x() == about(-disc.hi.x(), 1e-6));
+    CHECK(later.hi.x() == about(-disc.lo.x(), 1e-6));
     CHECK(!std::filesystem::exists(folder.path / "later" / "bowl.stl"));
 }
 

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "scene/bowl_mesh.h"
 #include "scene/extent.h"
 
@@ -10,6 +11,7 @@
 
 using namespace tumble;
 using namespace tumble::scene;
+using tumble::test::about;
 
 namespace {
 
@@ -80,8 +82,8 @@ TEST_CASE("the bowl's disc is one sheet that ends at the rim's edge") {
         const auto rim = rim_of(mesh_of(disc(ribs)));
         CHECK(rim.size() > 60);
         for (const Corner& at : rim) {
-            CHECK(at[1] == doctest::Approx(0.01).scale(0));
-            CHECK(std::hypot(at[0] - 0.01, at[2] - 0.03) == doctest::Approx(0.1645).epsilon(0.002).scale(0));
+            CHECK(at[1] == about(0.01));
+            CHECK(std::hypot(at[0] - 0.01, at[2] - 0.03) == about(0.1645, 0.002));
         }
     }
 }
@@ -89,10 +91,10 @@ TEST_CASE("the bowl's disc is one sheet that ends at the rim's edge") {
 TEST_CASE("without ribs wall and rim are prism and frustum of as many corners as facets of 4 degrees need") {
     const int n = 90;
     const double chords = std::sin(pi / n) / (pi / n), apothems = std::cos(pi / n);
-    CHECK(area_of(mesh_of(bowl(0))) == doctest::Approx(2 * pi * 0.1665 * 0.21 * chords).epsilon(1e-12).scale(0));
+    CHECK(area_of(mesh_of(bowl(0))) == about(2 * pi * 0.1665 * 0.21 * chords, 1e-12));
     const double flat = pi * 0.1345 * 0.1345 * chords * apothems;
     const double rim = pi * (0.1345 + 0.1645) * chords * std::hypot(0.03, 0.03 * apothems);
-    CHECK(area_of(mesh_of(disc(0))) == doctest::Approx(flat + rim).epsilon(1e-12).scale(0));
+    CHECK(area_of(mesh_of(disc(0))) == about(flat + rim, 1e-12));
 }
 
 TEST_CASE("every normal of the wall points inwards, every normal of the disc upwards") {
@@ -118,14 +120,14 @@ TEST_CASE("a rib stands as high and as wide as it is said to, on wall, flat part
                 continue; // of the first rib, that lies along x
             const double off = std::abs(at.z());
             if (at.x() < 0.12 && at.y() > 1e-9) {
-                CHECK(at.y() == doctest::Approx(ribs.height).scale(0));
-                CHECK(off == doctest::Approx(ribs.crest / 2).scale(0));
+                CHECK(at.y() == about(ribs.height));
+                CHECK(off == about(ribs.crest / 2));
                 ++on_flat;
             }
             const double above_rim = (at.y() - (at.x() - 0.1345 * std::cos(facet)) * std::tan(slope)) * std::cos(slope);
             if (at.x() > 0.14 && above_rim > 1e-9) {
-                CHECK(above_rim == doctest::Approx(ribs.height).scale(0));
-                CHECK(off == doctest::Approx(ribs.crest / 2).scale(0));
+                CHECK(above_rim == about(ribs.height));
+                CHECK(off == about(ribs.crest / 2));
                 ++on_rim;
             }
         }
@@ -135,7 +137,7 @@ TEST_CASE("a rib stands as high and as wide as it is said to, on wall, flat part
     for (const auto& triangle : mesh_of(bowl(12)).triangles)
         for (const Vector3d& corner : triangle)
             innermost = std::min(innermost, std::hypot(corner.x() - 0.01, corner.z() - 0.03));
-    CHECK(innermost == doctest::Approx(std::hypot(std::sqrt(0.1665 * 0.1665 - 0.006 * 0.006) - 0.004, 0.003)).scale(0));
+    CHECK(innermost == about(std::hypot(std::sqrt(0.1665 * 0.1665 - 0.006 * 0.006) - 0.004, 0.003)));
 }
 
 TEST_CASE("the extent said of a bowl is that of its triangles") {

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "sandbox.h"
 
 #include <cmath>
@@ -6,6 +7,7 @@
 using namespace tumble;
 using namespace tumble::sim2d;
 using namespace tumble::sim2d::testing;
+using tumble::test::about;
 
 TEST_CASE("a disc falls through air as v_t tanh(g t / v_t), and the books close") {
     const double g = 9.81, r = 0.05, dt = 1e-4;
@@ -19,7 +21,7 @@ TEST_CASE("a disc falls through air as v_t tanh(g t / v_t), and the books close"
     const double terminal = std::sqrt(30 * std::numbers::pi * r * r * g / (0.5 * 1.2 * 1.1 * 2 * r));
     for (const double time : {0.2, 1.0, 2.0}) {
         box.step(std::llround(time / dt) - steps_of(*box.world));
-        CHECK(-box.body_at(0).velocity.y() == doctest::Approx(terminal * std::tanh(g * time / terminal)).epsilon(1e-3));
+        CHECK(-box.body_at(0).velocity.y() == about(terminal * std::tanh(g * time / terminal), 1e-3));
     }
     const Books books = books_of(*box.world);
     CHECK(books.lost_air_drag > 0.3 * -books.gravity);

@@ -1,6 +1,9 @@
 #include "sandbox.h"
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 using namespace tumble;
 using namespace tumble::sim2d;
@@ -114,4 +117,35 @@ TEST_CASE("a body placed where another body or a wall is, is refused at its line
     CHECK(refused({12.1, 10}).empty());
     CHECK(refused({11, 10}).find("two.toml:9:3: body 'body0' at (11, 10) m overlaps another body at t = 0 s") == 0);
     CHECK(refused({4, 5.5}).find("two.toml:9:3: body 'body0' at (4, 5.5) m overlaps a wall at t = 0 s") == 0);
+}
+
+TEST_CASE("a small disc in a vast domain takes no room for the empty space around it") {
+    Sandbox box = box_of_20_m(false); // 4e10 cells as large as the disc
+    const int disc = box.disc(5e-5);
+    box.scene.fills = {one_at(disc, {1, 2}), one_at(disc, {1, 2.000099})};
+    CHECK(refusal(box).find("overlaps another body") != std::string::npos);
+    box.scene.fills[1].position = {1, 2.000101, 0};
+    CHECK(refusal(box).empty());
+}
+
+TEST_CASE("a stop that is wanted ends the building of a world, and a search for room as if it had not begun") {
+    Sandbox box = box_of_20_m(false);
+    const int large = box.disc(0.3), small = box.disc(2e-4);
+    box.scene.fills = {many_in(box.scene.domain.box, large, 50), many_in(box.scene.domain.box, small, 100000000)};
+    box.scene.fills[1].start = 20 * box.scene.time_step; // takes hours
+    std::atomic<bool> stop{false};
+    auto world = build_world(box.scene, 1, &stop);
+    REQUIRE_MESSAGE(world.ok(), to_string(world.problems()));
+    REQUIRE(!advance(**world, 20));
+    const std::string before = state_of(**world);
+    std::jthread soon([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        stop = true;
+    });
+    CHECK(!advance(**world, 100));
+    CHECK(steps_of(**world) == 20);
+    CHECK(bodies_of(**world).size() == 50);
+    CHECK(state_of(**world) == before);
+    CHECK(to_string(build_world(box.scene, 1, &stop).problems()) ==
+          "stopped while the scene was being built\n    no step was taken and no file written\n");
 }

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "sim3d/pouring.h"
 #include "sim3d/world.h"
 
@@ -7,6 +8,7 @@
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
+using tumble::test::about;
 
 namespace {
 
@@ -61,11 +63,11 @@ std::pair<double, double> pull_off(AdhesionLaw law, double expected) {
 
 TEST_CASE("a ball hangs from a ceiling up to the pull-off force: 3/2 pi w R by JKR over a gap, 2 pi w R by DMT") {
     const auto [jkr, gap] = pull_off(AdhesionLaw::jkr, 1.5 * pi * work * r);
-    CHECK(jkr == doctest::Approx(1.5 * pi * work * r).epsilon(0.015));
+    CHECK(jkr == about(1.5 * pi * work * r, 0.015));
     // At the strongest pull x^3 = 3: the neck reaches over (4 x - x^4) of the 3 at which it tears.
-    CHECK(gap == doctest::Approx(0.48 * reach).epsilon(0.25));
+    CHECK(gap == about(0.48 * reach, 0.25));
     const auto [dmt, none] = pull_off(AdhesionLaw::dmt, 2 * pi * work * r);
-    CHECK(dmt == doctest::Approx(2 * pi * work * r).epsilon(0.015));
+    CHECK(dmt == about(2 * pi * work * r, 0.015));
     CHECK(none <= 0);
 }
 
@@ -90,8 +92,8 @@ TEST_CASE(
         CAPTURE(v);
         const auto [free, books] = strike(v * v_s);
         CHECK(books.contacts == 0);
-        CHECK(free.velocity.y() / (v * v_s) == doctest::Approx(std::sqrt(1 - 1 / (v * v))).epsilon(0.01));
-        CHECK(books.lost_adhesion == doctest::Approx(0.5 * mass * v_s * v_s).epsilon(0.01));
+        CHECK(free.velocity.y() / (v * v_s) == about(std::sqrt(1 - 1 / (v * v)), 0.01));
+        CHECK(books.lost_adhesion == about(0.5 * mass * v_s * v_s, 0.01));
     }
 }
 
@@ -121,7 +123,7 @@ TEST_CASE("SJKR: a ball on a plane rests where Hertz' force balances k 2 pi R d"
     const double overlap = std::pow(energy * 2 * pi * r / (4.0 / 3 * E_eff * std::sqrt(r)), 2);
     box.start({placed(box.ball(r), {0, r - 0.5 * overlap, 0})});
     box.run(20000);
-    CHECK(r - box.body_now(0).position.y() == doctest::Approx(overlap).epsilon(1e-3));
+    CHECK(r - box.body_now(0).position.y() == about(overlap, 1e-3));
 }
 
 TEST_CASE("a sticky pour: threads and instruction sets change no bit, and the books close") {

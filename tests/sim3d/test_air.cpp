@@ -1,3 +1,4 @@
+#include "about.h"
 #include "sim3d/sandbox.h"
 
 #include <cmath>
@@ -6,6 +7,7 @@
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
+using tumble::test::about;
 
 namespace {
 
@@ -39,9 +41,8 @@ TEST_CASE("in air without viscosity a ball falls as v_t tanh(g t / v_t), through
     for (const double time : {0.1, 0.3, 1.2}) {
         box.run(std::llround(time / dt) - steps_of(*box.world));
         const double reached = g * time / terminal;
-        CHECK(-box.body_now(0).velocity.y() == doctest::Approx(terminal * std::tanh(reached)).epsilon(1e-3));
-        CHECK(-box.body_now(0).position.y() ==
-              doctest::Approx(terminal * terminal / g * std::log(std::cosh(reached))).epsilon(1e-3));
+        CHECK(-box.body_now(0).velocity.y() == about(terminal * std::tanh(reached), 1e-3));
+        CHECK(-box.body_now(0).position.y() == about(terminal * terminal / g * std::log(std::cosh(reached)), 1e-3));
     }
     CHECK(-box.body_now(0).velocity.y() > 0.99 * terminal);
     const Books books = books_of(*box.world);
@@ -56,7 +57,7 @@ TEST_CASE("in a viscous medium a ball falls as v_t (1 - exp(-t / tau)) with Stok
     for (const double time : {0.5 * tau, tau, 5 * tau}) {
         box.run(std::llround(time / dt) - steps_of(*box.world));
         const double now = time_of(*box.world);
-        CHECK(-box.body_now(0).velocity.y() == doctest::Approx(terminal * (1 - std::exp(-now / tau))).epsilon(2e-3));
+        CHECK(-box.body_now(0).velocity.y() == about(terminal * (1 - std::exp(-now / tau)), 2e-3));
     }
     const Books books = books_of(*box.world);
     CHECK(std::abs(books.closure) < 2e-3 * books.lost_air_drag);
@@ -67,7 +68,7 @@ TEST_CASE("a clump is dragged as the sphere of its volume") {
     Sandbox box =
         falling({1.2, 1e-3, 0.44}, {{{{-2 * r, 0, 0}, r}, {{2 * r, 0, 0}, r}}, {{{0, 0, 0}, r * std::cbrt(2.0)}}});
     box.run(3000);
-    CHECK(box.body_now(0).velocity.y() == doctest::Approx(box.body_now(1).velocity.y()).epsilon(1e-3));
+    CHECK(box.body_now(0).velocity.y() == about(box.body_now(1).velocity.y(), 1e-3));
 }
 
 TEST_CASE("drag stops a body and never turns it round, however strong it is") {

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "base/rng.h"
 #include "sandbox.h"
 #include "sim3d/wall_surface.h"
@@ -10,6 +11,7 @@
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
+using tumble::test::about;
 
 namespace {
 
@@ -122,7 +124,7 @@ TEST_CASE("a disc that turns in place drags a ball by mu g while it slides, and 
         const std::int64_t rebuilds = box.world->rebuilds;
         const Vector3d before = box.body_now(0).velocity;
         box.run(1000);
-        CHECK((box.body_now(0).velocity - before).norm() == doctest::Approx(0.3 * g * 0.01).epsilon(0.02).scale(0));
+        CHECK((box.body_now(0).velocity - before).norm() == about(0.3 * g * 0.01, 0.02));
         CHECK(box.world->rebuilds == rebuilds);
     }
 }
@@ -161,6 +163,6 @@ TEST_CASE("a ball on the flat part, on a facet of the rim and in the middle of a
     CHECK(touches(surface, rim + 0.0028 * up, 0.003).size() == 1);
     const auto crest = touches(surface, {0.1, 0.004 + 0.0029, 0.0005}, 0.003);
     REQUIRE(crest.size() == 1);
-    CHECK(crest[0].normal.y() == doctest::Approx(1).scale(0));
-    CHECK(crest[0].gap == doctest::Approx(-0.0001).scale(0));
+    CHECK(crest[0].normal.y() == about(1));
+    CHECK(crest[0].gap == about(-0.0001));
 }

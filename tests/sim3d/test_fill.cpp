@@ -2,9 +2,12 @@
 #include "sim3d/sandbox.h"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <thread>
 
 using namespace tumble;
 using namespace tumble::sim3d;
@@ -134,6 +137,41 @@ TEST_CASE("a fill spread over time tries again as room falls free, and tells wha
     REQUIRE_MESSAGE(!problem, (problem ? problem->what : ""));
     CHECK(bodies_of(**world).size() == 400);
     CHECK(unfilled(**world).empty());
+}
+
+TEST_CASE("a small body in a vast domain takes no room for the empty space around it") {
+    Sandbox box({"media", 1666, 4.6e7, 0.2887}, {0.67, 0.58}, 1e-6); // 20 m wide: 1e15 cells as large as the ball
+    scene::Fill fill = fill_of(box.ball(1e-4), 1);
+    fill.position = {1, 2, 3};
+    box.scene.fills = {fill, fill};
+    box.scene.fills[1].position = {1, 2, 3.00019};
+    CHECK(to_string(build_world(box.scene, 1).problems()).find("overlaps another body") != std::string::npos);
+    box.scene.fills[1].position = {1, 2, 3.00021};
+    CHECK(build_world(box.scene, 1).ok());
+}
+
+TEST_CASE("a stop that is wanted ends the building of a world, and a search for room as if it had not begun") {
+    Sandbox box = jar();
+    box.scene.fills = {fill_of(box.ball(3e-3), 50), fill_of(box.ball(2e-5), 100000000)}; // the second takes hours
+    box.scene.fills[1].start = 20 * box.scene.time_step;
+    std::atomic<bool> stop{false};
+    auto world = build_world(box.scene, 1, &stop);
+    REQUIRE_MESSAGE(world.ok(), to_string(world.problems()));
+    REQUIRE(!advance(**world, 20));
+    const std::string before = state_of(**world);
+    std::jthread soon([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        stop = true;
+    });
+    CHECK(!advance(**world, 100));
+    CHECK(steps_of(**world) == 20);
+    CHECK(bodies_of(**world).size() == 50);
+    CHECK(state_of(**world) == before);
+
+    const auto none = build_world(box.scene, 1, &stop);
+    REQUIRE(!none.ok());
+    CHECK(to_string(none.problems()) ==
+          "stopped while the scene was being built\n    no step was taken and no file written\n");
 }
 
 TEST_CASE("a step above the stable limit is refused with the limit and what to do") {

@@ -346,10 +346,11 @@ TEST_CASE("sizes that make no wall are refused") {
     CHECK(first_problem(scene::PlaneShape{Vector3d::Zero(), Vector3d::Zero()}) == "the wall's normal has no direction");
     CHECK(first_problem(scene::DiscShape{Vector3d::Zero(), Vector3d::UnitY(), -0.1, 0}) == "the wall's radius is -0.1");
     CHECK(first_problem(scene::DiscShape{Vector3d::Zero(), Vector3d::UnitY(), 0.1, 0.1}) ==
-          "the hole's radius is 0.1 m in a disc of 0.1 m");
+          "a hole of radius 0.1 m leaves nothing of a disc of 0.1 m");
     CHECK(first_problem(scene::TroughShape{0.2, 0.1, 0.1, 0, 0, 0}) ==
-          "the trough's rim (0.1 m) is not above its floor (0.1 m)");
-    CHECK(first_problem(scene::BoxShape{{Vector3d::Zero(), Vector3d(1, 0, 1)}, {}}) == "the box is empty along y");
+          "the rim at 0.1 m is not above the floor at 0.1 m");
+    CHECK(first_problem(scene::BoxShape{{Vector3d::Zero(), Vector3d(1, 0, 1)}, {}}) ==
+          "the box from [0, 0, 0] to [1, 0, 1] has no volume");
     CHECK(first_problem(scene::MeshShape{}) == "there are no triangles in the mesh");
     CHECK(WallSurface().primitives() == 0);
 }

@@ -282,7 +282,7 @@ template <class By> void push_wall_contacts(const By& by, PushContext& context, 
             kept.set(context, lane, &contacts[k].memory, contacts[k].near * max_wall_touches + contacts[k].touch);
         });
         const Columns normal = gather([&](int k) TUMBLE_INLINE_LAMBDA { return at[k]->normal; });
-        const Columns wall = gather([&](int k) TUMBLE_INLINE_LAMBDA { return at[k]->velocity; });
+        const Columns wall = gather([&](int k) TUMBLE_INLINE_LAMBDA { return at[k]->velocity; }); // and now
         const Rows disc(rows);
         Contacts c;
         c.ex = -normal.x;
@@ -294,7 +294,11 @@ template <class By> void push_wall_contacts(const By& by, PushContext& context, 
         c.rates(disc.motion.x - wall.x, disc.motion.y - wall.y, disc.spin() * c.arm_of_x);
         c.turn = {{Pack(0.0), Pack(0.0), disc.spin() - normal.w},
                   Pack(contact::disc_rolls) * disc.mass() * disc.radius() * disc.radius()};
-        const auto push = by.push(context, c, kept);
+        auto push = by.push(context, c, kept);
+        // What gravity and the wall's own motion change until the step.
+        const Pack ahead_x = Pack(0.5 * context.dt * context.gravity[0]) + wall.x - wall.z;
+        const Pack ahead_y = Pack(0.5 * context.dt * context.gravity[1]) + wall.y - wall.w;
+        contact::book_ahead(push, ahead_x * c.ex + ahead_y * c.ey, ahead_x * c.ey - ahead_y * c.ex, Pack(context.dt));
         sums.add(c, push, live_lanes(n));
         const Force force(c, push);
         Quad on_disc[lanes];

@@ -244,6 +244,16 @@ TUMBLE_INLINE contact::Turn<Pack> over_wall(const Bodies& body, const Contacts& 
     return {body.spin - wall, Pack(contact::sphere_rolls) * body.mass * c.touch.radius * c.touch.radius};
 }
 
+/// m/s, by how much gravity and the wall's own motion change the velocities of the surfaces until the step.
+TUMBLE_INLINE Vec3<Pack> ahead_at_wall(const PushContext& context, const Vec3<Pack>& wall_before,
+                                       const WallContact* const (&contact)[lanes]) {
+    const Vec3<Pack> now = xyz(gather([&](int k) TUMBLE_INLINE_LAMBDA { return contact[k]->wall_now; }));
+    const double half = 0.5 * context.dt;
+    const Vec3<Pack> fall{Pack(half * context.gravity[0]), Pack(half * context.gravity[1]),
+                          Pack(half * context.gravity[2])};
+    return fall + wall_before - now;
+}
+
 /// By Plain or Full.
 template <class By> struct Pusher {
     By by;
@@ -340,7 +350,8 @@ template <class By> struct Pusher {
             c.touch.velocity = body.velocity - xyz(wall) + cross(body.spin, c.arm_a);
             if constexpr (By::turns)
                 c.turn = over_wall(body, c, contact);
-            const auto result = by.push(context, c, kept);
+            auto result = by.push(context, c, kept);
+            contact::book_ahead(result, c.touch.normal, ahead_at_wall(context, xyz(wall), contact), Pack(context.dt));
             sums.add(c, result, live_lanes(n));
             const Pushed pushed(c, result);
             for (int lane = 0; lane < n; ++lane) {

@@ -21,6 +21,8 @@ struct Books {
     double lost_sliding = 0;
     double lost_history = 0; // spring energy that the law drops when it projects, restiffens or forgets a history
     double lost_global_damping = 0; // by mass-proportional damping of bodies
+    bool splits_losses = true;      // false: of losses only the sum is known, as what the balance lacks
+    double lost_in_sum = 0;         // then
     double wall_work = 0;           // done by walls on bodies
     double inserted = 0;            // energy that came with inserted bodies
     double closure = 0;             // left side minus right side
@@ -31,12 +33,17 @@ struct Books {
     double angular_speed_max = 0;   // rad/s
 };
 
+/// Energy lost so far, J.
+inline double lost_of(const Books& b) {
+    if (!b.splits_losses)
+        return b.lost_in_sum;
+    return b.lost_normal_damping + b.lost_tangential_damping + b.lost_sliding + b.lost_history + b.lost_global_damping;
+}
+
 /// What the balance misses, J: everything there and lost, less everything put in.
 inline double closure_of(const Books& b) {
     const double held = b.kinetic_translation + b.kinetic_rotation + b.gravity + b.stored_normal + b.stored_tangential;
-    const double lost =
-        b.lost_normal_damping + b.lost_tangential_damping + b.lost_sliding + b.lost_history + b.lost_global_damping;
-    return held + lost - b.inserted - b.wall_work;
+    return held + lost_of(b) - b.inserted - b.wall_work;
 }
 
 } // namespace tumble

@@ -13,5 +13,6 @@ Lesson energy();
 Lesson friction();
 Lesson clumps();
 Lesson repose();
+Lesson soft_and_hard();
 
 } // namespace tumble::lesson

@@ -43,8 +43,8 @@ Result<double> read_value(const Lesson& lesson, const std::string& name, const s
 } // namespace
 
 const std::vector<Lesson>& all_lessons() {
-    static const std::vector<Lesson> lessons{two_discs(), force_law(), time_step(), restitution(),
-                                             energy(),    friction(),  clumps(),    repose()};
+    static const std::vector<Lesson> lessons{two_discs(), force_law(), time_step(), restitution(),  energy(),
+                                             friction(),  clumps(),    repose(),    soft_and_hard()};
     return lessons;
 }
 

@@ -86,7 +86,6 @@ struct Painter::Inside {
     void keep_to_window() const;
     void resolve(GLbitfield what);
     void write(const observe::Frame& frame, const PlotLine& plot, const Legend& legend);
-    [[nodiscard]] Picture read() const;
 };
 
 static Problem bad_range(double lo, double hi) {
@@ -320,25 +319,6 @@ void Painter::Inside::write(const observe::Frame& frame, const PlotLine& plot, c
     legend_bar = drawers->overlay->draw(content, arrangement, settings.width, settings.height);
 }
 
-Picture Painter::Inside::read() const {
-    Picture picture{settings.width, settings.height, {}};
-    const std::size_t row = 4 * static_cast<std::size_t>(settings.width);
-    picture.rgba.resize(row * static_cast<std::size_t>(settings.height));
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, drawers->canvas.resolved.name());
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadPixels(0, 0, settings.width, settings.height, GL_RGBA, GL_UNSIGNED_BYTE, picture.rgba.data());
-    const auto begin = picture.rgba.begin();
-    for (int y = 0; y < settings.height / 2; ++y) {
-        const auto top = begin + static_cast<std::ptrdiff_t>(row) * y;
-        const auto bottom = begin + static_cast<std::ptrdiff_t>(row) * (settings.height - 1 - y);
-        std::swap_ranges(top, top + static_cast<std::ptrdiff_t>(row), bottom);
-    }
-    for (std::size_t i = 3; i < picture.rgba.size(); i += 4) {
-        picture.rgba[i] = 255;
-    }
-    return picture;
-}
-
 Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
     Inside& in = *inside_;
     const GlContext::Current current(in.context);
@@ -375,7 +355,7 @@ Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
         glBindFramebuffer(GL_FRAMEBUFFER, canvas.resolved.name());
         in.write(frame, plot, legend);
     }
-    return in.read();
+    return read_picture(canvas);
 }
 
 const Camera& Painter::camera() const {

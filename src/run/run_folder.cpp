@@ -246,6 +246,11 @@ Result<FolderInWork> FolderInWork::open(const fs::path& root, bool overwrite, st
     return folder;
 }
 
+std::string folder_name(const std::filesystem::path& folder) {
+    const std::filesystem::path path = folder.lexically_normal();
+    return (path.has_filename() ? path : path.parent_path()).filename().string();
+}
+
 Result<RunFolder> find_run(const fs::path& root) {
     const RunFolder run{root};
     std::error_code error;

@@ -52,6 +52,9 @@ private:
     bool alive_ = true;
 };
 
+/// Its own name, without the way to it: "a" of "out/a" and of "out/a/".
+std::string folder_name(const std::filesystem::path& folder);
+
 /// Whether the folder holds what a run leaves (scene and frames). Problems name what is missing.
 Result<RunFolder> find_run(const std::filesystem::path& root);
 

@@ -32,8 +32,7 @@ std::filesystem::path folder_for(const scene::Scene& scene, const RunOptions& op
 
 double turned_over(const Books& books) {
     return books.kinetic_translation + books.kinetic_rotation + books.stored_normal + books.stored_tangential +
-           books.lost_normal_damping + books.lost_tangential_damping + books.lost_sliding + books.lost_history +
-           books.lost_global_damping;
+           lost_of(books);
 }
 
 /// What the sums of the books may miss by rounding alone: n terms, n roundings.
@@ -73,14 +72,15 @@ void append(Problems& all, const Problems& more) {
 RunInWork::RunInWork(const scene::Scene& scene, const RunOptions& options, RunListener& listener,
                      SimulationPtr simulation, FolderInWork folder)
     : scene_(scene), options_(options), listener_(listener), simulation_(std::move(simulation)),
-      folder_(std::move(folder)), layout_(simulation_->layout()), rows_(scene.observe.every, scene.time_step),
-      frames_(scene.render.every, scene.time_step), all_steps_(std::llround(scene.duration / scene.time_step)) {
+      folder_(std::move(folder)), layout_(simulation_->layout()), rows_(scene.observe.every, scene.step()),
+      frames_(scene.render.every, scene.step()), all_steps_(std::llround(scene.duration / scene.step())) {
     summary_.state = "running";
     summary_.folder = folder_.paths().root;
     summary_.scene = scene.file;
     summary_.title = scene.title;
     summary_.duration = scene.duration;
-    summary_.time_step = scene.time_step;
+    summary_.solver = scene.solver;
+    summary_.time_step = scene.step();
     summary_.seed = scene.seed;
     summary_.threads = options.threads;
     summary_.video = options.video;
@@ -99,8 +99,8 @@ Result<std::unique_ptr<RunInWork>> RunInWork::prepare(const scene::Scene& scene,
     if (!simulation)
         return simulation.problems();
     const auto bodies = static_cast<std::size_t>(all_bodies_wanted(scene, (*simulation)->bodies()));
-    const std::int64_t last = std::llround(scene.duration / scene.time_step);
-    const auto count = static_cast<std::size_t>(Schedule(scene.render.every, scene.time_step).count_with_last(last));
+    const std::int64_t last = std::llround(scene.duration / scene.step());
+    const auto count = static_cast<std::size_t>(Schedule(scene.render.every, scene.step()).count_with_last(last));
     Result<FolderInWork> folder = FolderInWork::open(folder_for(scene, options), options.overwrite,
                                                      count * observe::frame_bytes(bodies, scene.walls.size()));
     if (!folder)

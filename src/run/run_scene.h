@@ -53,7 +53,8 @@ struct RunSummary {
     std::filesystem::path folder;
     std::filesystem::path scene;
     std::string title;
-    double duration = 0;  // s
+    double duration = 0; // s
+    scene::Solver solver = scene::Solver::soft;
     double time_step = 0; // s
     std::uint64_t seed = 0;
     int threads = 1;

@@ -57,6 +57,7 @@ Result<SimulationPtr> simulate(const scene::Scene& scene, int threads);
 
 /// The solvers that simulate() chooses from, one file each.
 Result<SimulationPtr> simulate_in_2d(const scene::Scene& scene, int threads);
+Result<SimulationPtr> simulate_hard(const scene::Scene& scene); // discs with hard contacts
 Result<SimulationPtr> simulate_in_3d(const scene::Scene& scene, int threads);
 
 } // namespace tumble::run

@@ -31,6 +31,9 @@ void resolve_fills(const View& root, const Resolving& to);     // fill
 void resolve_walls(const View& root, const Resolving& to);     // wall, wall.motion
 void resolve_output(const View& root, const Resolving& to);    // observe, render
 
+/// After all of those: what Box2D is told, with the steps that the scene's bodies and walls ask for.
+void resolve_box2d(const View& root, const Resolving& to);
+
 /// After all of them: every two materials that can meet have a pair.
 void check_pairs(const View& root, const Resolving& to);
 

@@ -7,38 +7,41 @@ namespace tumble::sim2d {
 
 using Eigen::Vector2d;
 
-std::vector<Disc> discs_of(const World& world, const Placement& body) {
-    const ShapeConstants& shape = world.shape_constants[static_cast<std::size_t>(body.shape)];
+std::vector<Disc> discs_of(const std::vector<ShapeData>& shapes, const Placement& body) {
+    const std::vector<double>& exposed = shapes[static_cast<std::size_t>(body.shape)].exposed;
     const double c = std::cos(body.angle), s = std::sin(body.angle);
     std::vector<Disc> discs;
-    for (int k = 0; k < shape.exposed_count; ++k) {
-        const double* disc = shape.exposed + 3 * static_cast<std::ptrdiff_t>(k);
-        discs.push_back({body.position + Vector2d(c * disc[0] - s * disc[1], s * disc[0] + c * disc[1]), disc[2]});
+    for (std::size_t k = 0; k < exposed.size(); k += 3) {
+        const double x = exposed[k], y = exposed[k + 1];
+        discs.push_back({body.position + Vector2d(c * x - s * y, s * x + c * y), exposed[k + 2]});
     }
     return discs;
 }
 
-bool in_wall(const World& world, const std::vector<Disc>& discs) {
+bool in_wall(const std::vector<StandingWall>& walls, const std::vector<Disc>& discs) {
     std::vector<int> pieces;
-    for (const WallState& wall : world.walls)
+    for (const StandingWall& wall : walls)
         for (const Disc& disc : discs) {
-            wall.line.pieces_near(wall.frame.to_wall(disc.centre), disc.radius, pieces);
+            wall.line->pieces_near(wall.frame.to_wall(disc.centre), disc.radius, pieces);
             if (!pieces.empty())
                 return true;
         }
     return false;
 }
 
-Crowd::Crowd(const World& world) : world_(world) {
-    const double width = std::max(2 * world.largest_radius, 1e-9);
-    const scene::Box& box = world.scene.domain.box;
+Crowd::Crowd(const scene::Domain& domain, const std::vector<ShapeData>& shapes, const std::vector<Placement>& bodies)
+    : domain_(domain) {
+    double largest = 0;
+    for (const ShapeData& data : shapes)
+        for (std::size_t k = 2; k < data.exposed.size(); k += 3)
+            largest = std::max(largest, data.exposed[k]);
+    const double width = std::max(2 * largest, 1e-9);
+    const scene::Box& box = domain.box;
     for (int k = 0; k < 2; ++k)
         size_[static_cast<std::size_t>(k)] = std::clamp(static_cast<int>((box.hi[k] - box.lo[k]) / width), 1, 2000);
     cells_.resize(static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]));
-    for (int slot = 0; slot < world.bodies(); ++slot)
-        add(discs_of(world, {world.shape[static_cast<std::size_t>(slot)],
-                             {world.row(slot).x, world.row(slot).y},
-                             world.angle[static_cast<std::size_t>(slot)]}));
+    for (const Placement& body : bodies)
+        add(discs_of(shapes, body));
 }
 
 void Crowd::add(const std::vector<Disc>& discs) {
@@ -60,16 +63,15 @@ bool Crowd::leaves_room_for(const std::vector<Disc>& discs) const {
 }
 
 bool Crowd::cell_leaves_room(const Disc& disc, std::array<int, 2> at) const {
-    const scene::Domain& domain = world_.scene.domain;
     Vector2d shift = Vector2d::Zero();
     for (std::size_t k = 0; k < 2; ++k) {
         if (at[k] >= 0 && at[k] < size_[k])
             continue;
-        if (!domain.periodic[k])
+        if (!domain_.periodic[k])
             return true;
         const auto axis = static_cast<Eigen::Index>(k);
         const int turn = at[k] < 0 ? -1 : 1;
-        shift[axis] = turn * (domain.box.hi[axis] - domain.box.lo[axis]);
+        shift[axis] = turn * (domain_.box.hi[axis] - domain_.box.lo[axis]);
         at[k] -= turn * size_[k];
     }
     for (const Disc& other : cells_[static_cast<std::size_t>(at[0] * size_[1] + at[1])]) {
@@ -81,7 +83,7 @@ bool Crowd::cell_leaves_room(const Disc& disc, std::array<int, 2> at) const {
 }
 
 std::array<int, 2> Crowd::place(const Vector2d& centre) const {
-    const scene::Box& box = world_.scene.domain.box;
+    const scene::Box& box = domain_.box;
     std::array<int, 2> at{};
     for (std::size_t k = 0; k < 2; ++k) {
         const auto axis = static_cast<Eigen::Index>(k);

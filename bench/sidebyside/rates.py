@@ -1,4 +1,5 @@
-"""Steps per second, ours and the peer's, in turn on the same core: spheres (LAMMPS), trough (LIGGGHTS); discs alone."""
+"""Steps per second, ours and the peer's, in turn on the same core: spheres (LAMMPS), trough (LIGGGHTS), a drum (Box2D); discs
+alone."""
 
 import json
 import tempfile
@@ -116,6 +117,35 @@ def discs(repeats=3, steps=10000, core=0, other=1):
                 keep.append(got)
     return result("discs", "disc-steps/s", one, None, [], problems,
                   two_threads=gain([rate for rate, _ in two], [rate for rate, _ in one], []))
+
+
+def drum(core, sets):
+    """What bench_drum prints of the half-full drum: 800 discs, mean over 3 s."""
+    scene = programs.ROOT / "scenes" / "drum-2d.toml"
+    ran = programs.run([programs.ours("drum"), f"scene={scene}", f"sets={','.join(sets)}"], [core])
+    return json.loads([line for line in ran.output.splitlines() if line.startswith("{")][-1])
+
+
+def hard(repeats=2, core=0, **_):
+    """The drum under soft contacts and under Box2D, in turn: simulated seconds per second. Each once more in half its step
+    (Box2D also with twice the iterations): the slopes of the surface say whether the steps were short enough."""
+    box = ["solver=box2d"]
+    soft, boxed, problems = [], [], []
+    for _ in range(repeats):
+        for keep, sets in ((soft, []), (boxed, box)):
+            got = attempt(problems, drum, core, sets)
+            if got is not None:
+                keep.append((got["rate"], got))
+    finer = {}
+    if soft and boxed:
+        half = f"box2d.time_step_s={boxed[0][1]['step_s'] / 2}"
+        finer = {"soft": attempt(problems, drum, core, [f"time_step_s={soft[0][1]['step_s'] / 2}"]),
+                 "box2d": attempt(problems, drum, core, [*box, half]),
+                 "box2d_iterations": attempt(problems, drum, core, [*box, "box2d.velocity_iterations=40",
+                                                                   "box2d.position_iterations=16"])}
+    theirs = [(rate, summary["peak_rss_MB"]) for rate, summary in boxed]
+    return result("hard", "simulated s/s", soft, "box2d", theirs, problems,
+                  peer_summary=boxed[-1][1] if boxed else None, finer=finer)
 
 
 def our_trough(blocks, steps, vibrate_blocks, vibrate_steps, cores, threads=1):

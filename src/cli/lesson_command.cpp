@@ -1,6 +1,7 @@
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "lesson/film.h"
 #include "lesson/plot.h"
 #include "lesson/show.h"
 #include "observe/whole_file.h"
@@ -36,7 +37,7 @@ std::optional<Problem> make_folder(const fs::path& folder) {
     return std::nullopt;
 }
 
-/// Draws every figure once per ending. The files written, or what went wrong.
+/// Draws every figure once per ending, and every film as a picture. The files written, or what went wrong.
 Result<std::vector<fs::path>> draw_figures(const lesson::Walk& walk, const fs::path& folder,
                                            const std::vector<std::string>& endings) {
     if (const auto problem = make_folder(folder))
@@ -48,7 +49,21 @@ Result<std::vector<fs::path>> draw_figures(const lesson::Walk& walk, const fs::p
             if (const Result<Done> drawn = lesson::draw(*figure, files.back()); !drawn)
                 return drawn.problems();
         }
+    for (const lesson::Film* film : walk.films()) {
+        files.push_back(folder / (film->name + ".png"));
+        if (const Result<Done> drawn = lesson::draw_poster(*film, files.back()); !drawn)
+            return drawn.problems();
+    }
     return files;
+}
+
+/// Films move only where ffmpeg is; their pictures are there without.
+void shoot_films(const lesson::Walk& walk, const fs::path& folder) {
+    for (const lesson::Film* film : walk.films()) {
+        const fs::path file = folder / (film->name + ".mp4");
+        const Result<Done> shot = lesson::shoot(*film, file);
+        note(shot ? "video: " + file.string() : "no video: " + to_string(shot.problems().front()));
+    }
 }
 
 int walk_through(const Lesson& lesson, const WalkArguments& arguments) {
@@ -64,6 +79,7 @@ int walk_through(const Lesson& lesson, const WalkArguments& arguments) {
             return refuse(files.problems(), arguments.json, failed);
         for (const fs::path& file : *files)
             note("figure: " + file.string());
+        shoot_films(*walk, arguments.folder);
     }
     if (arguments.json)
         say_json(lesson::to_json(lesson, *values, *walk));
@@ -131,7 +147,9 @@ void add_lesson(CLI::App& all, const Lesson& lesson, Action& action) {
                 fmt::format("{} ({}; {} without it)", parameter.sentence, describe(parameter),
                             scene::plain(parameter.standard)))
             ->type_name("X");
-    command->add_option("--out", arguments->folder, "Folder for the figures, as PNG and SVG (needs gnuplot)")
+    command
+        ->add_option("--out", arguments->folder,
+                     "Folder for the figures, as PNG and SVG (needs gnuplot), and videos (ffmpeg)")
         ->type_name("DIR");
     command->add_flag("--answer", arguments->answer, "Print the question and its answer instead of the walk");
     command->add_flag("--json", arguments->json, "Print the walk as JSON: facts, tables, curves, question, answer");

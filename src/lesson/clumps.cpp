@@ -1,5 +1,6 @@
 #include "lesson/each.h"
 #include "lesson/impact.h"
+#include "lesson/packing.h"
 #include "lesson/stage.h"
 
 #include <algorithm>
@@ -189,6 +190,8 @@ Result<Walk> teach(const Values& values) {
     for (const auto add : {parallel, mass})
         if (const auto problem = add(walk, s))
             return *problem;
+    if (const auto problem = add_packing(walk, values["friction"]))
+        return *problem;
     const double zeta = damping_ratio(s.e);
     const auto dead = static_cast<int>(std::ceil(1 / (zeta * zeta)));
     walk.question = fmt::format("On how many spheres at once must a body land so that it does not rebound at all, with "
@@ -211,7 +214,12 @@ Lesson clumps() {
                             {.lo = 0.05, .hi = 1},
                             "Restitution of one contact (thesis, table 4.4: media on media)"},
                            {"speed_m_s", "m/s", 0.5, {.lo = 1e-3, .hi = 1}, "Speed of the landing"},
-                           {"radius_mm", "mm", 5, {.lo = 2, .hi = 100}, "Radius of the spheres, R"}},
+                           {"radius_mm", "mm", 5, {.lo = 2, .hi = 100}, "Radius of the spheres, R"},
+                           {"friction",
+                            "",
+                            0.58,
+                            {.lo = 0.05, .hi = 1},
+                            "Friction of the media that are packed (thesis, table 4.1: media on media)"}},
             .teach = teach};
 }
 

@@ -18,9 +18,12 @@ constexpr double settled = 1.6;   // s
 constexpr double dt = 5e-5;       // s
 constexpr double stiffness = 5e3; // N/m
 
+constexpr double picture = 0.02; // s, between those of the film
+
 struct Heap {
     observe::Surface surface;
     double angle = 0; // deg, mean of both flanks
+    std::vector<observe::Frame> frames;
 };
 
 /// Teeth as wide as a disc, so that the lowest row cannot roll away.
@@ -52,10 +55,13 @@ Result<Heap> pour(const std::vector<scene::Sphere>& body, double friction, doubl
     const Result<run::SimulationPtr> world = run::simulate(scene, 1);
     if (!world)
         return world.problems();
-    if (const auto problem = (*world)->advance(std::llround(settled / dt)))
-        return *problem;
     Heap heap;
-    heap.surface = observe::free_surface((*world)->frame());
+    for (double time = 0; time < settled + 0.5 * picture; time += picture) {
+        if (const auto problem = (*world)->advance(std::llround(time / dt) - (*world)->steps()))
+            return *problem;
+        heap.frames.push_back((*world)->frame());
+    }
+    heap.surface = observe::free_surface(heap.frames.back());
     heap.angle = 0.5 * (observe::surface_slope_left(heap.surface) - observe::surface_slope_right(heap.surface));
     return heap;
 }
@@ -93,9 +99,14 @@ Result<Walk> teach(const Values& values) {
                   .x = {"place", "mm"},
                   .y = {"height", "mm"},
                   .curves = {}};
+    Film film{.name = "pouring",
+              .title = "Discs and wedges of the same friction",
+              .reels = {},
+              .every = picture,
+              .view = scene::Box{{-0.6 * half, -radius, -0.005}, {0.6 * half, 0.22, 0.005}}};
     Grid grid{{{"heap"}, {"angle", "deg", 3}, {"height", "mm", 3}, {"arctan μ", "deg", 3}}, {}};
     for (const Case& one : cases) {
-        const Result<Heap> heap = pour(one.body, one.friction, count);
+        Result<Heap> heap = pour(one.body, one.friction, count);
         if (!heap)
             return heap.problems();
         Curve curve{one.what, Style::line, {}, {}};
@@ -107,9 +118,12 @@ Result<Walk> teach(const Values& values) {
         figure.curves.push_back(std::move(curve));
         grid.rows.push_back({one.what, heap->angle, 1e3 * top, std::atan(one.friction) * 180 / std::numbers::pi});
         walk.fact(one.fact, heap->angle, "deg");
+        if (one.friction > 0)
+            film.reels.push_back({one.what, std::move(heap->frames)});
     }
     walk.parts.emplace_back(grid);
     walk.parts.emplace_back(figure);
+    walk.parts.emplace_back(std::move(film));
     walk.say(
         fmt::format("Without friction discs run apart. With it they still roll, so their heap is flat, far below "
                     "arctan μ, at which a block would begin to slide (`tumble lesson friction`). Three discs bound "

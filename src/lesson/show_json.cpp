@@ -37,6 +37,13 @@ Json json_of(const Figure& figure) {
             {"curves", curves}};
 }
 
+Json json_of(const Film& film) {
+    Json labels = Json::array();
+    for (const Reel& reel : film.reels)
+        labels.push_back(reel.label);
+    return {{"film", film.name}, {"title", film.title}, {"labels", labels}};
+}
+
 } // namespace
 
 Json to_json(const Lesson& lesson, const Values& values, const Walk& walk) {

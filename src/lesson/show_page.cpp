@@ -64,6 +64,11 @@ struct PageWriter {
     std::string operator()(const Figure& figure) const {
         return fmt::format("![{}]({}/{}.svg)\n", figure.title, folder, figure.name);
     }
+    /// Its poster; the video is made on demand.
+    std::string operator()(const Film& film) const {
+        return fmt::format("![{0}]({1}/{2}.png)\n\n{0}; `tumble lesson {1} --out DIR` makes the video.\n", film.title,
+                           folder, film.name);
+    }
 };
 
 } // namespace

@@ -68,6 +68,13 @@ std::string text_of(const Figure& figure) {
                    width);
 }
 
+std::string text_of(const Film& film) {
+    std::string sides;
+    for (const Reel& reel : film.reels)
+        sides += (sides.empty() ? "; " : " beside ") + reel.label;
+    return wrapped(fmt::format("[video {}: {}{}]", film.name, film.title, sides), width);
+}
+
 } // namespace
 
 std::size_t letters(const std::string& text) {

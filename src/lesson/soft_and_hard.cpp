@@ -46,16 +46,6 @@ scene::Scene hard(scene::Scene scene) {
     return scene;
 }
 
-/// Puts one body of that template there.
-void put(scene::Scene& scene, int body, const Vector2d& position, const Vector2d& velocity) {
-    scene::Fill& fill = scene.fills.emplace_back();
-    fill.body = body;
-    fill.count = 1;
-    fill.orientation = scene::Orientation::as_written;
-    fill.position = Vector3d(position.x(), position.y(), 0);
-    fill.velocity = {velocity.x(), velocity.y(), 0};
-}
-
 /// Steps to the end; `look` sees every frame, the first included.
 template <class Look> Result<run::SimulationPtr> watch(const scene::Scene& scene, double until, Look&& look) {
     Result<run::SimulationPtr> world = run::simulate(scene, 1);
@@ -384,6 +374,19 @@ std::optional<Problem> cost(Walk& walk, const Setup& s) {
                                    .x = {"time", "s"},
                                    .y = {"kinetic energy", "mJ"},
                                    .curves = {soft->energy, whole->energy}});
+    Film film{.name = "soft-beside-hard",
+              .title = "The same discs fall, soft and hard",
+              .reels = {},
+              .every = 0.01,
+              .range = {0, 2}};
+    for (const auto& [label, one] : {std::pair{"soft", scene}, std::pair{"hard", hard(scene)}}) {
+        Result<Reel> reel = lesson::film(one, label, poured_for, film.every);
+        if (!reel)
+            return reel.problems().front();
+        film.reels.push_back(std::move(*reel));
+    }
+    film.poster = 25;
+    walk.parts.emplace_back(std::move(film));
     walk.say("So a hard step is longer and dearer, and who wins depends on the stiffness that the soft side has to "
              "resolve. Stiffer contacts shorten the soft step by the root of κ and leave the hard one as it is.");
     walk.fact("soft_steps", static_cast<double>(soft->steps));

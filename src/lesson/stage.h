@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/problem.h"
+#include "lesson/walk.h"
 #include "scene/scene.h"
 #include "sim2d/solver.h"
 #include "sim3d/solver.h"
@@ -28,6 +29,13 @@ scene::Wall& add_wall(scene::Scene& scene, const scene::WallShape& shape);
 /// A world with these bodies in it. Problems: those of the solver.
 Result<sim2d::WorldPtr> start(const scene::Scene& scene, const std::vector<sim2d::BodyState>& bodies);
 Result<sim3d::WorldPtr> start(const scene::Scene& scene, const std::vector<sim3d::BodyState>& bodies);
+
+/// Lets a fill put one body of that template there at the start.
+void put(scene::Scene& scene, int body, const Eigen::Vector2d& position, const Eigen::Vector2d& velocity);
+
+/// The scene's run from its start, a frame every `every` s, until the solver stops it or `until` (s). Problems: those
+/// of the solver's build_world.
+Result<Reel> film(const scene::Scene& scene, const std::string& label, double until, double every);
 
 /// Spring of k_n (N/m), k_s over k_n, restitution, friction.
 contact::PairProperties linear_pair(double stiffness, double ratio, double restitution, double friction);

@@ -175,6 +175,42 @@ Result<Course> swings(Walk& walk, const Setup& s) {
     return last;
 }
 
+/// A heap of discs whose weight presses the lowest together by a thousandth of a radius. In steps that the caged disc
+/// just bears, it flies apart.
+Result<Film> film_of_heap(const Setup& s) {
+    constexpr int rows = 6, columns = 8, pictures = 75;
+    const double limit = s.critical_step(), until = 3000 * limit;
+    const double width = columns * radius, row = std::sqrt(3.0) * radius * (1 + 1e-6);
+    Film shown{.name = "exploding-heap",
+               .title = "A heap in steps that are short enough, and too long",
+               .reels = {},
+               .every = until / pictures,
+               .range = {0, 0.02 * radius * s.omega},
+               .view = scene::Box{{-width, -0.5 * radius, -0.5}, {width, 2 * width, 0.5}}};
+    for (const double factor : {0.2, 1.0}) {
+        scene::Scene scene = plane_stage(linear_pair(s.k, 1, s.restitution, 0.3), factor * limit);
+        scene.gravity = {0, -1e-3 * radius * s.k / s.mass / rows, 0};
+        const int disc = add_round(scene, radius, s.mass);
+        add_wall(scene, scene::Outline(scene::PolylineShape{{{-width - 0.51 * radius, 2 * width},
+                                                             {-width - 0.51 * radius, 0},
+                                                             {width + 0.51 * radius, 0},
+                                                             {width + 0.51 * radius, 2 * width}},
+                                                            false}));
+        for (int k = 0; k < rows * columns; ++k) {
+            const double shift = (k / columns) % 2 == 0 ? -0.5 : 0.5;
+            put(scene, disc,
+                {(2 * (k % columns) - columns + 1 + shift) * radius * (1 + 1e-6),
+                 radius * (1 + 1e-6) + k / columns * row},
+                {0, 0});
+        }
+        Result<Reel> reel = film(scene, fmt::format("step {:.3g} s", factor * limit), until, shown.every);
+        if (!reel)
+            return reel.problems();
+        shown.reels.push_back(std::move(*reel));
+    }
+    return shown;
+}
+
 /// How the course beyond the limit went on.
 std::string ending(const Course& course) {
     if (!course.stopped.empty())
@@ -245,6 +281,10 @@ Result<Walk> teach(const Values& values) {
     if (const auto problem = around_the_limit(walk, s))
         return *problem;
     walk.say(ending(*wild));
+    Result<Film> heap = film_of_heap(s);
+    if (!heap)
+        return heap.problems();
+    walk.parts.emplace_back(std::move(*heap));
 
     walk.head("Stable is not yet accurate");
     walk.say(

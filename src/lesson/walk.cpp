@@ -14,12 +14,24 @@ double Walk::fact(const std::string& name) const {
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-std::vector<const Figure*> Walk::figures() const {
-    std::vector<const Figure*> found;
+namespace {
+
+template <class Kind> std::vector<const Kind*> all_of_kind(const std::vector<Part>& parts) {
+    std::vector<const Kind*> found;
     for (const Part& part : parts)
-        if (const auto* figure = std::get_if<Figure>(&part))
-            found.push_back(figure);
+        if (const auto* one = std::get_if<Kind>(&part))
+            found.push_back(one);
     return found;
+}
+
+} // namespace
+
+std::vector<const Figure*> Walk::figures() const {
+    return all_of_kind<Figure>(parts);
+}
+
+std::vector<const Film*> Walk::films() const {
+    return all_of_kind<Film>(parts);
 }
 
 std::string at_most(double size) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "observe/frame.h"
+#include "scene/scene.h"
+
 #include <array>
 #include <optional>
 #include <string>
@@ -59,7 +62,24 @@ struct Figure {
     std::vector<Curve> curves{};
 };
 
-using Part = std::variant<Heading, Paragraph, Formula, Grid, Figure>;
+/// What a run looked like, every so often.
+struct Reel {
+    std::string label;
+    std::vector<observe::Frame> frames; // of one layout, one or more
+};
+/// A short video of one run, or of two side by side.
+struct Film {
+    std::string name; // of its files, without extension
+    std::string title;
+    std::vector<Reel> reels;                          // one or two
+    double every = 0.04;                              // s of the run between pictures
+    std::string color = "speed";                      // what the colours tell
+    std::array<double, 2> range{0, 1};                // of it, SI
+    std::optional<scene::Box> view = std::nullopt;    // m, what must be seen; without: all bodies and walls
+    std::optional<std::size_t> poster = std::nullopt; // the picture that stands for it; without: the last
+};
+
+using Part = std::variant<Heading, Paragraph, Formula, Grid, Figure, Film>;
 
 /// A number that the walk rests on, under a name that stays.
 struct Fact {
@@ -85,6 +105,7 @@ struct Walk {
     /// The fact of that name; NaN when there is none.
     [[nodiscard]] double fact(const std::string& name) const;
     [[nodiscard]] std::vector<const Figure*> figures() const;
+    [[nodiscard]] std::vector<const Film*> films() const;
 };
 
 /// The power of ten above a size that is only rounding: "1e-13"; at least 1e-16.

@@ -64,6 +64,37 @@ Problem no_room_at(const Site& site, const FillState& fill, const char* what_is_
             "move it, or let it come at another time"};
 }
 
+/// A closed wall, and whether bodies come in inside of it.
+struct Side {
+    const StandingWall* wall = nullptr;
+    bool inside = false;
+};
+
+/// A region may reach through a closed wall, as a square about a round drum does: bodies then come in on the side on
+/// which most of the region lies.
+std::vector<Side> sides_for(const scene::Box& region, const std::vector<StandingWall>& walls) {
+    constexpr int looks = 15; // along either axis
+    std::vector<Side> sides;
+    for (const StandingWall& wall : walls) {
+        if (!wall.line->closed())
+            continue;
+        int inside = 0;
+        for (int k = 0; k < looks * looks; ++k) {
+            const Eigen::Vector2d share((k % looks + 0.5) / looks, (k / looks + 0.5) / looks);
+            const Eigen::Vector2d point = region.lo.head<2>() + share.cwiseProduct((region.hi - region.lo).head<2>());
+            inside += wall.line->encloses(wall.frame.to_wall(point)) ? 1 : -1;
+        }
+        sides.push_back({&wall, inside > 0});
+    }
+    return sides;
+}
+
+bool on_their_sides(const std::vector<Side>& sides, const Eigen::Vector2d& position) {
+    return std::all_of(sides.begin(), sides.end(), [&](const Side& side) {
+        return side.wall->line->encloses(side.wall->frame.to_wall(position)) == side.inside;
+    });
+}
+
 class Placer {
 public:
     explicit Placer(const Site& site) : site_(site), crowd_(site.scene.domain, site.shapes, site.bodies) {}
@@ -106,6 +137,7 @@ private:
 
     void at_random(FillState& fill) {
         const scene::Box& region = fill.fill.region;
+        const std::vector<Side> sides = sides_for(region, site_.walls);
         std::int64_t missing = fill.asked - fill.placed;
         int misses = 0;
         while (missing > 0 && misses < misses_until_full) {
@@ -115,7 +147,7 @@ private:
             body.angle = angle_for(fill);
             const std::vector<Disc> discs = discs_of(site_.shapes, body);
             if (!inside_region(site_.scene.domain, region, discs) || in_wall(site_.walls, discs) ||
-                !crowd_.leaves_room_for(discs)) {
+                !on_their_sides(sides, body.position) || !crowd_.leaves_room_for(discs)) {
                 ++misses;
                 continue;
             }

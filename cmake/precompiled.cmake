@@ -1,6 +1,9 @@
 # The large headers, parsed once for all files: half of a build from nothing would go into parsing them again. A file
-# must still include what it uses; presets asan and tsan build without this and would notice.
+# must still include what it uses; presets asan and tsan build without this and the next option and would notice.
 option(TUMBLE_PRECOMPILED_HEADERS "parse the large headers once for all files" OFF)
+
+# What is parsed with the headers is a third of the rest: eight files of a folder at once share it.
+option(TUMBLE_UNITY_BUILD "compile the files of a folder of src eight at a time" OFF)
 
 if(TUMBLE_PRECOMPILED_HEADERS)
   set(TUMBLE_LARGE_HEADERS <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <cmath> <filesystem> <fmt/format.h>

@@ -9,7 +9,7 @@ namespace tumble::observe {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 double median(std::vector<double> values) {
     const std::size_t half = values.size() / 2;
@@ -61,7 +61,7 @@ std::vector<Eigen::Vector2d> sphere_tops(const Frame& frame, double& lowest) {
 }
 
 double degrees_of(const std::optional<Line>& line) {
-    return line ? std::atan(line->slope) * 180 / std::numbers::pi : nan;
+    return line ? std::atan(line->slope) * 180 / std::numbers::pi : no_value;
 }
 
 std::vector<Eigen::Vector2d> half_of(const Surface& surface, bool left) {
@@ -133,7 +133,7 @@ double surface_slope_right(const Surface& surface) {
 
 double bulk_height(const Surface& surface) {
     if (surface.points.empty())
-        return nan;
+        return no_value;
     std::vector<double> heights;
     for (const Eigen::Vector2d& point : surface.points)
         heights.push_back(point.y() - surface.lowest);

@@ -5,7 +5,7 @@
 
 namespace tumble::render {
 
-static const char* const vertex_source = R"(#version 400 core
+static const char* const panel_vertices = R"(#version 400 core
 layout(location = 0) in vec2 place;
 layout(location = 1) in vec2 texel;
 layout(location = 2) in vec4 color;
@@ -19,7 +19,7 @@ void main() {
 }
 )";
 
-static const char* const fragment_source = R"(#version 400 core
+static const char* const panel_fragments = R"(#version 400 core
 in vec2 where;
 in vec4 paint;
 uniform sampler2D letters;
@@ -28,7 +28,7 @@ void main() { shade = paint * texture(letters, where); }
 )";
 
 Result<PanelDrawer> PanelDrawer::open(ImFontAtlas& letters) {
-    auto program = make_program(vertex_source, fragment_source);
+    auto program = make_program(panel_vertices, panel_fragments);
     if (!program) {
         return program.problems();
     }

@@ -5,7 +5,7 @@
 namespace tumble::render {
 
 // Both shaders are compiled once a projection: what a parallel one spares is a third of a picture's time.
-static const char* const vertex_source = R"(
+static const char* const sphere_vertices = R"(
 layout(location = 0) in vec4 sphere;
 layout(location = 1) in vec4 color;
 uniform mat4 clip;
@@ -30,7 +30,7 @@ void main() {
 }
 )";
 
-static const char* const fragment_source = R"(
+static const char* const sphere_fragments = R"(
 sample in vec3 offset;
 flat in vec4 centre;
 flat in vec3 paint;
@@ -72,7 +72,7 @@ void main() {
 
 static Result<GlObject> compile_for(const char* projection) {
     const std::string head = std::string("#version 400 core\n") + projection;
-    return make_program(head + vertex_source, head + fragment_source);
+    return make_program(head + sphere_vertices, head + sphere_fragments);
 }
 
 Result<SphereDrawer> SphereDrawer::open() {

@@ -6,6 +6,9 @@
 
 namespace tumble::scene {
 
+/// A reader of a file gives up after so many problems.
+constexpr std::size_t most_problems = 20;
+
 /// A piece of a line; its column counts from 1.
 struct Field {
     std::string_view text;

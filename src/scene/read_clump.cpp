@@ -13,18 +13,17 @@ namespace tumble::scene {
 namespace {
 
 constexpr std::size_t largest_clump_file = 16 * 1024 * 1024;
-constexpr std::size_t most_problems = 20;
-constexpr double farthest = 100; // m; a body larger than a house is a file in millimetres
-constexpr const char* form =
+constexpr double farthest_sphere = 100; // m; a body larger than a house is a file in millimetres
+constexpr const char* sphere_form =
     "write each sphere as x,y,z,radius below a head of these words, or as x y z radius; metres";
-constexpr const char* flat_form = "write each disc as x,y,radius below a head of these words, or as x y radius; metres";
+constexpr const char* disc_form = "write each disc as x,y,radius below a head of these words, or as x y radius; metres";
 
 class ClumpReader {
 public:
     ClumpReader(const std::string& source, int dimension)
         : source_(source), heads_(dimension == 2 ? std::vector<std::string_view>{"x", "y", "radius"}
                                                  : std::vector<std::string_view>{"x", "y", "z", "radius"}),
-          part_(dimension == 2 ? "disc" : "sphere"), form_(dimension == 2 ? flat_form : form) {}
+          part_(dimension == 2 ? "disc" : "sphere"), form_(dimension == 2 ? disc_form : sphere_form) {}
 
     Result<std::vector<Sphere>> read(std::string_view text) {
         Lines lines(text);
@@ -81,7 +80,7 @@ private:
         bool right = true;
         for (std::size_t i = 0; i < count; ++i) {
             const auto value = parse_number(fields[i].text);
-            if (!value || !(std::abs(*value) <= farthest)) {
+            if (!value || !(std::abs(*value) <= farthest_sphere)) {
                 refuse(line, fields[i].column,
                        value ? fmt::format("{} m is too far for a body", plain(*value))
                              : fmt::format("'{}' is not a number", excerpt(fields[i].text)));

@@ -15,10 +15,10 @@ namespace tumble::scene {
 namespace {
 
 constexpr std::size_t largest_stl_file = 512ull * 1024 * 1024;
-constexpr std::size_t most_problems = 20;
 constexpr std::size_t binary_head = 84;
 constexpr std::size_t binary_triangle = 50;
-constexpr double farthest = 1e7; // file units: beyond it a float cannot tell neighbouring points of a machine apart
+constexpr double farthest_vertex =
+    1e7; // file units: beyond it a float cannot tell neighbouring points of a machine apart
 constexpr const char* export_again = "export the surface again as STL, or repair it in the program it came from";
 
 std::uint32_t u32_at(std::string_view bytes, std::size_t at) {
@@ -86,7 +86,7 @@ void read_binary(std::string_view bytes, Mesh& mesh) {
         bool finite = true;
         for (std::size_t k = 0; k < 9; ++k) {
             const double value = std::bit_cast<float>(u32_at(bytes, at + 12 + 4 * k));
-            finite = finite && std::abs(value) <= farthest;
+            finite = finite && std::abs(value) <= farthest_vertex;
             corners[k / 3][static_cast<Eigen::Index>(k % 3)] = value;
         }
         if (finite)
@@ -164,7 +164,7 @@ private:
             for (std::size_t k = 0; k < 3; ++k) {
                 const Field& field = fields_[k + 1];
                 const auto value = parse_number(field.text);
-                if (!value || !(std::abs(*value) <= farthest)) {
+                if (!value || !(std::abs(*value) <= farthest_vertex)) {
                     mesh_.refuse(line_.number, field.column,
                                  fmt::format("'{}' is not a usable number", excerpt(field.text)));
                     return false;

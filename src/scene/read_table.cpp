@@ -3,6 +3,7 @@
 #include "base/table.h"
 #include "base/text.h"
 #include "scene/keys.h"
+#include "scene/lines.h"
 #include "scene/read_file.h"
 
 #include <algorithm>
@@ -17,9 +18,8 @@ namespace {
 
 constexpr TableLimits limits{.bytes = std::size_t{64} << 20, .rows = 2'000'000, .columns = 8};
 constexpr std::size_t most_harmonics = 10'000;
-constexpr std::size_t most_problems = 20;
 constexpr double longest_time = 1e6; // s
-constexpr double farthest = 100;     // m
+constexpr double farthest_way = 100; // m
 constexpr const char* table_form =
     "write the head t_s,x_m,y_m,z_m and rows of time (s, from 0, rising) and displacement (m)";
 constexpr const char* flat_table_form =
@@ -110,7 +110,7 @@ Result<MotionTable> parse_motion_table(std::string_view text, const std::string&
     std::array<std::vector<double>, 3> along;
     along.fill(std::vector<double>(table->rows(), 0.0));
     for (std::size_t k = 0; k + 1 < heads.size(); ++k)
-        along[k] = columns.read(heads[k + 1], -farthest, farthest);
+        along[k] = columns.read(heads[k + 1], -farthest_way, farthest_way);
     if (!columns.problems().empty())
         return columns.problems();
     for (const RowFault& fault : time_faults(motion.time))
@@ -130,7 +130,7 @@ Result<std::vector<Harmonic>> parse_harmonics(std::string_view text, const std::
         return Problem{source,        0, 0, "", fmt::format("{} harmonics, not 1 to {}", table->rows(), most_harmonics),
                        harmonics_form};
     Columns columns(*table, harmonics_form);
-    const auto amplitude = columns.read("amplitude", 0, farthest);
+    const auto amplitude = columns.read("amplitude", 0, farthest_way);
     const auto period = columns.read("period", 1e-6, longest_time);
     const auto phase =
         table->heads().size() > 3 ? columns.read("phase_deg", -360, 360) : std::vector<double>(table->rows(), 0.0);

@@ -34,7 +34,7 @@ PolylineShape polyline(const View& view, const Resolving& to) {
     return shape;
 }
 
-BoxShape box(const View& view, const Resolving& to) {
+BoxShape sides(const View& view, const Resolving& to) {
     BoxShape shape;
     shape.box = box_of(view, "lo_m", "hi_m", to);
     if (view.given("lo_m") && view.given("hi_m") && !has_volume(shape.box))
@@ -47,7 +47,7 @@ BoxShape box(const View& view, const Resolving& to) {
     return shape;
 }
 
-TroughShape trough(const View& view, const Resolving& to) {
+TroughShape profile(const View& view, const Resolving& to) {
     TroughShape shape;
     shape.radius = view.number("radius_m");
     shape.floor = view.number("floor_m");
@@ -70,9 +70,9 @@ Outline resolve_outline(const View& view, const Resolving& to) {
     if (kind == "polyline")
         return polyline(view, to);
     if (kind == "box")
-        return box(view, to);
+        return sides(view, to);
     if (kind == "trough")
-        return trough(view, to);
+        return profile(view, to);
     return segment(view, to);
 }
 

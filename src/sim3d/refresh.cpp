@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using RowMajor = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
+using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 // A range that outgrew its place moves to the end of the pool; the next rebuild starts the pool anew.
 void make_room(ClumpCandidates& pool, BodyPair& pair, int count) {
@@ -39,7 +39,7 @@ void take_touching(const ClumpCandidates& pool, const BodyPair& pair, std::vecto
 
 Vector3d sphere_arm(const World& world, int slot, int exposed) {
     const double* s = world.shape_at(slot).exposed + 4 * static_cast<std::ptrdiff_t>(exposed);
-    return RowMajor(world.turn[static_cast<std::size_t>(slot)].rotation) * Vector3d(s[0], s[1], s[2]);
+    return Eigen::Map<const RowMajor>(world.turn[static_cast<std::size_t>(slot)].rotation) * Vector3d(s[0], s[1], s[2]);
 }
 
 void refresh(const World& world, Chunk& chunk, BodyPair& pair) {

@@ -11,10 +11,16 @@
 
 namespace tumble::render {
 
+struct PairArrangement {
+    Layout lettering; // title: the left label
+    Area right_label;
+    std::array<Area, 2> halves;
+};
+
 namespace {
 
 // Units of 1 at 1280 x 720, as in layout.cpp.
-constexpr double gap = 16;
+constexpr double pair_gap = 16;
 constexpr double label_height = 28;
 constexpr double strip_height = 68;
 constexpr double legend_width = 440;
@@ -22,19 +28,13 @@ constexpr double clock_width = 150;
 constexpr int least_width = 480;
 constexpr int least_height = 240;
 
-struct Arrangement {
-    Layout lettering; // title: the left label
-    Area right_label;
-    std::array<Area, 2> halves;
-};
-
-Arrangement arrange(int width, int height) {
-    Arrangement all;
+PairArrangement arrange(int width, int height) {
+    PairArrangement all;
     Layout& layout = all.lettering;
     const double w = width, h = height;
     layout.unit = std::max(0.68, std::min(w / 1280, h / 720));
     layout.column = false;
-    const double pad = std::round(gap * layout.unit), middle = std::round(w / 2);
+    const double pad = std::round(pair_gap * layout.unit), middle = std::round(w / 2);
     const double top = std::round(pad + label_height * layout.unit);
     const double bottom = std::round(h - pad - strip_height * layout.unit);
     all.halves = {Area{pad, top, middle - pad, bottom}, Area{middle + pad, top, w - pad, bottom}};
@@ -73,7 +73,7 @@ struct PairPainter::Inside {
     ColorMap map;
     std::array<Quantity, 2> quantities; // of scenes that may differ in their dimension
     std::array<Painter, 2> painters;
-    Arrangement arrangement;
+    PairArrangement arrangement;
     std::optional<Canvas> canvas;
     std::optional<Overlay> overlay;
 
@@ -95,7 +95,7 @@ Result<PairPainter> PairPainter::open(const scene::Render& settings, const Layou
         return Problem{.key = "render.range",
                        .what = "two runs side by side need one range of colours",
                        .fix = "give the values at the ends of the colour scale"};
-    const Arrangement arrangement = arrange(settings.width, settings.height);
+    const PairArrangement arrangement = arrange(settings.width, settings.height);
     const auto theme = find_theme(settings.background);
     auto context = GlContext::open();
     if (!context)

@@ -33,14 +33,14 @@ struct Moment {
     fs::path left, right;
 };
 
-struct Survey {
+struct Shown {
     std::vector<Dated> frames;
     render::Span colors{0, 0};
 };
 
 /// Times of the frames that can be read, and the range of colours that holds them all.
-Survey survey(const Recording& recording, const render::Quantity& quantity) {
-    Survey found;
+Shown look_through(const Recording& recording, const render::Quantity& quantity) {
+    Shown found;
     for (const fs::path& file : recording.frames)
         if (const Result<observe::Frame> frame = observe::read_frame(file, recording.layout)) {
             found.frames.push_back({frame->time, file});
@@ -97,17 +97,17 @@ Result<Comparison> compare(const std::array<fs::path, 2>& runs, const BesideOpti
     if (!left || !right)
         return (left ? right : left).problems();
     Comparison found{{std::move(*left), std::move(*right)}, {}, {0, 0}, {}};
-    std::array<Survey, 2> surveys;
+    std::array<Shown, 2> sides;
     for (std::size_t side = 0; side < 2; ++side) {
         const Recording& recording = found.recordings[side];
         const auto quantity = render::find_quantity(options.settings.color, recording.layout->dimension);
         if (!quantity)
             return quantity.problems();
-        surveys[side] = survey(recording, *quantity);
-        found.colors = {std::min(found.colors.lo, surveys[side].colors.lo),
-                        std::max(found.colors.hi, surveys[side].colors.hi)};
+        sides[side] = look_through(recording, *quantity);
+        found.colors = {std::min(found.colors.lo, sides[side].colors.lo),
+                        std::max(found.colors.hi, sides[side].colors.hi)};
     }
-    found.moments = common(surveys[0].frames, surveys[1].frames);
+    found.moments = common(sides[0].frames, sides[1].frames);
     if (found.moments.empty())
         return Problem{.file = runs[1].string(),
                        .what = "no frame of it is of the same time as one of " + runs[0].string(),
@@ -115,7 +115,7 @@ Result<Comparison> compare(const std::array<fs::path, 2>& runs, const BesideOpti
     for (std::size_t side = 0; side < 2; ++side) {
         for (const std::string& warning : found.recordings[side].warnings)
             found.warnings.push_back(runs[side].string() + ": " + warning);
-        if (const std::size_t alone = surveys[side].frames.size() - found.moments.size(); alone > 0)
+        if (const std::size_t alone = sides[side].frames.size() - found.moments.size(); alone > 0)
             found.warnings.push_back(
                 fmt::format("{}: {} of its frames have none beside them", runs[side].string(), alone));
     }

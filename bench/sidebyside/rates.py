@@ -127,7 +127,8 @@ def drum(core, sets):
 
 
 def hard(repeats=2, core=0, **_):
-    """The drum under soft contacts and under Box2D, in turn: simulated seconds per second. Each once more in half its step
+    """The drum under soft contacts and under Box2D, in turn: simulated seconds per second of processor
+    time. Each once more in half its step
     (Box2D also with twice the iterations): the slopes of the surface say whether the steps were short enough."""
     box = ["solver=box2d"]
     soft, boxed, problems = [], [], []
@@ -144,7 +145,7 @@ def hard(repeats=2, core=0, **_):
                  "box2d_iterations": attempt(problems, drum, core, [*box, "box2d.velocity_iterations=40",
                                                                    "box2d.position_iterations=16"])}
     theirs = [(rate, summary["peak_rss_MB"]) for rate, summary in boxed]
-    return result("hard", "simulated s/s", soft, "box2d", theirs, problems,
+    return result("hard", "simulated s per s of processor time", soft, "box2d", theirs, problems,
                   peer_summary=boxed[-1][1] if boxed else None, finer=finer)
 
 

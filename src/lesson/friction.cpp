@@ -148,7 +148,7 @@ Result<Film> film_of_slip(double mu, double speed, double until) {
     Film shown{.name = "slipping-disc",
                .title = "A disc that slips, then rolls",
                .reels = {},
-               .every = until / pictures,
+               .every = one_digit(until / pictures),
                .range = {0, speed},
                .view = scene::Box{{-radius, 0, -0.5}, {until * speed + radius, 3 * radius, 0.5}}};
     Result<Reel> reel = film(scene, "", until, shown.every);

@@ -103,7 +103,10 @@ Result<Walk> teach(const Values& values) {
               .title = "Discs and wedges of the same friction",
               .reels = {},
               .every = picture,
-              .view = scene::Box{{-0.6 * half, -radius, -0.005}, {0.6 * half, 0.22, 0.005}}};
+              .color = "vy",
+              .range = {-1, 1},
+              .view = scene::Box{{-0.6 * half, -radius, -0.005}, {0.6 * half, 0.22, 0.005}},
+              .poster = std::size_t{18}};
     Grid grid{{{"heap"}, {"angle", "deg", 3}, {"height", "mm", 3}, {"arctan μ", "deg", 3}}, {}};
     for (const Case& one : cases) {
         Result<Heap> heap = pour(one.body, one.friction, count);

@@ -1,7 +1,7 @@
+#include "lesson/contrast.h"
 #include "lesson/each.h"
 #include "lesson/impact.h"
 #include "lesson/stage.h"
-#include "run/simulation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,19 +12,10 @@ namespace tumble::lesson {
 
 namespace {
 
-using Eigen::Vector2d;
-using Eigen::Vector3d;
+using namespace contrast;
 
 constexpr double pi = std::numbers::pi;
-constexpr double g = 9.81;      // m/s2
-constexpr double radius = 0.01; // m
-constexpr double mass = 0.01;   // kg, of every body, whatever it is made of
-constexpr double steps_a_contact = 200;
-constexpr double slop = 0.005;     // of the radius; docs/hard-contacts.md
-constexpr double hard_step = 1e-3; // s
-constexpr scene::Box2dSettings box2d{
-    .time_step = hard_step, .velocity_iterations = 20, .position_iterations = 8, .rebound_above = 0};
-
+constexpr double slop = 0.005; // of the radius; docs/hard-contacts.md
 struct Setup {
     double e = 0, mu = 0, k = 0, speed = 0; // -, -, N/m, m/s
 
@@ -40,60 +31,6 @@ struct Setup {
         return scene;
     }
 };
-
-scene::Scene hard(scene::Scene scene) {
-    scene.solver = scene::Solver::box2d;
-    return scene;
-}
-
-/// Steps to the end; `look` sees every frame, the first included.
-template <class Look> Result<run::SimulationPtr> watch(const scene::Scene& scene, double until, Look&& look) {
-    Result<run::SimulationPtr> world = run::simulate(scene, 1);
-    if (!world)
-        return world.problems();
-    look((*world)->frame());
-    while ((*world)->time() < until) {
-        if (const auto problem = (*world)->advance(1))
-            return *problem;
-        look((*world)->frame());
-    }
-    return world;
-}
-
-/// What an impact on a wall looks like from outside: the force that the body's change of velocity tells of.
-struct Push {
-    std::vector<double> time, force;                                // s, N
-    double deepest = 0, strongest = 0, lasted = 0, restitution = 0; // m, N, s, -
-};
-
-/// `parts` are the discs of the body, lowest at y = 0 to touch first.
-Result<Push> strike(scene::Scene scene, const std::vector<scene::Sphere>& parts, double speed) {
-    add_body(scene, parts);
-    scene.bodies.back().mass = mass;
-    add_wall(scene, scene::Outline(scene::SegmentShape{{-1, 0}, {1, 0}}));
-    // From so high that the first touch falls into the middle of a step of Box2D.
-    const double height = radius + 2.5 * speed * hard_step;
-    put(scene, 0, {0, height}, {0, -speed});
-    Push push;
-    const double dt = scene.step(), touch = 2.5 * hard_step;
-    double before = -speed;
-    const auto look = [&](const observe::Frame& frame) {
-        const double now = frame.velocity[0].y(), force = mass * (now - before) / dt;
-        before = now;
-        push.time.push_back(frame.time - touch);
-        push.force.push_back(force);
-        push.deepest = std::max(push.deepest, radius - frame.position[0].y());
-        push.strongest = std::max(push.strongest, force);
-        push.lasted += std::abs(force) > 1e-6 ? dt : 0;
-        push.restitution = now / speed;
-    };
-    const Result<run::SimulationPtr> world = watch(scene, touch + 4 * hard_step, look);
-    if (!world)
-        return world.problems();
-    return push;
-}
-
-const std::vector<scene::Sphere> disc{{Vector3d::Zero(), radius}};
 
 /// A curve of steps: a force that lasts from one instant of the step's end back to the one before.
 Curve stairs(const std::string& label, const Push& push) {
@@ -111,10 +48,10 @@ std::optional<Problem> one_impact(Walk& walk, const Setup& s) {
              "and an impulse J that makes it true; Box2D finds the impulses of all contacts of a step together.");
     walk.formula("soft:  m n'' = −κ n − c n'", "(3.25), Cundall and Strack 1979");
     walk.formula("hard:  v_after = −e v_before,   J = m (1 + e) v,   |J_t| ≤ μ J", "Newton, Coulomb");
-    const Result<Push> soft = strike(s.stage(), disc, s.speed), whole = strike(hard(s.stage()), disc, s.speed);
+    const Result<Push> soft = strike(s.stage(), raft(1), s.speed), whole = strike(hard(s.stage()), raft(1), s.speed);
     scene::Scene finer = hard(s.stage());
     finer.box2d.time_step /= 2;
-    const Result<Push> half = strike(finer, disc, s.speed);
+    const Result<Push> half = strike(finer, raft(1), s.speed);
     for (const Result<Push>* push : {&soft, &whole, &half})
         if (!*push)
             return push->problems().front();
@@ -150,14 +87,6 @@ std::optional<Problem> one_impact(Walk& walk, const Setup& s) {
     return std::nullopt;
 }
 
-/// A row of 1, 2 or 4 discs that touch, lowest at y = 0.
-std::vector<scene::Sphere> raft(int discs) {
-    std::vector<scene::Sphere> parts;
-    for (int k = 0; k < discs; ++k)
-        parts.push_back({{2 * radius * (k - 0.5 * (discs - 1)), 0, 0}, radius});
-    return parts;
-}
-
 std::optional<Problem> several_at_once(Walk& walk, const Setup& s) {
     walk.head("Several contacts at once");
     walk.say(
@@ -178,24 +107,6 @@ std::optional<Problem> several_at_once(Walk& walk, const Setup& s) {
     }
     walk.parts.emplace_back(grid);
     return std::nullopt;
-}
-
-/// Speeds of a striker and two discs that lie in a row with a gap (m), afterwards, over the striker's before.
-Result<std::array<double, 3>> cradle(scene::Scene scene, double speed, double gap) {
-    scene.pairs[0].restitution = 1;
-    scene.pairs[0].friction = 0;
-    add_round(scene, radius, mass);
-    put(scene, 0, {0, 0}, {0, 0});
-    put(scene, 0, {2 * radius + gap, 0}, {0, 0});
-    put(scene, 0, {-2 * radius - 2.5 * speed * hard_step, 0}, {speed, 0});
-    std::array<double, 3> after{};
-    const auto look = [&](const observe::Frame& frame) {
-        after = {frame.velocity[2].x() / speed, frame.velocity[0].x() / speed, frame.velocity[1].x() / speed};
-    };
-    const Result<run::SimulationPtr> world = watch(scene, 0.02, look);
-    if (!world)
-        return world.problems();
-    return after;
 }
 
 std::optional<Problem> in_a_row(Walk& walk, const Setup& s) {
@@ -228,23 +139,6 @@ std::optional<Problem> in_a_row(Walk& walk, const Setup& s) {
     return std::nullopt;
 }
 
-/// How far a block that lies on a floor slides from `speed` on, m.
-Result<double> slides(scene::Scene scene, double mu, double speed) {
-    scene.gravity = {0, -g, 0};
-    scene.box2d.rebound_above = 2 * g * hard_step;
-    scene.pairs[0].restitution = 0.1;
-    add_body(scene, raft(3));
-    scene.bodies.back().mass = mass;
-    add_wall(scene, scene::Outline(scene::SegmentShape{{-1, 0}, {50, 0}}));
-    put(scene, 0, {0, radius * (1 + 1e-6)}, {speed, 0});
-    double way = 0;
-    const Result<run::SimulationPtr> world =
-        watch(scene, 1.1 * speed / (mu * g), [&](const observe::Frame& frame) { way = frame.position[0].x(); });
-    if (!world)
-        return world.problems();
-    return way;
-}
-
 std::optional<Problem> sliding(Walk& walk, const Setup& s) {
     walk.head("What stays the same");
     const double expected = s.speed * s.speed / (2 * s.mu * g);
@@ -260,29 +154,6 @@ std::optional<Problem> sliding(Walk& walk, const Setup& s) {
     walk.fact("soft_slide", *soft, "m");
     walk.fact("hard_slide", *whole, "m");
     return std::nullopt;
-}
-
-constexpr int stacked = 10;
-
-/// How far the top of a column of discs at rest has sunk, m.
-Result<double> sunk(scene::Scene scene) {
-    scene.gravity = {0, -g, 0};
-    scene.box2d.rebound_above = 2 * g * hard_step;
-    scene.pairs[0].restitution = 0.1; // comes to rest soon
-    scene.pairs[0].friction = 0;
-    scene.time_step *= 4; // nothing strikes
-    add_round(scene, radius, mass);
-    add_wall(scene, scene::Outline(scene::SegmentShape{{-1, 0}, {1, 0}}));
-    for (const double side : {-1.001, 1.001})
-        add_wall(scene, scene::Outline(scene::SegmentShape{{side * radius, 0}, {side * radius, 1}}));
-    for (int k = 0; k < stacked; ++k)
-        put(scene, 0, {0, (2 * k + 1) * radius * (1 + 1e-6)}, {0, 0});
-    Result<run::SimulationPtr> world = run::simulate(scene, 1);
-    if (!world)
-        return world.problems();
-    if (const auto problem = (*world)->advance(std::llround(1.5 / scene.step())))
-        return *problem;
-    return (2 * stacked - 1) * radius - (*world)->frame().position[stacked - 1].y();
 }
 
 std::optional<Problem> at_rest(Walk& walk, const Setup& s) {
@@ -306,55 +177,9 @@ std::optional<Problem> at_rest(Walk& walk, const Setup& s) {
     return std::nullopt;
 }
 
-constexpr double poured_for = 0.9; // s
-
-/// Discs that fall into a box.
-scene::Scene pour(const Setup& s) {
-    scene::Scene scene = s.stage();
-    scene.gravity = {0, -g, 0};
-    scene.box2d.rebound_above = 2 * g * hard_step;
-    scene.time_step *= steps_a_contact / 40; // enough for a heap
-    scene.domain.box = {{-0.2, -0.05, -0.5}, {0.2, 0.6, 0.5}};
-    add_round(scene, radius, mass);
-    add_wall(scene, scene::Outline(scene::BoxShape{.box = {{-0.12, 0, -1}, {0.12, 0.5, 1}}, .open = {}}));
-    scene::Fill& fill = scene.fills.emplace_back();
-    fill.count = 80;
-    fill.region = {{-0.1, 0.02, -0.5}, {0.1, 0.48, 0.5}};
-    return scene;
-}
-
-struct Poured {
-    Curve energy; // mJ over s
-    std::int64_t steps = 0;
-    double passes = 0; // over contacts, in all
-    double height = 0; // m, of the centre of mass at the end
-};
-
-Result<Poured> watch_pour(const scene::Scene& scene, const std::string& label, double passes_a_step) {
-    Poured seen{{label, Style::line, {}, {}}, 0, 0, 0};
-    Result<run::SimulationPtr> world = run::simulate(scene, 1);
-    if (!world)
-        return world.problems();
-    constexpr int looks = 300;
-    for (int k = 1; k <= looks; ++k) {
-        const std::int64_t until = std::llround(poured_for * k / looks / scene.step());
-        const std::int64_t steps = until - (*world)->steps();
-        if (const auto problem = (*world)->advance(steps))
-            return *problem;
-        const Books books = (*world)->books();
-        seen.energy.add((*world)->time(), 1e3 * (books.kinetic_translation + books.kinetic_rotation));
-        seen.passes += static_cast<double>(steps * books.contacts) * passes_a_step;
-    }
-    seen.steps = (*world)->steps();
-    const observe::Frame frame = (*world)->frame();
-    for (const Vector3d& position : frame.position)
-        seen.height += position.y() / static_cast<double>(frame.position.size());
-    return seen;
-}
-
 std::optional<Problem> cost(Walk& walk, const Setup& s) {
     walk.head("What it costs");
-    const scene::Scene scene = pour(s);
+    const scene::Scene scene = pour(s.stage());
     const double passes = box2d.velocity_iterations + box2d.position_iterations;
     const Result<Poured> soft = watch_pour(scene, "soft", 1), whole = watch_pour(hard(scene), "hard", passes);
     if (!soft || !whole)

@@ -97,6 +97,11 @@ void put(scene::Scene& scene, int body, const Eigen::Vector2d& position, const E
     fill.velocity = {velocity.x(), velocity.y(), 0};
 }
 
+double one_digit(double time) {
+    const double power = std::pow(10, std::floor(std::log10(time)));
+    return std::ceil(time / power) * power;
+}
+
 Result<Reel> film(const scene::Scene& scene, const std::string& label, double until, double every) {
     const Result<run::SimulationPtr> world = run::simulate(scene, 1);
     if (!world)

@@ -8,6 +8,7 @@ set(TUMBLE_EXTERNAL_sim3d Eigen3::Eigen)
 set(TUMBLE_EXTERNAL_hard2d Eigen3::Eigen box2d::box2d)
 set(TUMBLE_EXTERNAL_render Eigen3::Eigen PkgConfig::osmesa imgui stb)
 set(TUMBLE_EXTERNAL_run Eigen3::Eigen nlohmann_json::nlohmann_json)
+set(TUMBLE_EXTERNAL_fit Eigen3::Eigen)
 set(TUMBLE_EXTERNAL_lesson Eigen3::Eigen nlohmann_json::nlohmann_json)
 set(TUMBLE_EXTERNAL_cli CLI11::CLI11 nlohmann_json::nlohmann_json)
 

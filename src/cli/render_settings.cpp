@@ -62,6 +62,8 @@ void add_render_settings(CLI::App& command, std::vector<std::string>& sets) {
     add("--camera", "front|top|side|free", "Where the eye stands", word("render.camera"));
     add("--eye", "X,Y,Z", "Place of the free camera, m", list("render.eye_m"));
     add("--target", "X,Y,Z", "What the free camera looks at, m", list("render.target_m"));
+    add("--clip-lo", "X,Y,Z", "Lowest corner of a section: bodies outside are not drawn, m", list("render.clip_lo_m"));
+    add("--clip-hi", "X,Y,Z", "Highest corner of it, m", list("render.clip_hi_m"));
     add("--color", "QUANTITY", "What colours the bodies: " + words_of("color"), word("render.color"));
     add("--range", "LO,HI", "Values at the ends of the colour scale, SI", list("render.range"));
     add("--colormap", "NAME", "Colour scale: " + words_of("colormap"), word("render.colormap"));

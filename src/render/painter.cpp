@@ -228,7 +228,11 @@ void Painter::Inside::draw_bodies(const observe::Frame& frame, const std::vector
     if (layout->dimension == 2) {
         draw_discs(frame, colors);
     } else {
-        draw_spheres(collect_spheres(frame, showing, colors, camera));
+        std::optional<AlignedBox3d> clip;
+        if (settings.clip) {
+            clip.emplace(settings.clip->lo, settings.clip->hi);
+        }
+        draw_spheres(collect_spheres(frame, showing, colors, camera, clip));
     }
 }
 

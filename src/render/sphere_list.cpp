@@ -54,14 +54,15 @@ std::vector<std::vector<int>> showing_spheres(const observe::FrameLayout& layout
 }
 
 std::vector<SphereMark> collect_spheres(const observe::Frame& frame, const std::vector<std::vector<int>>& showing,
-                                        const std::vector<std::uint32_t>& colors, const Camera& camera) {
+                                        const std::vector<std::uint32_t>& colors, const Camera& camera,
+                                        const std::optional<Eigen::AlignedBox3d>& clip) {
     std::vector<SphereMark> marks;
     for (std::size_t b = 0; b < frame.bodies(); ++b) {
         const auto kind = static_cast<std::size_t>(frame.shape[b]);
         const observe::FrameShape& shape = frame.layout->shapes[kind];
         const Vector3d place = camera.to_view(frame.position[b]);
         const Matrix3d turn = camera.axes * frame.orientation[b].toRotationMatrix();
-        if (!place.allFinite() || !turn.allFinite()) {
+        if (!place.allFinite() || !turn.allFinite() || (clip && !clip->contains(frame.position[b]))) {
             continue;
         }
         for (const int s : showing[kind]) {

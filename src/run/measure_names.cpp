@@ -1,6 +1,7 @@
 #include "run/measure_names.h"
 
 #include "observe/measures.h"
+#include "run/tracers.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +9,9 @@
 namespace tumble::run {
 
 Problems check_measures(const scene::Scene& scene) {
-    Problems problems = observe::choose_measures(scene.observe.measures).problems();
+    Problems problems = observe::choose_measures(without_tracers(scene.observe.measures)).problems();
+    for (const Problem& problem : check_tracers(scene))
+        problems.push_back(problem);
     const Problems plot = check_plot(scene.render);
     problems.insert(problems.end(), plot.begin(), plot.end());
     return problems;

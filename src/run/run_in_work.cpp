@@ -8,6 +8,7 @@
 #include "run/run_report.h"
 #include "run/scene_check.h"
 #include "run/state_sinks.h"
+#include "run/tracers.h"
 #include "run/view_box.h"
 #include "scene/to_toml.h"
 #include "scene/written.h"
@@ -119,10 +120,14 @@ Result<std::unique_ptr<RunInWork>> RunInWork::prepare(const scene::Scene& scene,
 }
 
 Result<Done> RunInWork::choose_what_to_see() {
-    auto chosen = observe::choose_measures(scene_.observe.measures);
+    auto chosen = observe::choose_measures(without_tracers(scene_.observe.measures));
     if (!chosen)
         return chosen.problems();
     measures_ = std::move(*chosen);
+    auto tracers = tracers_of(scene_, simulation_->bodies());
+    if (!tracers)
+        return tracers.problems();
+    tracers_ = std::move(*tracers);
     const auto plotted = observe::choose_measures({scene_.render.plot_measure});
     if (plotted && plotted->size() == 1) {
         plotted_ = plotted->front();
@@ -141,6 +146,9 @@ Result<Done> RunInWork::write_beginnings(const std::vector<MeshCopy>& meshes) {
     std::vector<std::string> heads{"time_s"};
     for (const observe::Measure& measure : measures_)
         heads.push_back(measure.column());
+    for (const observe::TracerReader& tracer : tracers_)
+        for (std::string& head : tracer.columns())
+            heads.push_back(std::move(head));
     Problems problems;
     append(problems, write_meshes(meshes, paths).problems());
     append(problems, observe::write_whole(paths.scene(), scene::to_toml(resolved, names_of(meshes))).problems());
@@ -261,6 +269,9 @@ Result<Done> RunInWork::add_row(const observe::Frame& frame, const Books& books)
     std::vector<double> row{frame.time};
     for (const observe::Measure& measure : measures_)
         row.push_back(measure.value(seen));
+    for (observe::TracerReader& tracer : tracers_)
+        for (const double value : tracer.row(frame))
+            row.push_back(value);
     if (plotted_) {
         plot_.times.push_back(frame.time);
         plot_.values.push_back(plotted_->value(seen));

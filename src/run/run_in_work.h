@@ -2,6 +2,7 @@
 
 #include "observe/measures.h"
 #include "observe/series.h"
+#include "observe/tracer.h"
 #include "run/frame_queue.h"
 #include "run/mesh_copies.h"
 #include "run/pace.h"
@@ -56,6 +57,7 @@ private:
     FolderInWork folder_;
     std::shared_ptr<const observe::FrameLayout> layout_;
     std::vector<observe::Measure> measures_;
+    std::vector<observe::TracerReader> tracers_;
     std::optional<observe::Measure> plotted_;
     std::optional<observe::SeriesWriter> series_;
     render::PlotLine plot_;

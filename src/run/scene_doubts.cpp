@@ -117,6 +117,8 @@ private:
     void size_of(const scene::Wall& wall) {
         const bool can_be_vast = scene_.dimension == 2 || std::holds_alternative<scene::CylinderShape>(wall.shape) ||
                                  std::holds_alternative<scene::DiscShape>(wall.shape) ||
+                                 std::holds_alternative<scene::BowlShape>(wall.shape) ||
+                                 std::holds_alternative<scene::BowlDiscShape>(wall.shape) ||
                                  std::holds_alternative<scene::MeshShape>(wall.shape);
         const scene::Box extent = scene::extent_of(wall, scene_.dimension);
         const double size = (extent.hi - extent.lo).maxCoeff();

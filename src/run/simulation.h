@@ -18,11 +18,13 @@ namespace tumble::run {
 /// A body template as its solver uses it.
 struct SimulatedBody {
     std::string name;
-    std::size_t parts = 0;                             // spheres or discs
-    double volume = 0;                                 // m3, of their union
-    double mass = 0;                                   // kg
-    Eigen::Vector3d inertia = Eigen::Vector3d::Zero(); // kg m2, principal; in two dimensions the third counts
-    double bounding_radius = 0;                        // m
+    std::size_t parts = 0;                                    // spheres or discs
+    double volume = 0;                                        // m3, of their union
+    double mass = 0;                                          // kg
+    Eigen::Vector3d inertia = Eigen::Vector3d::Zero();        // kg m2, principal; in two dimensions the third counts
+    double bounding_radius = 0;                               // m
+    Eigen::Vector3d written_centre = Eigen::Vector3d::Zero(); // m, centre of mass in the template's frame
+    Eigen::Quaterniond written_from_principal = Eigen::Quaterniond::Identity();
 };
 
 /// A solver at work on a scene, as runs and checks see it: whichever it is, it steps, keeps its books, and shows

@@ -65,8 +65,8 @@ public:
     [[nodiscard]] std::vector<SimulatedBody> bodies() const override {
         std::vector<SimulatedBody> bodies;
         for (const sim3d::BodyShape& shape : sim3d::shapes_of(*world_))
-            bodies.push_back(
-                {shape.name, shape.spheres.size(), shape.volume, shape.mass, shape.inertia, shape.bounding_radius});
+            bodies.push_back({shape.name, shape.spheres.size(), shape.volume, shape.mass, shape.inertia,
+                              shape.bounding_radius, shape.written_centre, shape.written_from_principal});
         return bodies;
     }
 

@@ -1,5 +1,7 @@
 #include "run/wall_triangles.h"
 
+#include "scene/bowl_mesh.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -160,6 +162,9 @@ struct Triangulate {
             wall.triangles.push_back(corners);
         }
     }
+
+    void operator()(const scene::BowlShape& bowl) const { (*this)(scene::mesh_of(bowl)); }
+    void operator()(const scene::BowlDiscShape& disc) const { (*this)(scene::mesh_of(disc)); }
 
 private:
     void add_face(const scene::Box& box, int axis, int side) const {

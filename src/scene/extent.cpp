@@ -37,6 +37,11 @@ struct Extent {
         const double half = std::max(shape.radius * std::cos(shape.flare), rim);
         return {{-endless, shape.floor, -half}, {endless, shape.rim, half}};
     }
+    Box operator()(const BowlShape& shape) const { return upright(shape.base, shape.radius, shape.height); }
+    Box operator()(const BowlDiscShape& shape) const {
+        return upright(shape.centre, shape.radius,
+                       std::max(shape.rim_rise, shape.ribs.count > 0 ? shape.ribs.height : 0));
+    }
     Box operator()(const MeshShape& shape) const {
         Box all{Vector3d::Constant(endless), Vector3d::Constant(-endless)};
         for (const auto& triangle : shape.triangles)
@@ -45,6 +50,11 @@ struct Extent {
                 all.hi = all.hi.cwiseMax(corner);
             }
         return all;
+    }
+
+private:
+    static Box upright(const Vector3d& base, double radius, double height) {
+        return {base - Vector3d(radius, 0, radius), base + Vector3d(radius, height, radius)};
     }
 };
 

@@ -103,6 +103,10 @@ KeyTable body() {
         number("inertia_kg_m2", "kg m2", above(0, 1e9),
                "Moment of inertia about the centre of mass, across the plane; without it that of the union.")
             .in_2d(),
+        vector("tracer_point_m", "m", from(-100, 100),
+               "Where a sensor sits in the body, in the coordinates of its spheres before `scale`; the measure "
+               "`tracer:NAME` tells what it feels. Without it the centre of mass.")
+            .in_3d(),
     };
     return table;
 }

@@ -10,7 +10,7 @@ KeyTable observe() {
         number("every_s", "s", above(0, 1e6), "Time between rows.").otherwise(0.01),
         words("measures", {},
               "Which measures, by name or group; `tumble list measures` names them. Without it the usual ones, which "
-              "docs/measures.md lists.")
+              "docs/measures.md lists; `tracer:BODY` follows the first body of that name.")
             .otherwise(std::vector<std::string>{}),
     };
     return table;
@@ -41,6 +41,10 @@ KeyTable render() {
                "Lowest corner of what must be in the picture; without it all walls "
                "and bodies."),
         vector("view_hi_m", "m", from(-1e4, 1e4), "Highest corner of it."),
+        vector("clip_lo_m", "m", from(-1e4, 1e4),
+               "Lowest corner of a box: bodies whose centres lie outside are not drawn, which shows a section.")
+            .in_3d(),
+        vector("clip_hi_m", "m", from(-1e4, 1e4), "Highest corner of it.").in_3d(),
         word("color", {"speed", "vx", "vy", "vz", "spin"}, "Quantity that colours the bodies.")
             .otherwise(std::string("speed")),
         KeyMaker(

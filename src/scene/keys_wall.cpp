@@ -31,15 +31,47 @@ std::vector<Key> lines_in_the_plane() {
     };
 }
 
+/// What no drawing of the machine says has a default; docs/bowl.md gives the reasons.
+std::vector<Key> rotary_bowl() {
+    const std::vector<std::string> both{"bowl", "bowl-disc"};
+    return {
+        number("height_m", "m", above(0, 1e4), "Height of the wall.").only_for({"bowl"}).in_3d().must(),
+        number("rim_width_m", "m", above(0, 1e4), "How far the inclined rim reaches, along the radius.")
+            .only_for({"bowl-disc"})
+            .in_3d()
+            .otherwise(0.03),
+        number("rim_rise_m", "m", from(0, 1e4), "How far it rises; 0: a flat disc.")
+            .only_for({"bowl-disc"})
+            .in_3d()
+            .otherwise(0.03),
+        integer("rib_count", from(0, 360), "Number of ribs; 0: a smooth surface.")
+            .only_for(both)
+            .in_3d()
+            .otherwise(std::int64_t{12}),
+        number("rib_start", "", from(0, 0.95),
+               "Where ribs begin: a share of the wall's height, or of the disc's radius.")
+            .only_for(both)
+            .in_3d()
+            .otherwise(0.25),
+        number("rib_height_m", "m", above(0, 1e4), "How far they stand off the surface.")
+            .only_for(both)
+            .in_3d()
+            .otherwise(0.004),
+        number("rib_width_m", "m", above(0, 1e4), "Their width at the foot.").only_for(both).in_3d().otherwise(0.012),
+        number("rib_crest_m", "m", above(0, 1e4), "Their width at the crest.").only_for(both).in_3d().otherwise(0.006),
+    };
+}
+
 KeyTable wall() {
     KeyTable table{.path = "wall", .head = "[[wall]]", .repeat = Repeat::many, .kind_key = "shape"};
     table.sentence = "A surface that bodies cannot pass.";
     table.keys = {
         text("name", "Its name, used by `--set wall.NAME.key=value`, series and pictures.").must(),
-        word("shape", {"plane", "box", "cylinder", "disc", "trough", "mesh"},
+        word("shape", {"plane", "box", "cylinder", "disc", "trough", "mesh", "bowl", "bowl-disc"},
              "plane: unbounded, one-sided. box: touched from inside. cylinder: lateral surface without lids. disc: a "
              "thin round plate. trough: a U along x, half a cylinder below straight sides. mesh: triangles of an STL "
-             "file. May be left out when `stl` is given.")
+             "file. bowl, bowl-disc: the wall and the bottom of a rotary bowl about the y axis. May be left out when "
+             "`stl` is given.")
             .in_3d()
             .must(),
         word("shape", {"segment", "arc", "polyline", "box", "trough"},
@@ -67,8 +99,8 @@ KeyTable wall() {
             .only_for({"box"})
             .in_2d()
             .otherwise(std::vector<std::string>{}),
-        vector("base_m", "m", from(-1e4, 1e4), "Centre of the end that `axis` starts at.")
-            .only_for({"cylinder"})
+        vector("base_m", "m", from(-1e4, 1e4), "Centre of the end that `axis` starts at; of a bowl: of its lower edge.")
+            .only_for({"cylinder", "bowl"})
             .in_3d()
             .must(),
         vector("axis", "", from(-1e6, 1e6), "Direction of the axis; any length.")
@@ -76,9 +108,14 @@ KeyTable wall() {
             .in_3d()
             .otherwise(std::vector<double>{0, 1, 0}),
         number("length_m", "m", above(0, 1e4), "Length along the axis.").only_for({"cylinder"}).in_3d().must(),
-        vector("centre_m", "m", from(-1e4, 1e4), "Centre of the plate.").only_for({"disc"}).in_3d().must(),
-        number("radius_m", "m", above(0, 1e4), "Radius; of the trough: of its bottom.")
-            .only_for({"cylinder", "disc", "trough"})
+        vector("centre_m", "m", from(-1e4, 1e4), "Centre of the plate; of a bowl-disc: of its flat part.")
+            .only_for({"disc", "bowl-disc"})
+            .in_3d()
+            .must(),
+        number(
+            "radius_m", "m", above(0, 1e4),
+            "Radius; of the trough: of its bottom; of a bowl-disc: of its rim's edge, the gap to the wall taken off.")
+            .only_for({"cylinder", "disc", "trough", "bowl", "bowl-disc"})
             .in_3d()
             .must(),
         number("radius_m", "m", above(0, 1e4), "Radius; of the trough: of its bottom.")
@@ -107,8 +144,8 @@ KeyTable wall() {
             .in_3d()
             .otherwise(1.0),
     };
-    for (const Key& key : lines_in_the_plane())
-        table.keys.push_back(key);
+    for (const auto& part : {lines_in_the_plane(), rotary_bowl()})
+        table.keys.insert(table.keys.end(), part.begin(), part.end());
     return table;
 }
 

@@ -134,6 +134,8 @@ void resolve_bodies(const View& root, const Resolving& to) {
                 to.refuse(view, "inertia_kg_m2", fmt::format("no body has the moments {}", in_words(i, to)),
                           "the largest cannot exceed the sum of the other two");
         }
+        if (view.given("tracer_point_m"))
+            body.tracer_point = view.vector("tracer_point_m") * (view.given("scale") ? view.number("scale") : 1.0);
         to.scene.bodies.push_back(std::move(body));
     }
 }

@@ -18,6 +18,14 @@ void resolve_render(const View& view, const Resolving& to) {
     } else if (view.written("view_lo_m") != view.written("view_hi_m"))
         to.refuse(view, view.written("view_lo_m") ? "view_lo_m" : "view_hi_m", "a view needs both of its corners",
                   "give view_lo_m and view_hi_m");
+    if (view.given("clip_lo_m") && view.given("clip_hi_m")) {
+        render.clip = box_of(view, "clip_lo_m", "clip_hi_m", to);
+        if (!has_volume(*render.clip))
+            to.refuse(view, "clip_hi_m", "the clip has no volume",
+                      "each value of clip_hi_m must be above that of clip_lo_m");
+    } else if (view.written("clip_lo_m") != view.written("clip_hi_m"))
+        to.refuse(view, view.written("clip_lo_m") ? "clip_lo_m" : "clip_hi_m", "a clip needs both of its corners",
+                  "give clip_lo_m and clip_hi_m");
     const bool has_place = view.written("eye_m") || view.written("target_m");
     if (render.camera == "free" && has_place && render.eye == render.target)
         to.refuse(view, "camera", "a free camera stands where it looks at",

@@ -1,4 +1,5 @@
 #include "base/text.h"
+#include "scene/bowl_mesh.h"
 #include "scene/extent.h"
 #include "scene/keys.h"
 #include "scene/read_stl.h"
@@ -81,6 +82,17 @@ MeshShape mesh(const View& view, const Resolving& to) {
     return shape;
 }
 
+Ribs ribs(const View& view) {
+    return {static_cast<int>(view.integer("rib_count")), view.number("rib_height_m"), view.number("rib_width_m"),
+            view.number("rib_crest_m")};
+}
+
+template <class Shape> Shape without_fault(const Shape& shape, const View& view, const Resolving& to) {
+    if (const auto fault = view.whole() ? fault_of(shape) : std::nullopt)
+        to.refuse(view, fault->key, fault->what, fault->fix);
+    return shape;
+}
+
 WallShape resolve_shape(const View& view, const Resolving& to) {
     const std::string kind = view.kind();
     if (kind == "box")
@@ -94,6 +106,14 @@ WallShape resolve_shape(const View& view, const Resolving& to) {
         return trough(view, to);
     if (kind == "mesh")
         return mesh(view, to);
+    if (kind == "bowl")
+        return without_fault(BowlShape{view.vector("base_m"), view.number("radius_m"), view.number("height_m"),
+                                       view.number("rib_start"), ribs(view)},
+                             view, to);
+    if (kind == "bowl-disc")
+        return without_fault(BowlDiscShape{view.vector("centre_m"), view.number("radius_m"), view.number("rim_width_m"),
+                                           view.number("rim_rise_m"), view.number("rib_start"), ribs(view)},
+                             view, to);
     return plane(view, to);
 }
 

@@ -54,6 +54,7 @@ struct BodyTemplate {
     int material = 0;                          // index into Scene::materials
     std::optional<double> mass;                // kg, given instead of density * volume
     std::optional<Vector3d> principal_inertia; // kg m2, about the principal axes, given instead of the union's
+    std::optional<Vector3d> tracer_point; // m, template frame: where a tracer's sensor sits; else the centre of mass
 };
 
 /// How Box2D is told to work; docs/hard-contacts.md. Two dimensions only.
@@ -119,6 +120,32 @@ struct MeshShape {
     std::vector<std::array<Vector3d, 3>> triangles; // m
     double scale = 1;                               // metres per unit of the file, already applied
 };
+/// Ribs of a bowl or its disc, one after the other at equal angles, the first towards x.
+struct Ribs {
+    int count = 0;
+    double height = 0; // m, off the surface
+    double width = 0;  // m, at the foot
+    double crest = 0;  // m, width at the crest
+};
+/// The wall of a rotary bowl, upright about the y axis through `base`, with ribs in its upper part; as triangles, with
+/// its corners on the circle (bowl_mesh.h). Touched from both sides.
+struct BowlShape {
+    Vector3d base = Vector3d::Zero(); // m, on the axis, at the lower edge
+    double radius = 0;                // m
+    double height = 0;                // m
+    double rib_start = 0;             // share of the height
+    Ribs ribs;
+};
+/// The bottom of a rotary bowl: a flat disc about the y axis whose rim rises outwards, with ribs along the radius up to
+/// the rim's edge; as triangles.
+struct BowlDiscShape {
+    Vector3d centre = Vector3d::Zero(); // m, on top of the flat part
+    double radius = 0;                  // m, of the rim's outer edge
+    double rim_width = 0;               // m, along the radius
+    double rim_rise = 0;                // m
+    double rib_start = 0;               // share of the radius
+    Ribs ribs;
+};
 
 struct SegmentShape {
     Eigen::Vector2d from = Eigen::Vector2d::Zero(); // m
@@ -137,7 +164,8 @@ struct PolylineShape {
 /// A wall in two dimensions, touched from both sides. The box is its four sides, the trough its profile with x for z.
 using Outline = std::variant<SegmentShape, ArcShape, PolylineShape, BoxShape, TroughShape>;
 
-using WallShape = std::variant<PlaneShape, BoxShape, CylinderShape, DiscShape, TroughShape, MeshShape>;
+using WallShape =
+    std::variant<PlaneShape, BoxShape, CylinderShape, DiscShape, TroughShape, MeshShape, BowlShape, BowlDiscShape>;
 
 struct Wall {
     std::string name;
@@ -160,6 +188,7 @@ struct Render {
     Vector3d target = Vector3d::Zero(); // m, free camera
     double field_of_view_deg = 35;
     std::optional<Box> view; // m, what must be in the picture; default: walls and bodies
+    std::optional<Box> clip; // m, bodies whose centres lie outside are not drawn
     std::string color = "speed";
     std::optional<std::array<double, 2>> range; // in the quantity's SI unit
     std::string colormap = "auto";              // coolwarm for quantities with a sign, viridis for others

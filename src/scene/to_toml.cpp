@@ -108,6 +108,8 @@ void write_bodies(const Scene& scene, TomlWriter& to) {
             to.number("inertia_kg_m2", body.principal_inertia->z());
         else if (body.principal_inertia)
             to.vector("inertia_kg_m2", *body.principal_inertia);
+        if (body.tracer_point)
+            to.vector("tracer_point_m", *body.tracer_point);
         std::vector<std::array<double, 4>> rows;
         for (const Sphere& sphere : body.spheres)
             if (flat)
@@ -216,7 +218,31 @@ struct ShapeWriter {
         to.number("scale", mesh.scale);
     }
 
+    void operator()(const BowlShape& bowl) const {
+        to.text("shape", "bowl");
+        to.vector("base_m", bowl.base);
+        to.number("radius_m", bowl.radius);
+        to.number("height_m", bowl.height);
+        to.number("rib_start", bowl.rib_start);
+        write(bowl.ribs);
+    }
+    void operator()(const BowlDiscShape& disc) const {
+        to.text("shape", "bowl-disc");
+        to.vector("centre_m", disc.centre);
+        to.number("radius_m", disc.radius);
+        to.number("rim_width_m", disc.rim_width);
+        to.number("rim_rise_m", disc.rim_rise);
+        to.number("rib_start", disc.rib_start);
+        write(disc.ribs);
+    }
+
 private:
+    void write(const Ribs& ribs) const {
+        to.integer("rib_count", ribs.count);
+        to.number("rib_height_m", ribs.height);
+        to.number("rib_width_m", ribs.width);
+        to.number("rib_crest_m", ribs.crest);
+    }
     static Vector3d in_space(const Eigen::Vector2d& point) { return {point.x(), point.y(), 0}; }
 };
 
@@ -288,6 +314,10 @@ void write_output(const Scene& scene, TomlWriter& to) {
     if (render.view) {
         to.vector("view_lo_m", render.view->lo);
         to.vector("view_hi_m", render.view->hi);
+    }
+    if (render.clip) {
+        to.vector("clip_lo_m", render.clip->lo);
+        to.vector("clip_hi_m", render.clip->hi);
     }
     to.text("color", render.color);
     if (render.range)

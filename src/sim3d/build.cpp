@@ -93,8 +93,9 @@ Problems make_walls(World& world) {
             }
             continue;
         }
-        WallState state{wall, *surface, scene::pose_at(wall.motion, 0), {}};
-        state.half_pose = scene::pose_at(wall.motion, -0.5 * world.dt);
+        WallState state{wall, *surface, {}, {}, 0, 0, turns_in_place(wall)};
+        state.pose = pose_of(state, 0);
+        state.half_pose = pose_of(state, -0.5 * world.dt);
         world.walls.push_back(std::move(state));
     }
     return problems;

@@ -29,14 +29,25 @@ bool worn(const World& world) {
 
 } // namespace
 
+scene::WallPose pose_of(const WallState& wall, double time) {
+    scene::WallPose pose = scene::pose_at(wall.wall.motion, time);
+    if (wall.in_place) {
+        pose.velocity = pose.velocity_at(Eigen::Vector3d::Zero());
+        pose.translation.setZero();
+        pose.rotation.setIdentity();
+    }
+    return pose;
+}
+
 void move_walls(World& world) {
     for (WallState& wall : world.walls) {
         const scene::WallPose before = wall.pose;
         if (!wall.wall.motion.at_rest()) {
-            wall.pose = scene::pose_at(wall.wall.motion, world.time());
-            wall.half_pose = scene::pose_at(wall.wall.motion, world.time() - 0.5 * world.dt);
+            wall.pose = pose_of(wall, world.time());
+            wall.half_pose = pose_of(wall, world.time() - 0.5 * world.dt);
         }
-        wall.travel += way_beside(world.flow, before, wall.pose, world.dt);
+        wall.way = way_beside(world.flow, before, wall.pose, world.dt);
+        wall.travel += wall.way;
     }
 }
 

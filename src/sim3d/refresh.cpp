@@ -72,25 +72,57 @@ void refresh(const World& world, Chunk& chunk, BodyPair& pair) {
 
 namespace {
 
+/// A fast wall gets longer lists of spheres near it, so that they last for about so many steps: finding them anew costs
+/// as much as asking them some tens of times.
+constexpr double steps_per_refresh = 32;
+
+double sphere_skin(const World& world, const WallState& wall) {
+    return std::clamp(steps_per_refresh * wall.way, world.sphere_skin,
+                      std::max(world.sphere_skin, 0.5 * world.wall_skin));
+}
+
+/// The primitives of the body's list that any of its spheres may soon touch; `smallest` gets what is known of the
+/// others' gaps.
+void find_wall_primitives(const World& world, const Chunk& chunk, const BodyWall& near, double skin, double& smallest,
+                          std::vector<int>& primitives) {
+    const WallState& wall = world.walls[static_cast<std::size_t>(near.wall)];
+    const Vector3d centre = wall.pose.rotation.transpose() *
+                            (bounding_centre(world, placement_of(world, near.body)) - wall.pose.translation);
+    const double radius = world.shape_at(near.body).bounding_radius;
+    primitives.clear();
+    for (int p = near.primitives_begin; p < near.primitives_begin + near.primitives_count; ++p) {
+        const int primitive = chunk.wall_primitives[static_cast<std::size_t>(p)];
+        const double gap = wall.surface.distance(primitive, centre) - radius;
+        if (gap < skin)
+            primitives.push_back(primitive);
+        else
+            smallest = std::min(smallest, gap);
+    }
+}
+
 /// Spheres of the body that may soon touch the wall, as fresh candidates at the end of the pool, and the smallest gap.
-double find_wall_spheres(const World& world, Chunk& chunk, const BodyWall& near, std::vector<WallCandidate>& fresh) {
+double find_wall_spheres(const World& world, Chunk& chunk, const BodyWall& near, double skin,
+                         std::vector<WallCandidate>& fresh) {
+    thread_local std::vector<int> primitives;
+    double smallest = std::numeric_limits<double>::infinity();
+    find_wall_primitives(world, chunk, near, skin, smallest, primitives);
+    if (primitives.empty())
+        return smallest;
     const WallState& wall = world.walls[static_cast<std::size_t>(near.wall)];
     const ShapeConstants& shape = world.shape_at(near.body);
     const Matrix3d to_wall = wall.pose.rotation.transpose() * placement_of(world, near.body).rotation;
     const Vector3d place =
         wall.pose.rotation.transpose() * (placement_of(world, near.body).position - wall.pose.translation);
-    double smallest = std::numeric_limits<double>::infinity();
     for (int s = 0; s < shape.exposed_count; ++s) {
         const double* sphere = shape.exposed + 4 * static_cast<std::ptrdiff_t>(s);
         const Vector3d centre = place + to_wall * Vector3d(sphere[0], sphere[1], sphere[2]);
         WallCandidate candidate;
         candidate.sphere = static_cast<std::int16_t>(s);
         candidate.primitives_begin = static_cast<int>(chunk.sphere_primitives.size());
-        for (int p = 0; p < near.primitives_count; ++p) {
-            const int primitive = chunk.wall_primitives[static_cast<std::size_t>(near.primitives_begin + p)];
+        for (const int primitive : primitives) {
             const double gap = wall.surface.distance(primitive, centre) - sphere[3];
             smallest = std::min(smallest, gap);
-            if (gap < world.sphere_skin)
+            if (gap < skin)
                 chunk.sphere_primitives.push_back(primitive);
         }
         candidate.primitives_count = static_cast<int>(chunk.sphere_primitives.size()) - candidate.primitives_begin;
@@ -112,10 +144,10 @@ void refresh(const World& world, Chunk& chunk, BodyWall& near) {
     thread_local std::vector<WallCandidate> old;
     old.assign(chunk.wall_candidates.begin() + near.begin, chunk.wall_candidates.begin() + near.begin + near.count);
     std::vector<WallCandidate> fresh;
-    const double smallest = find_wall_spheres(world, chunk, near, fresh);
-    near.expires = world.travel[static_cast<std::size_t>(near.body)] +
-                   world.walls[static_cast<std::size_t>(near.wall)].travel +
-                   (fresh.empty() ? smallest : world.sphere_skin);
+    const WallState& wall = world.walls[static_cast<std::size_t>(near.wall)];
+    const double skin = sphere_skin(world, wall);
+    const double smallest = find_wall_spheres(world, chunk, near, skin, fresh);
+    near.expires = world.travel[static_cast<std::size_t>(near.body)] + wall.travel + (fresh.empty() ? smallest : skin);
     if (static_cast<int>(fresh.size()) > near.capacity) {
         near.capacity = static_cast<int>(fresh.size()) + 2;
         near.begin = static_cast<int>(chunk.wall_candidates.size());

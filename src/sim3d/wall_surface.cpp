@@ -1,10 +1,14 @@
 #include "sim3d/wall_surface.h"
 
+#include "scene/bowl_mesh.h"
+#include "scene/extent.h"
 #include "sim3d/wall_parts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
+#include <optional>
 
 namespace tumble::sim3d {
 
@@ -81,6 +85,22 @@ Problems faults_of(const scene::MeshShape&) {
     return {};
 }
 
+template <class Bowl> Problems faults_of_bowl(const Bowl& shape) {
+    Problems problems;
+    need_positive(problems, "radius", shape.radius);
+    if (const auto fault = problems.empty() ? scene::fault_of(shape) : std::nullopt)
+        problems.push_back(*fault);
+    return problems;
+}
+
+Problems faults_of(const scene::BowlShape& shape) {
+    return faults_of_bowl(shape);
+}
+
+Problems faults_of(const scene::BowlDiscShape& shape) {
+    return faults_of_bowl(shape);
+}
+
 /// How far the wall reaches, for finding walls that no body can meet; endless ones reach everywhere.
 scene::Box extent_of(const scene::BoxShape& shape) {
     return shape.box;
@@ -98,6 +118,13 @@ scene::Box extent_of(const scene::TroughShape& shape) {
     const double endless = std::numeric_limits<double>::infinity();
     const double lean = std::max(0.0, shape.rim - shape.floor) * std::tan(shape.flare) + shape.radius;
     return {Vector3d(-endless, shape.floor, -lean - shape.radius), Vector3d(endless, shape.rim, lean + shape.radius)};
+}
+
+scene::Box extent_of(const scene::BowlShape& shape) {
+    return scene::extent_of(scene::WallShape(shape));
+}
+scene::Box extent_of(const scene::BowlDiscShape& shape) {
+    return scene::extent_of(scene::WallShape(shape));
 }
 
 Problems outside(const scene::Box& wall, const scene::Box& domain) {
@@ -147,9 +174,42 @@ struct Maker {
     Result<SurfacePartsPtr> operator()(const scene::DiscShape& shape) const { return disc_parts(shape, domain); }
     Result<SurfacePartsPtr> operator()(const scene::TroughShape& shape) const { return trough_parts(shape); }
     Result<SurfacePartsPtr> operator()(const scene::MeshShape& shape) const { return mesh_parts(shape, domain); }
+    Result<SurfacePartsPtr> operator()(const scene::BowlShape& shape) const {
+        return mesh_parts(mesh_of(shape), domain);
+    }
+    Result<SurfacePartsPtr> operator()(const scene::BowlDiscShape& shape) const {
+        return mesh_parts(mesh_of(shape), domain);
+    }
 };
 
+/// Point and direction of the axis about which a shape is round; nothing where it is not, as with ribs.
+std::optional<std::pair<Vector3d, Vector3d>> axis_of(const scene::WallShape& shape) {
+    using Axis = std::pair<Vector3d, Vector3d>;
+    if (const auto* disc = std::get_if<scene::DiscShape>(&shape))
+        return Axis{disc->centre, disc->normal};
+    if (const auto* cylinder = std::get_if<scene::CylinderShape>(&shape))
+        return Axis{cylinder->base, cylinder->axis};
+    if (const auto* disc = std::get_if<scene::BowlDiscShape>(&shape); disc && disc->ribs.count == 0)
+        return Axis{disc->centre, Vector3d::UnitY()};
+    if (const auto* bowl = std::get_if<scene::BowlShape>(&shape); bowl && bowl->ribs.count == 0)
+        return Axis{bowl->base, Vector3d::UnitY()};
+    return std::nullopt;
+}
+
 } // namespace
+
+bool turns_in_place(const scene::Wall& wall) {
+    const scene::WallMotion& motion = wall.motion;
+    const auto axis = axis_of(wall.shape);
+    if (!axis || motion.rotations.empty() || !motion.harmonics.empty() || !motion.rockings.empty() ||
+        !motion.linears.empty() || !motion.tables.empty())
+        return false;
+    const auto [point, direction] = std::pair{axis->first, axis->second.normalized()};
+    return std::all_of(motion.rotations.begin(), motion.rotations.end(), [&](const scene::Rotation& part) {
+        return part.axis.cross(direction).norm() < 1e-12 &&
+               (point - part.centre).cross(direction).norm() <= 1e-12 * (1 + point.norm());
+    });
+}
 
 Result<WallSurface> WallSurface::make(const scene::WallShape& shape, const scene::Domain& domain) {
     Problems problems = std::visit([](const auto& s) { return faults_of(s); }, shape);

@@ -17,6 +17,10 @@ struct WallTouch {
     int feature = 0; // the same while the sphere stays on one smooth patch; a history belongs to it
 };
 
+/// Whether all the wall's motion is that of a round shape about its own axis: a disc, a tube, a bowl or bowl-disc
+/// without ribs (whose facets stand for a round surface). Its surface moves, its place does not.
+bool turns_in_place(const scene::Wall& wall);
+
 class SurfaceParts;
 
 /// The geometry of a wall in its own, unmoved frame; docs/walls.md. Immutable, cheap to copy, safe to ask from any

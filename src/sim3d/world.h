@@ -174,7 +174,12 @@ struct WallState {
     scene::WallPose pose;      // at the step's time
     scene::WallPose half_pose; // half a step earlier, where leapfrog's velocities live
     double travel = 0;         // m, odometer: way beside the mean flow since the last rebuild
+    double way = 0;            // m, the same in the last step
+    bool in_place = false;     // only the surface's velocity changes: turns_in_place
 };
+
+/// Pose at a time (s); of a wall that turns in place the unmoved one with its velocities.
+scene::WallPose pose_of(const WallState& wall, double time);
 
 struct FillState {
     scene::Fill fill;

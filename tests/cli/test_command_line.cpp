@@ -39,7 +39,7 @@ TEST_CASE("nothing at all shows the help on stderr and is wrong") {
 
 TEST_CASE("every help opens with an example and goes to stdout") {
     const Folder folder;
-    for (const std::string command : {"run", "render", "check", "list", "lesson", "export"}) {
+    for (const std::string command : {"run", "render", "check", "list", "lesson", "export", "walls", "fit", "flow"}) {
         const Outcome outcome = tumble_in(folder, {command, "--help"});
         CHECK(outcome.code == 0);
         CHECK_MESSAGE(outcome.out.starts_with("Example: tumble " + command + " "), outcome.out.substr(0, 80));
@@ -137,4 +137,31 @@ TEST_CASE("check shows each wall's size and its warnings on stdout, where its an
     CHECK(outcome.err.empty());
     CHECK(contains(outcome.out, "floor  plane  glass     endless  endless  endless"));
     CHECK(contains(outcome.out, "warning: --set gravity_m_s2.1: a gravity of 981 m/s2"));
+}
+
+TEST_CASE("fit and walls write what they say, and nothing twice; flow wants a run") {
+    const Folder folder;
+    const std::vector<std::string> fit{"fit", "--cone", "10,12", "--spheres", "12", "--out", "cone.csv"};
+    const Outcome fitted = tumble_in(folder, fit);
+    CHECK(fitted.code == 0);
+    CHECK(contains(fitted.out, "12 spheres, radius"));
+    CHECK(contains(content_of(folder.path / "cone.csv"), "# Made by: tumble fit --cone 10,12 --spheres 12"));
+    const Outcome again = tumble_in(folder, fit);
+    CHECK(again.code == 2);
+    CHECK(contains(again.err, "--force replaces it"));
+    CHECK(contains(tumble_in(folder, {"fit", "--spheres", "12"}).err, "give a mesh.stl or --cone DIAMETER,HEIGHT"));
+    const Outcome judged = tumble_in(folder, {"fit", "--cone", "10,12", "--compare", "cone.csv", "--json"});
+    CHECK(judged.code == 0);
+    CHECK(nlohmann::json::parse(judged.out)["spheres"] == 12);
+
+    put(folder.path / "ball.toml", bouncing_ball(0.01));
+    const Outcome walls = tumble_in(folder, {"walls", "ball.toml", "--out", "stl"});
+    CHECK(walls.code == 0);
+    CHECK(!std::filesystem::is_empty(folder.path / "stl"));
+    CHECK(tumble_in(folder, {"walls", "ball.toml", "--out", "stl"}).code == 2);
+    CHECK(tumble_in(folder, {"flow", "nowhere"}).code == 2);
+    CHECK(tumble_in(folder, {"run", "ball.toml", "--quiet"}).code == 0);
+    const Outcome flow = tumble_in(folder, {"flow", "out/ball", "--json", "--layers", "3"});
+    CHECK(flow.code == 0);
+    CHECK(nlohmann::json::parse(flow.out)["layers"].size() == 3);
 }

@@ -63,6 +63,17 @@ TEST_CASE("edges are smooth: a sphere's rim holds pixels at several steps betwee
     }
 }
 
+TEST_CASE("a body with its centre outside the clip is not drawn, and what it hid is seen") {
+    auto layout = spheres({0.5, 0.25});
+    observe::Frame frame = empty_frame(layout);
+    add_body(frame, 1, {-0.8, 0, 0}, {1, 0, 0});
+    add_body(frame, 0, {0.3, 0, 0}, {0.5, 0, 0});
+    scene::Render cut = square_view(1);
+    cut.clip = scene::Box{{0, -1, -1}, {1, 1, 1}};
+    const Picture picture = painter_for(cut, layout, bare).draw(frame);
+    CHECK(color_distance(pixel(picture, 200, 200), viridis(0.5)) <= 1);
+}
+
 TEST_CASE("the nearer sphere hides the farther, whichever is drawn first") {
     auto layout = spheres({0.5, 0.25});
     for (const bool near_first : {false, true}) {

@@ -1,3 +1,4 @@
+#include "scene/bowl_mesh.h"
 #include "scene/keys.h"
 #include "scene/load.h"
 #include "scene/to_toml.h"
@@ -70,6 +71,7 @@ TEST_CASE("a resolved scene loads again to the same bodies and fills, bit for bi
         CHECK(a.bodies[i].material == b.bodies[i].material);
         CHECK(a.bodies[i].mass == b.bodies[i].mass);
         CHECK(a.bodies[i].principal_inertia == b.bodies[i].principal_inertia);
+        CHECK(a.bodies[i].tracer_point == b.bodies[i].tracer_point);
         REQUIRE(a.bodies[i].spheres.size() == b.bodies[i].spheres.size());
         for (std::size_t k = 0; k < a.bodies[i].spheres.size(); ++k) {
             CHECK(a.bodies[i].spheres[k].centre == b.bodies[i].spheres[k].centre);
@@ -110,6 +112,13 @@ TEST_CASE("a resolved scene loads again to the same walls and motions, bit for b
     CHECK(std::get<DiscShape>(a.walls[3].shape).normal == std::get<DiscShape>(b.walls[3].shape).normal);
     CHECK(std::get<TroughShape>(a.walls[4].shape).flare == std::get<TroughShape>(b.walls[4].shape).flare);
     CHECK(std::get<MeshShape>(a.walls[5].shape).triangles == std::get<MeshShape>(b.walls[5].shape).triangles);
+    const auto &bowl = std::get<BowlShape>(a.walls[6].shape), &bowl_again = std::get<BowlShape>(b.walls[6].shape);
+    CHECK(mesh_of(bowl).triangles == mesh_of(bowl_again).triangles);
+    const auto &disc = std::get<BowlDiscShape>(a.walls[7].shape),
+               &disc_again = std::get<BowlDiscShape>(b.walls[7].shape);
+    CHECK(mesh_of(disc).triangles == mesh_of(disc_again).triangles);
+    CHECK(a.render.clip->lo == b.render.clip->lo);
+    CHECK(a.render.clip->hi == b.render.clip->hi);
 }
 
 TEST_CASE("a resolved scene loads again to the same laws, materials and pairs") {
@@ -144,8 +153,8 @@ TEST_CASE("what is written once is written the same again") {
     const std::string once = to_toml(loaded(load_scene(rich)));
     CHECK(to_toml(again(loaded(load_scene(rich)))) == once);
     CHECK(to_toml(again(loaded(load_scene(flat)))) == to_toml(loaded(load_scene(flat))));
-    for (const char* name : {"drop", "oblique", "settle-cones", "trough-slice", "trough-quick", "trough-2d",
-                             "repose-2d", "hopper-2d", "drum-2d", "shaken-bed-2d"}) {
+    for (const char* name : {"drop", "oblique", "settle-cones", "trough-slice", "trough-quick", "trough-2d", "bowl",
+                             "bowl-quick", "bowl-spheres", "repose-2d", "hopper-2d", "drum-2d", "shaken-bed-2d"}) {
         CAPTURE(name);
         const Scene scene =
             loaded(load_scene(std::filesystem::path(TUMBLE_ROOT "/scenes") / (std::string(name) + ".toml")));

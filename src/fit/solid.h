@@ -1,0 +1,40 @@
+#pragma once
+
+#include "base/problem.h"
+#include "scene/read_stl.h"
+
+#include <Eigen/Core>
+#include <vector>
+
+/// Solids that spheres are fitted to.
+namespace tumble::fit {
+
+/// A closed surface, its triangles turned outwards, and what it encloses.
+struct Solid {
+    std::vector<scene::Triangle> faces;               // m
+    double volume = 0;                                // m3
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero(); // m, of the volume
+    Eigen::Matrix3d second = Eigen::Matrix3d::Zero(); // m5, integral of (x - centre)(x - centre)^T
+    double area = 0;                                  // m2
+};
+
+/// Problems: an edge that does not belong to exactly two triangles (an open mesh, or sheets that share an edge), two
+/// triangles that are turned against each other, no volume.
+Result<Solid> solid_of(std::vector<scene::Triangle> faces);
+
+/// An upright cone: its axis is y, its base lies at y = 0.
+struct Cone {
+    double diameter = 0; // m, of the base
+    double height = 0;   // m
+};
+
+/// The cone with a base of 720 corners, whose volume is 1.3e-5 below the round one's.
+Solid solid_of(const Cone& cone);
+
+/// Distance from the point to the surface, m, positive inside.
+double depth_in(const Solid& solid, const Eigen::Vector3d& point);
+
+/// Points spread evenly over the surface, the same for the same solid.
+std::vector<Eigen::Vector3d> surface_points(const Solid& solid, int count);
+
+} // namespace tumble::fit

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "base/problem.h"
+#include "fit/solid.h"
+#include "scene/scene.h"
+
+#include <vector>
+
+/// A given number of spheres inside a solid, so that they fill it; no chance enters, the same input gives the same
+/// spheres. docs/bodies.md.
+namespace tumble::fit {
+
+struct Wanted {
+    int spheres = 0;
+    double smallest = 0; // m, the least radius
+};
+
+/// Spheres on the cone's medial axis, where the largest that fit inside touch base and mantle at once: some on the axis
+/// from the inscribed sphere to the tip, the others in rings towards the rim of the base. Radii fall off
+/// geometrically; rings hold spheres in proportion to their length over their radius. How many stand on the axis and
+/// in how many rings is tried out, and the fullest kept. Problems: fewer than 8 spheres, a smallest radius that is not
+/// below that of the inscribed sphere.
+Result<std::vector<scene::Sphere>> spheres_in(const Cone& cone, const Wanted& wanted);
+
+/// Largest-gain choice among the spheres that touch the surface from inside about the points of a grid (40 along the
+/// longest side): each time the one that holds most of the grid's points that no sphere holds yet. Problems: no point
+/// is as deep as the smallest radius, more spheres wanted than there are such points.
+Result<std::vector<scene::Sphere>> spheres_in(const Solid& solid, const Wanted& wanted);
+
+} // namespace tumble::fit

@@ -1,0 +1,61 @@
+#include "observe/tracer.h"
+
+#include <limits>
+
+namespace tumble::observe {
+
+namespace {
+
+using Eigen::Vector3d;
+
+std::optional<std::size_t> first_of(const Frame& frame, int shape) {
+    std::optional<std::size_t> first;
+    for (std::size_t i = 0; i < frame.bodies(); ++i)
+        if (frame.shape[i] == shape && (!first || frame.id[i] < frame.id[*first]))
+            first = i;
+    return first;
+}
+
+struct Quantity {
+    const char* name;
+    const char* unit;
+};
+
+/// Three columns each.
+constexpr std::array<Quantity, 6> quantities{
+    {{"", "m"}, {"v", "m_s"}, {"a", "m_s2"}, {"point_v", "m_s"}, {"spin_", "rad_s"}, {"felt_", "m_s2"}}};
+
+} // namespace
+
+std::vector<std::string> TracerReader::columns() const {
+    std::vector<std::string> heads;
+    for (const Quantity& quantity : quantities)
+        for (const char* axis : {"x", "y", "z"})
+            heads.push_back("tracer:" + tracer_.name + "_" + quantity.name + axis + "_" + quantity.unit);
+    return heads;
+}
+
+std::vector<double> TracerReader::row(const Frame& frame) {
+    const auto body = first_of(frame, tracer_.shape);
+    std::vector<double> values(3 * quantities.size(), std::numeric_limits<double>::quiet_NaN());
+    if (!body)
+        return values;
+    const Vector3d& spin = frame.angular_velocity[*body];
+    const Vector3d arm = frame.orientation[*body] * tracer_.point;
+    const Moment now{frame.time, frame.velocity[*body], frame.velocity[*body] + spin.cross(arm)};
+    Vector3d acceleration = Vector3d::Constant(values[0]), felt = acceleration;
+    const Eigen::Quaterniond to_sensor = (frame.orientation[*body] * tracer_.sensor).conjugate();
+    if (before_ && now.time > before_->time) {
+        acceleration = (now.centre - before_->centre) / (now.time - before_->time);
+        felt = to_sensor * ((now.point - before_->point) / (now.time - before_->time) - tracer_.gravity);
+    }
+    before_ = now;
+    std::size_t at = 0;
+    for (const Vector3d& vector :
+         {frame.position[*body], now.centre, acceleration, now.point, Vector3d(to_sensor * spin), felt})
+        for (int k = 0; k < 3; ++k)
+            values[at++] = vector[k];
+    return values;
+}
+
+} // namespace tumble::observe

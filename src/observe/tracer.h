@@ -1,0 +1,44 @@
+#pragma once
+
+#include "observe/frame.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tumble::observe {
+
+/// Follows one body as a sensor inside it would be carried: the first body (lowest id) of its shape.
+struct Tracer {
+    std::string name;
+    int shape = 0; // index into FrameLayout::shapes
+    Eigen::Vector3d point =
+        Eigen::Vector3d::Zero(); // m, where the sensor sits, from the centre of mass, principal frame
+    Eigen::Quaterniond sensor = Eigen::Quaterniond::Identity(); // sensor frame to principal frame
+    Eigen::Vector3d gravity = Eigen::Vector3d::Zero();          // m/s2
+};
+
+/// What happened to it between two rows; docs/measures.md, "Tracers".
+class TracerReader {
+public:
+    explicit TracerReader(Tracer tracer) : tracer_(std::move(tracer)) {}
+
+    /// Heads of its columns, units included.
+    [[nodiscard]] std::vector<std::string> columns() const;
+
+    /// Parallel to columns(); NaN while there is no such body, and for accelerations in its first row.
+    std::vector<double> row(const Frame& frame);
+
+private:
+    struct Moment {
+        double time = 0;
+        Eigen::Vector3d centre, point; // m/s, velocities
+    };
+    Tracer tracer_;
+    std::optional<Moment> before_;
+};
+
+} // namespace tumble::observe

@@ -1,0 +1,104 @@
+#include "render/child_process.h"
+#include "run/flow_report.h"
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fmt/format.h>
+
+namespace tumble::run {
+
+namespace {
+
+constexpr std::chrono::seconds patience{60};
+
+/// In single quotes gnuplot takes every letter as it stands, but for the quote itself.
+std::string quoted(const std::string& text) {
+    std::string safe = "'";
+    for (const char c : text)
+        safe += c == '\'' ? std::string("''") : std::string(1, c);
+    return safe + "'";
+}
+
+/// Cells as boxes "left right low high colour", then arrows "x y dx dy", then the surface.
+std::string data_of(const observe::FlowField& field, double per_speed) {
+    const observe::FlowGrid& grid = field.grid();
+    const double w = 1e3 * grid.ring_width(), h = 1e3 * grid.layer_height();
+    std::string cells, arrows, surface;
+    for (int ring = 0; ring < grid.rings; ++ring)
+        for (int layer = 0; layer < grid.layers; ++layer) {
+            const Eigen::Vector3d v = field.cell(ring, layer).mean_velocity();
+            if (!v.allFinite())
+                continue;
+            const double x = (ring + 0.5) * w, y = 1e3 * grid.lo + (layer + 0.5) * h;
+            cells += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g} {:.6g} {:.6g} {:.6g}\n", x, y, x - w / 2, x + w / 2,
+                                 y - h / 2, y + h / 2, v.y());
+            arrows += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}\n", x - per_speed * v.x() / 2, y - per_speed * v.z() / 2,
+                                  per_speed * v.x(), per_speed * v.z());
+        }
+    const std::vector<double> heights = field.surface();
+    for (std::size_t ring = 0; ring < heights.size(); ++ring)
+        surface +=
+            fmt::format("{:.6g} {:.6g}\n", (static_cast<double>(ring) + 0.5) * w, 1e3 * (grid.lo + heights[ring]));
+    return "$cells << END\n" + cells + "END\n$arrows << END\n" + arrows + "END\n$surface << END\n" + surface + "END\n";
+}
+
+/// The speed whose arrow is as long as 1.2 cells: the fastest mean across the axis, rounded up to 1, 2 or 5.
+double arrow_speed(const observe::FlowField& field) {
+    double fastest = 0;
+    for (int ring = 0; ring < field.grid().rings; ++ring)
+        for (int layer = 0; layer < field.grid().layers; ++layer) {
+            const Eigen::Vector3d v = field.cell(ring, layer).mean_velocity();
+            if (v.allFinite())
+                fastest = std::max(fastest, std::hypot(v.x(), v.z()));
+        }
+    if (!(fastest > 0))
+        return 1;
+    const double decade = std::pow(10, std::floor(std::log10(fastest)));
+    for (const double step : {1.0, 2.0, 5.0})
+        if (step * decade >= fastest)
+            return step * decade;
+    return 10 * decade;
+}
+
+std::string script_of(const FlowReport& report, const std::filesystem::path& file) {
+    const observe::FlowGrid& grid = report.field.grid();
+    const double speed = arrow_speed(report.field);
+    const double length = 1.2e3 * std::min(grid.ring_width(), grid.layer_height());
+    const bool svg = file.extension() == ".svg";
+    std::string script = svg ? "set terminal svg size 900,640 font 'DejaVu Sans,13' background 'white' noenhanced\n"
+                             : "set terminal pngcairo size 1350,960 font 'DejaVu Sans,15' background 'white' "
+                               "noenhanced\n";
+    script += fmt::format("set output {}\nset title {}\n", quoted(file.string()),
+                          quoted(fmt::format("Mean flow from {:.4g} to {:.4g} s; an arrow of {:.0f} mm is {:.3g} m/s",
+                                             report.replayed.first, report.replayed.last, length, speed)));
+    script += data_of(report.field, length / speed);
+    script += fmt::format("set xrange [0:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\nset size ratio -1\n", 1e3 * grid.radius,
+                          1e3 * grid.lo, 1e3 * grid.hi);
+    script += "set xlabel 'distance from the axis, mm'\nset ylabel 'height, mm'\n"
+              "set cblabel 'tangential velocity, m/s'\nset key below\n"
+              "set palette defined (0 '#440154', 0.25 '#3b528b', 0.5 '#21918c', 0.75 '#5ec962', 1 '#fde725')\n"
+              "plot $cells using 1:2:3:4:5:6:7 with boxxyerror fillstyle solid noborder lc palette notitle, "
+              "$arrows using 1:2:3:4 with vectors filled head size graph 0.008,20 lw 1.6 lc rgb '#000000' "
+              "title 'radial and vertical velocity', "
+              "$surface using 1:2 with lines lw 3 lc rgb '#D55E00' title 'surface'\nunset output\n";
+    return script;
+}
+
+} // namespace
+
+Result<Done> draw_flow(const FlowReport& report, const std::filesystem::path& file) {
+    render::ChildProcess gnuplot({"gnuplot"});
+    if (gnuplot.error() == ENOENT)
+        return Problem{.what = "gnuplot, which draws the field, is not installed",
+                       .fix = "apt install gnuplot-nox, or leave --picture away: the tables need no gnuplot"};
+    if (gnuplot.error() != 0)
+        return Problem{.what = fmt::format("gnuplot cannot be started: {}", std::strerror(gnuplot.error()))};
+    const std::string script = script_of(report, file);
+    gnuplot.feed({reinterpret_cast<const std::uint8_t*>(script.data()), script.size()});
+    if (gnuplot.wait(patience) != 0)
+        return Problem{.file = file.string(), .what = "gnuplot failed: " + gnuplot.printed()};
+    return Done{};
+}
+
+} // namespace tumble::run

@@ -1,0 +1,169 @@
+#include "base/rng.h"
+#include "fit/report.h"
+#include "fit/spheres.h"
+#include "scene/read_clump.h"
+
+#include <cmath>
+#include <doctest/doctest.h>
+#include <numbers>
+
+using namespace tumble;
+using namespace tumble::fit;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// A box from the origin, sides a, b, c; corners of a face in the order that points outwards.
+std::vector<scene::Triangle> box(double a, double b, double c) {
+    const auto at = [&](int i) { return Vector3d(i & 1 ? a : 0, i & 2 ? b : 0, i & 4 ? c : 0); };
+    std::vector<scene::Triangle> faces;
+    for (const auto& [p, q, r, s] : {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
+                                     std::array{2, 6, 7, 3}, std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}}) {
+        faces.push_back({at(p), at(q), at(r)});
+        faces.push_back({at(p), at(r), at(s)});
+    }
+    return faces;
+}
+
+} // namespace
+
+TEST_CASE("a box has the volume, centre and second moments of a box, whichever way it is turned") {
+    std::vector<scene::Triangle> faces = box(0.01, 0.02, 0.03);
+    for (int turn = 0; turn < 2; ++turn) {
+        const Solid solid = solid_of(faces).value();
+        CHECK(solid.volume == doctest::Approx(6e-6).scale(0));
+        CHECK(solid.area == doctest::Approx(2 * (2 + 3 + 6) * 1e-4).scale(0));
+        CHECK((solid.centre - Vector3d(0.005, 0.01, 0.015)).norm() < 1e-15);
+        CHECK(solid.second(0, 0) == doctest::Approx(6e-6 * 1e-4 / 12).scale(0));
+        CHECK(solid.second(2, 2) == doctest::Approx(6e-6 * 9e-4 / 12).scale(0));
+        CHECK(std::abs(solid.second(0, 1)) < 1e-20);
+        for (auto& face : faces)
+            std::swap(face[0], face[1]);
+    }
+}
+
+TEST_CASE("a cone has the volume and centre of a cone") {
+    const Solid solid = solid_of(Cone{0.010, 0.012});
+    CHECK(solid.volume == doctest::Approx(pi * 0.005 * 0.005 * 0.012 / 3).epsilon(2e-5).scale(0));
+    CHECK(solid.centre.y() == doctest::Approx(0.003).scale(0));
+    // Of the round cone: m (3/20 r^2 + 3/80 h^2) across, 3/10 m r^2 along its axis.
+    CHECK(solid.second(0, 0) + solid.second(2, 2) ==
+          doctest::Approx(0.3 * 25e-6 * solid.volume).epsilon(1e-4).scale(0));
+    CHECK(solid.second(1, 1) == doctest::Approx(3.0 / 80 * 144e-6 * solid.volume).scale(0));
+}
+
+TEST_CASE("depth is the distance to the nearest face, negative outside") {
+    const Solid solid = solid_of(box(1, 2, 3)).value();
+    CHECK(depth_in(solid, {0.5, 1, 1.5}) == doctest::Approx(0.5).scale(0));
+    CHECK(depth_in(solid, {0.9, 1, 1.5}) == doctest::Approx(0.1).scale(0));
+    CHECK(depth_in(solid, {-3, 1, 7}) == doctest::Approx(-5).scale(0));
+}
+
+TEST_CASE("points of the surface lie on it, as many a face as its area") {
+    const Solid solid = solid_of(box(1, 2, 3)).value();
+    const auto points = surface_points(solid, 11000);
+    REQUIRE(points.size() == 11000);
+    int below = 0;
+    for (const Vector3d& point : points) {
+        CHECK(std::abs(depth_in(solid, point)) < 1e-12);
+        below += point.z() < 1e-12 ? 1 : 0;
+    }
+    CHECK(below == doctest::Approx(1000).epsilon(0.01).scale(0)); // 2 of 22
+}
+
+TEST_CASE("an open mesh and one whose triangles are turned against each other are refused, with how many edges") {
+    std::vector<scene::Triangle> open = box(1, 1, 1);
+    open.pop_back();
+    const auto refused = solid_of(open);
+    REQUIRE(!refused.ok());
+    CHECK(refused.problems()[0].what.find("3 of its 18 edges") != std::string::npos);
+    std::vector<scene::Triangle> turned = box(1, 1, 1);
+    std::swap(turned[0][1], turned[0][2]);
+    CHECK(!solid_of(turned).ok());
+}
+
+TEST_CASE("the spheres of a cone are as many as asked for, touch it from inside and are the same each time") {
+    const Cone cone{0.010, 0.012};
+    const Solid solid = solid_of(cone);
+    for (const int n : {8, 20, 36, 65}) {
+        CAPTURE(n);
+        const auto spheres = spheres_in(cone, {n, 0.0006}).value();
+        CHECK(spheres.size() == static_cast<std::size_t>(n));
+        for (const scene::Sphere& sphere : spheres) {
+            CHECK(sphere.radius > 0.0006 * (1 - 1e-12));
+            CHECK(depth_in(solid, sphere.centre) == doctest::Approx(sphere.radius).epsilon(2e-4).scale(0));
+        }
+        const auto again = spheres_in(cone, {n, 0.0006}).value();
+        for (std::size_t i = 0; i < spheres.size(); ++i)
+            CHECK(again[i].centre == spheres[i].centre);
+        const Report report = compare(solid, spheres);
+        CHECK(report.stands_out < 1e-7);
+        CHECK(report.union_volume < solid.volume);
+        CHECK(std::abs(report.union_centre.x()) < 0.01 * cone.diameter); // rings of an odd number lean a little
+    }
+    CHECK(!spheres_in(cone, {36, 0.004}).ok()); // the inscribed sphere has 3.33 mm
+    CHECK(!spheres_in(cone, {7, 0.0006}).ok());
+}
+
+TEST_CASE("more spheres fill a cone better") {
+    const Cone cone{0.010, 0.012};
+    double before = 0;
+    for (const int n : {10, 20, 36, 65, 130}) {
+        const double volume = compare(solid_of(cone), spheres_in(cone, {n, 0.0003}).value()).union_volume;
+        CHECK(volume > before);
+        before = volume;
+    }
+    CHECK(before > 0.88 * solid_of(cone).volume); // the sharp rim stays empty
+}
+
+TEST_CASE("the report of one sphere in a cube: pi / 6 of the volume, off by nothing at faces and by a corner's rest") {
+    const Solid cube = solid_of(box(2, 2, 2)).value();
+    const Report report = compare(cube, {{Vector3d(1, 1, 1), 1}});
+    CHECK(report.union_volume / report.solid_volume == doctest::Approx(pi / 6).scale(0));
+    CHECK(report.gap_max == doctest::Approx(std::sqrt(3.0) - 1).epsilon(0.02).scale(0));
+    CHECK(report.gap_mean > 0.2);
+    CHECK(report.stands_out == 0);
+    CHECK(compare(cube, {{Vector3d(1, 1, 1), 1.25}}).stands_out == doctest::Approx(0.25).scale(0));
+    CHECK(report.union_inertia[0] == doctest::Approx(0.4 * report.union_volume).scale(0));
+    CHECK(report.solid_inertia[0] == doctest::Approx(8 * 4.0 / 6).scale(0));
+}
+
+TEST_CASE("spheres in a closed mesh stay inside it and fill it; a long box gets a row of its thickness") {
+    const Solid bar = solid_of(box(0.04, 0.01, 0.01)).value();
+    const auto few = spheres_in(bar, {4, 0.001}).value();
+    const auto many = spheres_in(bar, {60, 0.0005}).value();
+    for (const scene::Sphere& sphere : many)
+        CHECK(depth_in(bar, sphere.centre) == doctest::Approx(sphere.radius).scale(0));
+    for (const scene::Sphere& sphere : few)
+        CHECK(sphere.radius > 0.0044); // points of the grid, 1 mm apart, lie 0.5 mm off the axis
+    CHECK(compare(bar, many).union_volume > compare(bar, few).union_volume);
+    CHECK(compare(bar, many).union_volume > 0.7 * bar.volume);
+    CHECK(!spheres_in(bar, {4, 0.006}).ok());
+}
+
+TEST_CASE("scaled to a volume, the union has it, and the clump file reads back to the same spheres") {
+    auto spheres = spheres_in(Cone{0.010, 0.012}, {36, 0.000775}).value();
+    const double factor = scale_to_volume(spheres, 3e-7);
+    CHECK(factor > 1);
+    const Report report = compare(solid_of(Cone{0.010, 0.012}), spheres);
+    CHECK(report.union_volume == doctest::Approx(3e-7).epsilon(1e-7).scale(0));
+    CHECK(report.stands_out > 0);
+    CHECK(equivalent_radius(report.union_volume) == doctest::Approx(std::cbrt(3 * 3e-7 / (4 * pi))).scale(0));
+    const std::string text = clump_file(spheres, report, {"a line"});
+    CHECK(text.starts_with("# a line\n# 36 spheres, "));
+    const auto read = scene::parse_clump(text, "cone.csv").value();
+    REQUIRE(read.size() == spheres.size());
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        CHECK(read[i].centre == spheres[i].centre);
+        CHECK(read[i].radius == spheres[i].radius);
+    }
+}
+
+TEST_CASE("the thesis' cone of 65 spheres is short of its own cone of 20 by 24 mm") {
+    const auto spheres = scene::read_clump(TUMBLE_ROOT "/scenes/clumps/cone-65.csv").value();
+    const Report report = compare(solid_of(Cone{0.020, 0.024}), spheres);
+    CHECK(report.solid_volume == doctest::Approx(pi * 1e-4 * 0.024 / 3).epsilon(1e-4).scale(0));
+    CHECK(report.union_volume == doctest::Approx(2.80571e-6).epsilon(1e-5).scale(0)); // fuller than the ideal cone
+}

@@ -1,0 +1,91 @@
+#include "frames.h"
+#include "observe/tracer.h"
+
+#include <doctest/doctest.h>
+#include <map>
+
+using namespace tumble;
+using namespace tumble::test;
+
+namespace {
+
+constexpr double g = 9.81;
+
+/// One row as columns by name.
+std::map<std::string, double> told(observe::TracerReader& reader, const observe::Frame& frame) {
+    const std::vector<std::string> heads = reader.columns();
+    const std::vector<double> values = reader.row(frame);
+    REQUIRE(heads.size() == values.size());
+    std::map<std::string, double> row;
+    for (std::size_t i = 0; i < heads.size(); ++i)
+        row[heads[i].substr(std::string("tracer:sensor_").size())] = values[i];
+    return row;
+}
+
+observe::Tracer sensor(const Vector3d& point) {
+    return {"sensor", 0, point, Eigen::Quaterniond::Identity(), {0, -g, 0}};
+}
+
+observe::Frame with_body(double time, const Vector3d& position, const Vector3d& velocity,
+                         const Eigen::Quaterniond& orientation = Eigen::Quaterniond::Identity(),
+                         const Vector3d& spin = Vector3d::Zero()) {
+    observe::Frame frame;
+    frame.layout = open_layout(ball(0.01, 0.02));
+    frame.time = time;
+    add_body(frame, position, velocity, spin);
+    frame.orientation.back() = orientation;
+    return frame;
+}
+
+} // namespace
+
+TEST_CASE("at rest a sensor feels g upwards in its own frame, in free fall nothing") {
+    observe::TracerReader lying(sensor(Vector3d::Zero()));
+    // Laid on its side: the sensor's x looks down.
+    const Eigen::Quaterniond side(Eigen::AngleAxisd(-M_PI / 2, Vector3d::UnitZ()));
+    const auto first = told(lying, with_body(0, {0, 0.1, 0}, Vector3d::Zero(), side));
+    CHECK(std::isnan(first.at("felt_x_m_s2"))); // no time has passed yet
+    CHECK(first.at("y_m") == 0.1);
+    const auto rest = told(lying, with_body(0.01, {0, 0.1, 0}, Vector3d::Zero(), side));
+    CHECK(rest.at("felt_x_m_s2") == doctest::Approx(-g).scale(0));
+    CHECK(rest.at("felt_y_m_s2") == doctest::Approx(0).scale(1));
+    CHECK(rest.at("ay_m_s2") == doctest::Approx(0).scale(1));
+
+    observe::TracerReader falling(sensor(Vector3d(0.02, 0, 0)));
+    told(falling, with_body(0, {0, 1, 0}, {1, 0, 0}));
+    const auto fall = told(falling, with_body(0.01, {0.01, 1, 0}, {1, -0.01 * g, 0}));
+    CHECK(fall.at("ay_m_s2") == doctest::Approx(-g).scale(0));
+    for (const char* axis : {"felt_x_m_s2", "felt_y_m_s2", "felt_z_m_s2"})
+        CHECK(fall.at(axis) == doctest::Approx(0).scale(1));
+}
+
+TEST_CASE("carried round an axis, a sensor off its body's centre feels the centripetal acceleration of its own place") {
+    // The body turns with the circle, once in 2 pi / 5 s; the sensor sits 20 mm farther out than the centre at 0.1 m.
+    observe::TracerReader reader(sensor(Vector3d(0.02, 0, 0)));
+    const double rate = 5, radius = 0.1;
+    std::map<std::string, double> row;
+    for (int i = 0; i <= 10; ++i) {
+        const double angle = rate * 0.001 * i;
+        const Eigen::Quaterniond turn(Eigen::AngleAxisd(angle, Vector3d::UnitY()));
+        const Vector3d place = turn * Vector3d(radius, 0, 0), spin(0, rate, 0);
+        row = told(reader, with_body(0.001 * i, place, spin.cross(place), turn, spin));
+    }
+    CHECK(row.at("felt_x_m_s2") == doctest::Approx(-rate * rate * (radius + 0.02)).epsilon(1e-3).scale(0));
+    CHECK(row.at("felt_y_m_s2") == doctest::Approx(g).scale(0));
+    CHECK(row.at("spin_y_rad_s") == doctest::Approx(rate).scale(0));
+    CHECK(std::hypot(row.at("point_vx_m_s"), row.at("point_vz_m_s")) ==
+          doctest::Approx(rate * (radius + 0.02)).scale(0));
+    CHECK(std::hypot(row.at("ax_m_s2"), row.at("az_m_s2")) ==
+          doctest::Approx(rate * rate * radius).epsilon(1e-3).scale(0));
+}
+
+TEST_CASE("a tracer follows the body of its shape with the lowest id, and is not a number while there is none") {
+    observe::TracerReader reader(sensor(Vector3d::Zero()));
+    observe::Frame frame = with_body(0, {7, 0, 0}, Vector3d::Zero());
+    frame.shape[0] = 1;
+    CHECK(std::isnan(told(reader, frame).at("x_m")));
+    add_body(frame, {2, 0, 0});
+    add_body(frame, {1, 0, 0});
+    frame.id = {0, 5, 3};
+    CHECK(told(reader, frame).at("x_m") == 1);
+}

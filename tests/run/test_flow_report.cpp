@@ -1,0 +1,111 @@
+#include "folder.h"
+#include "observe/series.h"
+#include "run/flow_report.h"
+#include "run/run_scene.h"
+#include "scene/load.h"
+
+#include <doctest/doctest.h>
+#include <numbers>
+
+using namespace tumble;
+
+namespace {
+
+/// Two balls tied to nothing: one goes straight, the other falls and bounces on a plate.
+const std::string two_balls = R"(
+duration_s = 0.9
+time_step_s = 1e-4
+gravity_m_s2 = [0, -9.81, 0]
+[domain]
+lo_m = [-0.5, -0.1, -0.5]
+hi_m = [0.5, 0.5, 0.5]
+[material.soft]
+density_kg_m3 = 1000
+youngs_modulus_Pa = 1e6
+poisson_ratio = 0.3
+[pair.soft-soft]
+restitution = 1
+friction = 0
+[body.heavy]
+radius_m = 0.02
+material = "soft"
+[body.bouncer]
+radius_m = 0.01
+material = "soft"
+tracer_point_m = [0.005, 0, 0]
+[[fill]]
+body = "heavy"
+count = 1
+position_m = [-0.2, 0.02, 0]
+velocity_m_s = [0.2, 0, 0]
+[[fill]]
+body = "bouncer"
+count = 1
+position_m = [0.1, 0.06, 0.2]
+orientation = "as_written"
+[[wall]]
+name = "plate"
+shape = "plane"
+point_m = [0, 0, 0]
+material = "soft"
+[observe]
+every_s = 0.005
+measures = ["bodies", "tracer:bouncer"]
+[render]
+every_s = 0.005
+)";
+
+scene::Scene scene_of(const std::string& text) {
+    auto scene = scene::load_scene_text(text, "two-balls.toml");
+    REQUIRE_MESSAGE(scene.ok(), to_string(scene.problems()));
+    return *scene;
+}
+
+} // namespace
+
+TEST_CASE("a bouncing ball's cycle is two free falls, in the frames and in its tracer's columns") {
+    const test::Folder folder;
+    run::RunOptions options;
+    options.folder = folder.path / "run";
+    run::RunListener silent;
+    const auto done = run::run_scene(scene_of(two_balls), options, silent);
+    REQUIRE_MESSAGE(done.ok(), to_string(done.problems()));
+
+    run::FlowOptions flow;
+    flow.bodies = {"bouncer"};
+    flow.grid.rings = 3;
+    flow.grid.layers = 4;
+    const auto report = run::read_flow(options.folder, flow, [](std::int64_t, std::int64_t) {});
+    REQUIRE_MESSAGE(report.ok(), to_string(report.problems()));
+    // Dropped by 50 mm: 2 sqrt(2 h / g) = 0.202 s from top to top, and 4 ms of the soft contact.
+    const observe::Cycle cycle = report->paths[0].cycle();
+    CHECK(cycle.period == doctest::Approx(2 * std::sqrt(2 * 0.05 / 9.81)).epsilon(0.06).scale(0));
+    CHECK(cycle.peak_to_peak == doctest::Approx(0.05).epsilon(0.06).scale(0));
+    CHECK(report->kinetic.front() == doctest::Approx(0.5 * 1000 * 4 * std::numbers::pi / 3 * 8e-6 * 0.04).scale(0));
+
+    const auto series = observe::read_series(options.folder / "series.csv").value();
+    const auto* height = series.find("tracer:bouncer_y");
+    const auto* time = series.find("time");
+    REQUIRE(height != nullptr);
+    CHECK(observe::find_cycle(*time, *height).period == doctest::Approx(cycle.period).epsilon(1e-9).scale(0));
+    // In flight nothing is felt, on the plate a push upwards.
+    const auto* felt = series.find("tracer:bouncer_felt_y");
+    REQUIRE(felt != nullptr);
+    CHECK(std::abs((*felt)[10]) < 1e-3);
+    CHECK(*std::max_element(felt->begin() + 1, felt->end()) > 50);
+    CHECK(run::write_flow(*report, folder.path / "tables").value().size() == 4);
+}
+
+TEST_CASE("a tracer of a body that is not there is refused where it is written, with the nearest name") {
+    std::string text = two_balls;
+    text.replace(text.find("tracer:bouncer"), 14, "tracer:bounzer");
+    const test::Folder folder;
+    run::RunOptions options;
+    options.folder = folder.path / "run";
+    run::RunListener silent;
+    const auto done = run::run_scene(scene_of(text), options, silent);
+    REQUIRE(!done.ok());
+    CHECK(done.problems()[0].what == "there is no body 'bounzer' to trace");
+    CHECK(done.problems()[0].fix == "did you mean 'bouncer'?");
+    CHECK(done.problems()[0].line > 0);
+}

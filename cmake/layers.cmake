@@ -7,9 +7,12 @@ set(TUMBLE_EXTERNAL_sim2d Eigen3::Eigen)
 set(TUMBLE_EXTERNAL_sim3d Eigen3::Eigen)
 set(TUMBLE_EXTERNAL_hard2d Eigen3::Eigen box2d::box2d)
 set(TUMBLE_EXTERNAL_render Eigen3::Eigen PkgConfig::osmesa imgui stb)
+set(TUMBLE_EXTERNAL_sheet nlohmann_json::nlohmann_json)
+set(TUMBLE_EXTERNAL_excitation Eigen3::Eigen)
 set(TUMBLE_EXTERNAL_run Eigen3::Eigen nlohmann_json::nlohmann_json)
 set(TUMBLE_EXTERNAL_fit Eigen3::Eigen)
 set(TUMBLE_EXTERNAL_lesson Eigen3::Eigen nlohmann_json::nlohmann_json)
+set(TUMBLE_EXTERNAL_lab Eigen3::Eigen)
 set(TUMBLE_EXTERNAL_cli CLI11::CLI11 nlohmann_json::nlohmann_json)
 
 # One static library a folder, linked as src/layers.txt says; src/cli becomes the program.
@@ -39,8 +42,8 @@ function(tumble_layers list)
       target_include_directories(${target} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/src)
       target_link_libraries(${target} PUBLIC ${below} ${TUMBLE_EXTERNAL_${name}} PRIVATE tumble_options)
       tumble_precompile(${target} tumble_headers)
-      # Lessons each have a Setup and parts of their own under equal names.
-      if(TUMBLE_UNITY_BUILD AND NOT name STREQUAL lesson)
+      # Lessons, experiments and fits each have a Setup, constants and parts of their own under equal names.
+      if(TUMBLE_UNITY_BUILD AND NOT name MATCHES "^(lesson|lab|excitation)$")
         set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
       endif()
     endif()

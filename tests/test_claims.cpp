@@ -1,5 +1,6 @@
 // Every shipped scene states a claim; here its run is held to it. A granular bed is chaotic: means are held to the
 // scatter of seeds, parts of a run to a band a little wider than the scene has shown.
+#include "about.h"
 #include "folder.h"
 #include "observe/series.h"
 #include "run/run_scene.h"
@@ -14,6 +15,7 @@
 #include <numeric>
 
 using namespace tumble;
+using tumble::test::about;
 namespace fs = std::filesystem;
 
 namespace {
@@ -91,8 +93,8 @@ TEST_CASE("drop: the sphere rebounds to e^2 h less what gravity takes during the
 TEST_CASE("oblique: the sphere leaves as the hard-sphere result for full sliding says") {
     const sim3d::WorldPtr world = stepped(loaded("oblique.toml"));
     const sim3d::BodyState ball = sim3d::bodies_of(*world).front();
-    CHECK(ball.velocity.x() / 2.50687 == doctest::Approx(0.7829).epsilon(0.002));
-    CHECK(ball.angular_velocity.norm() == doctest::Approx(544.2).epsilon(0.002));
+    CHECK(ball.velocity.x() / 2.50687 == about(0.7829, 0.002));
+    CHECK(ball.angular_velocity.norm() == about(544.2, 0.002));
 }
 
 TEST_CASE("settle-cones: the cones come to rest and the books close") {
@@ -114,7 +116,7 @@ TEST_CASE("trough-quick: a trough that moves round a circle makes its load circu
         CHECK(part > 0.35);
         CHECK(part < 0.75);
     }
-    CHECK(circle.mean("circulation", 1.0, 2.0) == doctest::Approx(0.55).epsilon(0.15));
+    CHECK(circle.mean("circulation", 1.0, 2.0) == about(0.55, 0.15));
     CHECK(std::abs(circle.summary.books.closure) < 2e-3 * circle.summary.energy_turnover);
 }
 
@@ -126,7 +128,7 @@ TEST_CASE("trough-quick: in phase, on a straight line, it turns the other way an
         CHECK(part > -0.4);
         CHECK(part < -0.1);
     }
-    CHECK(line.mean("circulation", 1.0, 1.8) == doctest::Approx(-0.22).epsilon(0.25));
+    CHECK(line.mean("circulation", 1.0, 1.8) == about(-0.22, 0.25));
 }
 
 TEST_CASE("trough-slice: the load and the drive are the thesis'") {
@@ -135,15 +137,15 @@ TEST_CASE("trough-slice: the load and the drive are the thesis'") {
     REQUIRE_MESSAGE(world.ok(), to_string(world.problems()));
     const double cone = sim3d::shapes_of(**world).front().mass;
     // Table 5.2 weighs 4878 cones at 22.892 kg, with LIGGGHTS' sampling error in each (docs/peers.md).
-    CHECK(4878 * cone == doctest::Approx(22.892).epsilon(0.005));
-    CHECK(slice.time_step == doctest::Approx(1.0 / 350000).epsilon(1e-12));
+    CHECK(4878 * cone == about(22.892, 0.005));
+    CHECK(slice.time_step == about(1.0 / 350000, 1e-12));
     // Figure 5.21's strongest harmonic, 1.949 mm at 25 Hz, is a peak of 4.9 g upwards.
     double strongest = 0;
     for (const scene::Harmonic& harmonic : slice.walls.front().motion.harmonics)
         if (harmonic.axis == 1)
             strongest =
                 std::max(strongest, harmonic.amplitude * std::pow(2 * std::numbers::pi * harmonic.frequency, 2));
-    CHECK(strongest / 9.81 == doctest::Approx(4.9).epsilon(0.02));
+    CHECK(strongest / 9.81 == about(4.9, 0.02));
 }
 
 TEST_CASE("bowl: load, sensor, drive and size are the thesis'") {
@@ -225,7 +227,7 @@ TEST_CASE("shaken-bed-2d: the bed flies as high as an inelastic block, and stays
     CHECK(rises(flying, 1.5) > block * 0.97);
     CHECK(rises(flying, 1.5) < block * 1.25);
     const Ran lying(loaded("shaken-bed-2d.toml", {"duration_s=2.0", "wall.plate.motion.0.amplitude_m=0.00138"}));
-    CHECK(rises(lying, 1.5) == doctest::Approx(0.00138).epsilon(0.1));
+    CHECK(rises(lying, 1.5) == about(0.00138, 0.1));
 }
 
 TEST_CASE("hopper-2d: as many discs leave the slot a second when half the filling is gone") {
@@ -240,7 +242,7 @@ TEST_CASE("hopper-2d: as many discs leave the slot a second when half the fillin
         return below;
     };
     const int begun = left_until(1.44), half = left_until(2.04), end = left_until(2.64);
-    CHECK((half - begun) / 0.6 == doctest::Approx(743).epsilon(0.1));
+    CHECK((half - begun) / 0.6 == about(743, 0.1));
     CHECK(end - half > 0.88 * (half - begun));
     CHECK(end - half < 1.05 * (half - begun));
 }
@@ -265,15 +267,15 @@ TEST_CASE("trough-2d: moved round a circle, the trough makes its flat load circu
         CHECK(flat.mean("circulation", from, from + 0.4) < -0.25);
         CHECK(flat.mean("circulation", from, from + 0.4) > -0.9);
     }
-    CHECK(flat.mean("circulation", 2.0, 3.0) == doctest::Approx(-0.53).epsilon(0.25));
-    CHECK(flat.mean("surface_slope", 2.0, 3.0) == doctest::Approx(-8).epsilon(0.4));
+    CHECK(flat.mean("circulation", 2.0, 3.0) == about(-0.53, 0.25));
+    CHECK(flat.mean("surface_slope", 2.0, 3.0) == about(-8, 0.4));
     CHECK(std::abs(flat.summary.books.closure) < 0.01 * flat.summary.energy_turnover);
 }
 
 TEST_CASE("drum-2d: the surface of a slowly turning drum stands steeper than a heap") {
     const Ran drum(loaded("drum-2d.toml"));
     CHECK(drum.summary.unfilled.empty());
-    CHECK(drum.mean("surface_slope", 2.0, 5.0) == doctest::Approx(22.4).epsilon(0.1));
+    CHECK(drum.mean("surface_slope", 2.0, 5.0) == about(22.4, 0.1));
     for (double from = 2.2; from < 4.5; from += 0.4) {
         CAPTURE(from);
         CHECK(drum.mean("surface_slope", from, from + 0.4) > 18);

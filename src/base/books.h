@@ -16,11 +16,15 @@ struct Books {
     double gravity = 0; // potential, relative to the origin
     double stored_normal = 0;
     double stored_tangential = 0;
+    double stored_rolling = 0;
     double lost_normal_damping = 0;
     double lost_tangential_damping = 0;
     double lost_sliding = 0;
+    double lost_rolling = 0; // by resistance against rolling
     double lost_history = 0; // spring energy that the law drops when it projects, restiffens or forgets a history
     double lost_global_damping = 0; // by mass-proportional damping of bodies
+    double lost_air_drag = 0;       // to still air
+    double lost_adhesion = 0;       // with necks of adhesion that tore
     bool splits_losses = true;      // false: of losses only the sum is known, as what the balance lacks
     double lost_in_sum = 0;         // then
     double wall_work = 0;           // done by walls on bodies
@@ -37,12 +41,14 @@ struct Books {
 inline double lost_of(const Books& b) {
     if (!b.splits_losses)
         return b.lost_in_sum;
-    return b.lost_normal_damping + b.lost_tangential_damping + b.lost_sliding + b.lost_history + b.lost_global_damping;
+    return b.lost_normal_damping + b.lost_tangential_damping + b.lost_sliding + b.lost_history + b.lost_global_damping +
+           b.lost_rolling + b.lost_air_drag + b.lost_adhesion;
 }
 
 /// What the balance misses, J: everything there and lost, less everything put in.
 inline double closure_of(const Books& b) {
-    const double held = b.kinetic_translation + b.kinetic_rotation + b.gravity + b.stored_normal + b.stored_tangential;
+    const double held = b.kinetic_translation + b.kinetic_rotation + b.gravity + b.stored_normal + b.stored_tangential +
+                        b.stored_rolling;
     return held + lost_of(b) - b.inserted - b.wall_work;
 }
 

@@ -26,6 +26,15 @@ TUMBLE_INLINE double root(double x) {
 TUMBLE_INLINE double larger(double a, double b) {
     return a > b ? a : b;
 }
+TUMBLE_INLINE double logarithm(double x) {
+    return std::log(x);
+}
+TUMBLE_INLINE double exponential(double x) {
+    return std::exp(x);
+}
+TUMBLE_INLINE double cube_root(double x) {
+    return std::cbrt(x);
+}
 
 namespace TUMBLE_ISA {
 
@@ -97,6 +106,25 @@ TUMBLE_INLINE Pack root(Pack x) {
         r.v[lane] = __builtin_sqrt(x.v[lane]);
     return r;
 #endif
+}
+/// Lane by lane, the library's own.
+TUMBLE_INLINE Pack logarithm(Pack x) {
+    Pack r;
+    for (int lane = 0; lane < Pack::lanes; ++lane)
+        r.v[lane] = __builtin_log(x.v[lane]);
+    return r;
+}
+TUMBLE_INLINE Pack exponential(Pack x) {
+    Pack r;
+    for (int lane = 0; lane < Pack::lanes; ++lane)
+        r.v[lane] = __builtin_exp(x.v[lane]);
+    return r;
+}
+TUMBLE_INLINE Pack cube_root(Pack x) {
+    Pack r;
+    for (int lane = 0; lane < Pack::lanes; ++lane)
+        r.v[lane] = __builtin_cbrt(x.v[lane]);
+    return r;
 }
 /// Four doubles side by side: a row.
 using Quad = double __attribute__((vector_size(32)));

@@ -10,6 +10,9 @@ namespace {
 // millisecond of idling the helper sleeps.
 constexpr int spins_before_sleep = 20000;
 
+// A number that no part has.
+constexpr std::uint64_t closed = 0xffffffffU;
+
 void breathe() {
 #if defined(__x86_64__)
     __builtin_ia32_pause();
@@ -48,8 +51,9 @@ void Crew::work(int member, std::uint64_t round) {
             std::uint64_t ticket = next.load(std::memory_order_acquire);
             if ((ticket & ~0xffffffffULL) != tag)
                 return;
+            // Of a later round's count, share() has closed the part before, and the exchange below fails.
             if (static_cast<int>(ticket & 0xffffffffU) >=
-                begin_of_part(owner + 1, count_.load(std::memory_order_relaxed)))
+                begin_of_part(owner + 1, count_.load(std::memory_order_acquire)))
                 break;
             if (!next.compare_exchange_weak(ticket, ticket + 1, std::memory_order_acq_rel))
                 continue;
@@ -82,13 +86,16 @@ void Crew::share(int n, const std::function<void(int)>& task) {
             task(k);
         return;
     }
-    task_.store(&task, std::memory_order_relaxed);
-    count_.store(n, std::memory_order_relaxed);
-    done_.store(0, std::memory_order_relaxed);
     const std::uint64_t round = round_.load(std::memory_order_relaxed) + 1;
+    const std::uint64_t tag = (round & 0xffffffffU) << 32;
+    // A helper may still look for numbers of the last round: no part gives any while count and task change.
+    for (Part& part : parts_)
+        part.next.store(tag | closed, std::memory_order_relaxed);
+    task_.store(&task, std::memory_order_relaxed);
+    done_.store(0, std::memory_order_relaxed);
+    count_.store(n, std::memory_order_release);
     for (int member = 0; member < threads(); ++member)
-        parts_[static_cast<std::size_t>(member)].next.store((round & 0xffffffffU) << 32 |
-                                                                static_cast<std::uint64_t>(begin_of_part(member, n)),
+        parts_[static_cast<std::size_t>(member)].next.store(tag | static_cast<std::uint64_t>(begin_of_part(member, n)),
                                                             std::memory_order_release);
     round_.store(round, std::memory_order_release);
     round_.notify_all();

@@ -14,6 +14,8 @@ void add_render_command(CLI::App& program, Action& action);
 void add_check_command(CLI::App& program, Action& action);
 void add_list_command(CLI::App& program, Action& action);
 void add_lesson_command(CLI::App& program, Action& action);
+void add_excitation_command(CLI::App& program, Action& action);
+void add_lab_command(CLI::App& program, Action& action);
 void add_export_command(CLI::App& program, Action& action);
 void add_walls_command(CLI::App& program, Action& action);
 void add_fit_command(CLI::App& program, Action& action);

@@ -1,10 +1,11 @@
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "cli/sheet_flags.h"
 #include "lesson/film.h"
-#include "lesson/plot.h"
 #include "lesson/show.h"
 #include "observe/whole_file.h"
+#include "sheet/plot.h"
 
 #include <fmt/format.h>
 #include <memory>
@@ -23,47 +24,34 @@ struct LessonArguments {
 };
 
 struct WalkArguments {
-    std::vector<std::pair<std::string, std::string>> typed; // parameter, number
-    fs::path folder;                                        // for figures; empty: none
+    sheet::Typed typed;
+    fs::path folder; // for figures; empty: none
     bool json = false;
     bool answer = false;
 };
 
-std::optional<Problem> make_folder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error)
-        return Problem{.file = folder.string(), .what = "cannot be made: " + error.message()};
-    return std::nullopt;
-}
-
-/// Draws every figure once per ending, and every film as a picture. The files written, or what went wrong.
-Result<std::vector<fs::path>> draw_figures(const lesson::Walk& walk, const fs::path& folder,
-                                           const std::vector<std::string>& endings) {
-    if (const auto problem = make_folder(folder))
-        return *problem;
+/// The picture that stands for each film.
+Result<std::vector<fs::path>> draw_posters(const lesson::Walk& walk, const fs::path& folder) {
     std::vector<fs::path> files;
-    for (const lesson::Figure* figure : walk.figures())
-        for (const std::string& ending : endings) {
-            files.push_back(folder / (figure->name + ending));
-            if (const Result<Done> drawn = lesson::draw(*figure, files.back()); !drawn)
-                return drawn.problems();
-        }
-    for (const lesson::Film* film : walk.films()) {
-        files.push_back(folder / (film->name + ".png"));
-        if (const Result<Done> drawn = lesson::draw_poster(*film, files.back()); !drawn)
+    for (const lesson::Film& film : walk.films) {
+        files.push_back(folder / (film.name + ".png"));
+        if (const Result<Done> drawn = lesson::draw_poster(film, files.back()); !drawn)
             return drawn.problems();
     }
     return files;
 }
 
 /// Films move only where ffmpeg is; their pictures are there without.
-void shoot_films(const lesson::Walk& walk, const fs::path& folder) {
-    for (const lesson::Film* film : walk.films()) {
-        const fs::path file = folder / (film->name + ".mp4");
-        const Result<Done> shot = lesson::shoot(*film, file);
+int film_and_note(const lesson::Walk& walk, const fs::path& folder, bool json) {
+    const auto posters = draw_posters(walk, folder);
+    if (!posters)
+        return refuse(posters.problems(), json, failed);
+    for (const lesson::Film& film : walk.films) {
+        const fs::path file = folder / (film.name + ".mp4");
+        const Result<Done> shot = lesson::shoot(film, file);
         note(shot ? "video: " + file.string() : "no video: " + to_string(shot.problems().front()));
     }
+    return fine;
 }
 
 int walk_through(const Lesson& lesson, const WalkArguments& arguments) {
@@ -74,32 +62,30 @@ int walk_through(const Lesson& lesson, const WalkArguments& arguments) {
     if (!walk)
         return refuse(walk.problems(), arguments.json, wrong);
     if (!arguments.folder.empty()) {
-        const auto files = draw_figures(*walk, arguments.folder, {".png", ".svg"});
-        if (!files)
-            return refuse(files.problems(), arguments.json, failed);
-        for (const fs::path& file : *files)
-            note("figure: " + file.string());
-        shoot_films(*walk, arguments.folder);
+        if (const int code = draw_and_note(*walk, arguments.folder, arguments.json); code != fine)
+            return code;
+        if (const int code = film_and_note(*walk, arguments.folder, arguments.json); code != fine)
+            return code;
     }
     if (arguments.json)
         say_json(lesson::to_json(lesson, *values, *walk));
     else if (arguments.answer)
-        say(lesson::wrapped(walk->question, 96) + "\n" + lesson::wrapped(walk->answer, 96));
+        say(sheet::wrapped(walk->question, sheet::text_width) + "\n" + sheet::wrapped(walk->answer, sheet::text_width));
     else
         say(lesson::to_text(lesson, *values, *walk));
     return fine;
 }
 
 int write_pages(const fs::path& folder) {
-    if (const auto problem = make_folder(folder))
-        return refuse({*problem}, false, failed);
     for (const Lesson& lesson : lesson::all_lessons()) {
         const Result<lesson::Values> values = lesson::read_values(lesson);
         const Result<lesson::Walk> walk = lesson.teach(*values);
         if (!walk)
             return refuse(walk.problems(), false, failed);
-        if (const auto files = draw_figures(*walk, folder / lesson.name, {".svg"}); !files)
+        if (const auto files = sheet::draw_all(*walk, folder / lesson.name, {".svg"}); !files)
             return refuse(files.problems(), false, failed);
+        if (const auto posters = draw_posters(*walk, folder / lesson.name); !posters)
+            return refuse(posters.problems(), false, failed);
         const fs::path page = folder / (lesson.name + ".md");
         if (const auto written = observe::write_whole(page, to_page(lesson, *values, *walk)); !written)
             return refuse(written.problems(), false, failed);
@@ -130,23 +116,10 @@ int lesson_without_name(const LessonArguments& arguments) {
 }
 
 void add_lesson(CLI::App& all, const Lesson& lesson, Action& action) {
-    const std::string example =
-        lesson.parameters.empty()
-            ? ""
-            : fmt::format(" --{} {}", lesson.parameters.front().name, scene::plain(lesson.parameters.front().standard));
-    CLI::App* command = all.add_subcommand(
-        lesson.name, fmt::format("Example: tumble lesson {}{}\n\n{}.", lesson.name, example, lesson.title));
+    CLI::App* command = all.add_subcommand(lesson.name, fmt::format("Example: tumble lesson {}{}\n\n{}.", lesson.name,
+                                                                    example_of(lesson.parameters), lesson.title));
     const auto arguments = std::make_shared<WalkArguments>();
-    for (const lesson::Parameter& parameter : lesson.parameters)
-        command
-            ->add_option_function<std::string>(
-                "--" + parameter.name,
-                [arguments, name = parameter.name](const std::string& text) {
-                    arguments->typed.emplace_back(name, text);
-                },
-                fmt::format("{} ({}; {} without it)", parameter.sentence, describe(parameter),
-                            scene::plain(parameter.standard)))
-            ->type_name("X");
+    add_parameters(*command, lesson.parameters, arguments->typed);
     command
         ->add_option("--out", arguments->folder,
                      "Folder for the figures, as PNG and SVG (needs gnuplot), and videos (ffmpeg)")

@@ -4,21 +4,22 @@
 
 namespace tumble::contact {
 
-/// Tangential spring and dashpot under Coulomb's limit, the form that LIGGGHTS calls "tangential history": the spring
-/// is stretched by the slip, projected onto the present contact plane, and alone decides whether the contact slides;
-/// while it slides the dashpot is silent and the spring is cut back to the limit.
-///   slip_rate  m/s, tangential part of the relative velocity, half a step ago
-///   limit      N, friction * |normal force|
-///   stiffness  N/m;  damping  N s/m;  dt  s
-/// Losses are taken with the velocity at the step itself, estimated with the mass that a sphere shows tangentially,
-/// 2/7 of m*, so that they are second order in dt for one contact between spheres.
+/// A spring that is stretched across the normal by `rate`, its dashpot, and a limit of what the spring may bear, the
+/// form that LIGGGHTS calls "history": the stretch is projected onto the present contact plane and alone decides
+/// whether the contact gives way; while it does the dashpot is silent and the spring is cut back to the limit.
+///   rate       m/s or rad/s, across the normal, half a step ago
+///   limit      N or N m
+///   stiffness  per stretch;  damping  per rate
+///   half_kick  change of rate that one unit of force makes in half a step: losses are taken with the rate at the step
+///              itself, so that they are second order in dt for one contact between spheres
 template <class Real>
-TUMBLE_INLINE TangentialPush<Real> coulomb_spring(const Touch<Real>& touch, const Vec3<Real>& slip_rate, Real limit,
-                                                  Real stiffness, Real damping, const Memory<Real>& memory, Real dt) {
+TUMBLE_INLINE TangentialPush<Real> limited_spring(const Vec3<Real>& normal, const Vec3<Real>& rate, Real limit,
+                                                  Real stiffness, Real damping, const Memory<Real>& memory,
+                                                  Real half_kick, Real dt) {
     const Real none(0.0);
-    const Vec3<Real> kept = memory.spring - touch.normal * dot(memory.spring, touch.normal);
-    const Vec3<Real> step = slip_rate * dt;
-    const Vec3<Real> trial = kept + (step - touch.normal * dot(step, touch.normal));
+    const Vec3<Real> kept = memory.spring - normal * dot(memory.spring, normal);
+    const Vec3<Real> step = rate * dt;
+    const Vec3<Real> trial = kept + (step - normal * dot(step, normal));
     const Real stretch = root(dot(trial, trial));
     const Real spring_force = stiffness * stretch;
     const auto slides = spring_force > limit;
@@ -27,16 +28,24 @@ TUMBLE_INLINE TangentialPush<Real> coulomb_spring(const Touch<Real>& touch, cons
     TangentialPush<Real> push;
     push.memory.spring = trial * cut;
     const Real c = select(slides, none, damping);
-    push.force = (push.memory.spring * stiffness + slip_rate * c) * Real(-1.0);
+    push.force = (push.memory.spring * stiffness + rate * c) * Real(-1.0);
 
-    const Real half_kick = Real(0.5 * 7.0 / 2.0) * (dt / touch.mass);
-    const Vec3<Real> rate_now = slip_rate + push.force * half_kick;
-    push.lost_damping = c * dot(slip_rate, rate_now) * dt;
+    const Vec3<Real> rate_now = rate + push.force * half_kick;
+    push.lost_damping = c * dot(rate, rate_now) * dt;
     const Real after = cut * stretch;
     push.lost_sliding = stiffness * after * (stretch - after);
     push.memory.energy = Real(0.5) * stiffness * after * after;
     push.lost_history = memory.energy - Real(0.5) * stiffness * dot(kept, kept);
     return push;
+}
+
+/// Tangential spring and dashpot under Coulomb's limit (N, friction * |normal force|). A sphere shows tangentially 2/7
+/// of m*.
+template <class Real>
+TUMBLE_INLINE TangentialPush<Real> coulomb_spring(const Touch<Real>& touch, const Vec3<Real>& slip_rate, Real limit,
+                                                  Real stiffness, Real damping, const Memory<Real>& memory, Real dt) {
+    const Real half_kick = Real(0.5 * 7.0 / 2.0) * (dt / touch.mass);
+    return limited_spring(touch.normal, slip_rate, limit, stiffness, damping, memory, half_kick, dt);
 }
 
 } // namespace tumble::contact

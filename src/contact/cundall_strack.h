@@ -35,18 +35,30 @@ public:
     /// dt in s; rates are those of half a step ago, as leapfrog has them.
     template <class Real>
     TUMBLE_INLINE DiscPush<Real> push(const DiscTouch<Real>& touch, const DiscMemory<Real>& memory, Real dt) const {
+        return push(touch, memory, Real(friction_), Real(1.0), dt);
+    }
+
+    /// With this friction, and dashpots times `share`.
+    template <class Real>
+    TUMBLE_INLINE DiscPush<Real> push(const DiscTouch<Real>& touch, const DiscMemory<Real>& memory, Real friction,
+                                      Real share, Real dt) const {
         const Real root_mass = root(touch.mass);
         const Real half_kick = Real(0.5) * dt / touch.mass;
         DiscPush<Real> push;
-        push_apart(touch, root_mass, half_kick, push);
+        push_apart(touch, root_mass, share, half_kick, push);
         if (rubs_)
-            rub(touch, memory, root_mass, half_kick, dt, push);
+            rub(touch, memory, root_mass, friction, share, half_kick, dt, push);
         else
             push.shear = push.memory.shear = push.memory.energy = push.lost_shear_damping = push.lost_sliding =
                 Real(0.0);
         push.lost_normal_damping = push.lost_normal_damping * dt;
         push.lost_history = Real(0.0);
         return push;
+    }
+
+    /// N/m, of the normal spring: its force over the overlap.
+    template <class Real> TUMBLE_INLINE Real secant(const DiscTouch<Real>& touch) const {
+        return normal_.stiffness(touch.mass);
     }
 
 private:
@@ -56,11 +68,12 @@ private:
 
     /// (3.23), (3.25) and (3.27): the increments k_n n' dt add up to k_n times the overlap itself. D_n = c_n n'.
     template <class Real>
-    TUMBLE_INLINE void push_apart(const DiscTouch<Real>& touch, Real root_mass, Real half_kick,
+    TUMBLE_INLINE void push_apart(const DiscTouch<Real>& touch, Real root_mass, Real share, Real half_kick,
                                   DiscPush<Real>& push) const {
         const Real k = normal_.stiffness(touch.mass);
         const Real elastic = k * touch.overlap;
-        const Real sum = elastic + normal_.dashpot(k, touch.mass, root_mass, Real(damping_time_)) * touch.normal_rate;
+        const Real c = normal_.dashpot(k, touch.mass, root_mass, Real(damping_time_)) * share;
+        const Real sum = elastic + c * touch.normal_rate;
         push.normal = limit_force_ ? larger(sum, Real(0.0)) : sum;
         push.stored_normal = Real(0.5) * elastic * touch.overlap;
         // The dashpot's work is its force times the rate at the step, half a kick later.
@@ -70,15 +83,16 @@ private:
     /// (3.24), (3.26), (3.27), then Coulomb's limit F_n tan(phi) + c; the dashpot D_s = c_s s' is silent while the
     /// contact slides. For its losses a disc shows a third of m* to shear (inertia m R^2 / 2).
     template <class Real>
-    TUMBLE_INLINE void rub(const DiscTouch<Real>& touch, const DiscMemory<Real>& memory, Real root_mass, Real half_kick,
-                           Real dt, DiscPush<Real>& push) const {
+    TUMBLE_INLINE void rub(const DiscTouch<Real>& touch, const DiscMemory<Real>& memory, Real root_mass, Real friction,
+                           Real share, Real half_kick, Real dt, DiscPush<Real>& push) const {
         const Real k = shear_.stiffness(touch.mass);
         const Real trial = memory.shear + k * touch.shear_rate * dt;
         const Real size = larger(trial, -trial);
-        const Real limit = larger(Real(friction_) * push.normal + Real(cohesion_), Real(0.0));
+        const Real limit = larger(friction * push.normal + Real(cohesion_), Real(0.0));
         const auto slides = size > limit;
         const Real held = select(slides, select(trial < Real(0.0), -limit, limit), trial);
-        const Real c = select(slides, Real(0.0), shear_.dashpot(k, touch.mass, root_mass, Real(damping_time_)));
+        const Real dashpot = shear_.dashpot(k, touch.mass, root_mass, Real(damping_time_)) * share;
+        const Real c = select(slides, Real(0.0), dashpot);
         const Real viscous = c * touch.shear_rate;
         push.shear = held + viscous;
         push.memory.shear = held;

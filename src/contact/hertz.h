@@ -16,6 +16,10 @@ struct Hertz {
         const Real c = Real(pair.hertz_damping) * root(a * touch.mass) * touch.damping_share;
         return {elastic, -(c * normal_rate), Real(0.4) * elastic * touch.overlap, a};
     }
+    /// Elastic force over overlap, N/m, from the stiffness passed on.
+    template <class Real> TUMBLE_INLINE static Real secant(Real a, const PairConstants& pair) {
+        return Real(4.0 / 3.0 * pair.E_eff) * a;
+    }
 };
 
 } // namespace tumble::contact

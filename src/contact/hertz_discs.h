@@ -16,14 +16,21 @@ public:
     /// As CundallStrack::push.
     template <class Real>
     TUMBLE_INLINE DiscPush<Real> push(const DiscTouch<Real>& touch, const DiscMemory<Real>& memory, Real dt) const {
+        return push(touch, memory, Real(pair_.friction), Real(1.0), dt);
+    }
+
+    /// With this friction, and dashpots times `share`.
+    template <class Real>
+    TUMBLE_INLINE DiscPush<Real> push(const DiscTouch<Real>& touch, const DiscMemory<Real>& memory, Real friction,
+                                      Real share, Real dt) const {
         const Real none(0.0);
         const Vec3<Real> across{none, Real(1.0), none};
-        const Touch<Real> seen{touch.overlap, across, {none, none, none}, touch.radius, touch.mass, Real(1.0)};
+        const Touch<Real> seen{touch.overlap, across, {none, none, none}, touch.radius, touch.mass, share};
         const NormalPush<Real> normal = Hertz::push(seen, -touch.normal_rate, pair_);
         const Real sum = normal.elastic + normal.viscous;
         DiscPush<Real> push;
         push.normal = limit_force_ ? larger(sum, none) : sum;
-        const Real limit = Real(pair_.friction) * larger(push.normal, -push.normal);
+        const Real limit = friction * larger(push.normal, -push.normal);
         const TangentialPush<Real> shear =
             Tangential::push(seen, Vec3<Real>{touch.shear_rate, none, none}, limit, normal.stiffness, pair_,
                              Memory<Real>{{memory.shear, none, none}, memory.energy}, dt);
@@ -36,6 +43,11 @@ public:
         push.lost_sliding = shear.lost_sliding;
         push.lost_history = shear.lost_history;
         return push;
+    }
+
+    /// N/m, of the normal spring: its force over the overlap.
+    template <class Real> TUMBLE_INLINE Real secant(const DiscTouch<Real>& touch) const {
+        return Hertz::secant(root(touch.radius * touch.overlap), pair_);
     }
 
 private:

@@ -16,6 +16,8 @@ struct LinearNormal {
         const Real c = Real(2 * pair.damping) * root(k * touch.mass) * touch.damping_share;
         return {elastic, -(c * normal_rate), Real(0.5) * elastic * touch.overlap, k};
     }
+    /// Elastic force over overlap, N/m, from the stiffness passed on.
+    template <class Real> TUMBLE_INLINE static Real secant(Real k, const PairConstants&) { return k; }
 };
 
 /// The tangential twin of LinearNormal, with history and Coulomb's limit.

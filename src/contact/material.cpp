@@ -5,7 +5,31 @@
 
 namespace tumble::contact {
 
-PairConstants derive(const Material& a, const Material& b, const PairProperties& pair) {
+namespace {
+
+void add(const PairProperties& pair, const Additions& additions, double rolling_stiffness, PairConstants& constants) {
+    if (pair.rolling_friction > 0)
+        constants.rolling = additions.rolling;
+    constants.rolling_friction = pair.rolling_friction;
+    constants.rolling_stiffness = rolling_stiffness * pair.rolling_friction * pair.rolling_friction;
+    constants.rolling_damping = pair.rolling_damping;
+    constants.restitution_exponent = pair.restitution_exponent;
+    constants.restitution_speed = pair.restitution_speed;
+    constants.ln_restitution = std::log(pair.restitution);
+    constants.ln_restitution_most = std::log(pair.restitution_most);
+    if (pair.sliding_friction != pair.friction)
+        constants.sliding_speed = pair.sliding_speed;
+    constants.sliding_friction = pair.sliding_friction;
+    if ((additions.adhesion == AdhesionLaw::sjkr ? pair.cohesion_energy : pair.work_of_adhesion) > 0)
+        constants.adhesion = additions.adhesion;
+    constants.cohesion_energy = pair.cohesion_energy;
+    constants.work_of_adhesion = pair.work_of_adhesion;
+}
+
+} // namespace
+
+PairConstants derive(const Material& a, const Material& b, const PairProperties& pair, const Additions& additions,
+                     double rolling_stiffness) {
     const auto normal_compliance = [](const Material& m) {
         return (1 - m.poisson_ratio * m.poisson_ratio) / m.youngs_modulus;
     };
@@ -16,8 +40,9 @@ PairConstants derive(const Material& a, const Material& b, const PairProperties&
     constants.E_eff = 1 / (normal_compliance(a) + normal_compliance(b));
     constants.G_eff = 1 / (shear_compliance(a) + shear_compliance(b));
     const double ln_e = std::log(pair.restitution);
-    constants.damping =
-        pair.restitution > 0 ? -ln_e / std::sqrt(ln_e * ln_e + std::numbers::pi * std::numbers::pi) : 1.0;
+    constants.damping = pair.restitution > 0 && pair.restitution_exponent == 0
+                            ? -ln_e / std::sqrt(ln_e * ln_e + std::numbers::pi * std::numbers::pi)
+                            : 1.0;
     constants.hertz_damping = 2 * std::sqrt(5.0 / 6.0) * constants.damping * std::sqrt(2 * constants.E_eff);
     constants.mindlin_damping = 2 * std::sqrt(5.0 / 6.0) * constants.damping * std::sqrt(8 * constants.G_eff);
     constants.friction = pair.friction;
@@ -30,6 +55,7 @@ PairConstants derive(const Material& a, const Material& b, const PairProperties&
     constants.cohesion = pair.cohesion;
     constants.normal_stiffness = pair.normal_stiffness;
     constants.tangential_stiffness = pair.tangential_stiffness;
+    add(pair, additions, rolling_stiffness, constants);
     return constants;
 }
 

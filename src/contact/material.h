@@ -1,5 +1,7 @@
 #pragma once
 
+#include "contact/additions.h"
+
 #include <string>
 
 namespace tumble::contact {
@@ -23,6 +25,16 @@ struct PairProperties {
     double stiffness_ratio = 0; // -, k_s / k_n, in place of tangential_stiffness
     double damping_time = 0;    // s, dashpot over spring, in place of restitution
     double cohesion = 0;        // N
+    // Beyond the plain law; docs/laws.md.
+    double rolling_friction = 0;     // -, mu_r
+    double rolling_damping = 0.3;    // -, eta_r, share of the critical; EPSD
+    double restitution_exponent = 0; // -, p: restitution (v / restitution_speed)^-p
+    double restitution_speed = 0;    // m/s
+    double restitution_most = 1;     // -
+    double sliding_friction = 0;     // -, what friction falls to in fast sliding; only where sliding_speed > 0
+    double sliding_speed = 0;        // m/s
+    double cohesion_energy = 0;      // J/m3, SJKR
+    double work_of_adhesion = 0;     // J/m2, JKR and DMT
 };
 
 /// Effective constants of a pair, derived once and used in every contact of that pair.
@@ -39,11 +51,36 @@ struct PairConstants {
     double stiffness_ratio = 0;      // -, k_s over k_n
     double damping_time = 0;         // s, dashpot over spring
     double cohesion = 0;             // N
+    // Beyond the plain law.
+    RollingLaw rolling = RollingLaw::none;
+    double rolling_friction = 0;     // -
+    double rolling_stiffness = 0;    // -, k_r over k_n R*^2
+    double rolling_damping = 0;      // -
+    double restitution_exponent = 0; // -
+    double restitution_speed = 0;    // m/s
+    double ln_restitution = 0;       // at that speed
+    double ln_restitution_most = 0;
+    double sliding_friction = 0; // -
+    double sliding_speed = 0;    // m/s, 0: friction does not fall
+    AdhesionLaw adhesion = AdhesionLaw::none;
+    double cohesion_energy = 0;  // J/m3
+    double work_of_adhesion = 0; // J/m2
+
+    /// Nothing is added: Law and FullLaw are the same.
+    [[nodiscard]] bool plain() const {
+        return rolling == RollingLaw::none && restitution_exponent == 0 && sliding_speed == 0 &&
+               adhesion == AdhesionLaw::none;
+    }
 };
 
-/// Johnson 1985 (E*), Mindlin 1949 (G*), Tsuji et al. 1992 (beta). Restitution 0 gives damping 1. A contact that lasts
-/// t_c with restitution e has k = m* (pi^2 + ln^2 e) / t_c^2, the half period of the damped oscillator; at e = 0, which
-/// never parts, the undamped half period counts.
-PairConstants derive(const Material& a, const Material& b, const PairProperties& pair);
+/// The prefactor of EPSD's rolling stiffness (Ai et al. 2011, after Jiang et al. 2005 for discs).
+constexpr double rolling_stiffness_of_spheres = 2.25, rolling_stiffness_of_discs = 3;
+
+/// Johnson 1985 (E*), Mindlin 1949 (G*), Tsuji et al. 1992 (beta). Restitution 0 gives damping 1, and so does one that
+/// falls with speed: the law then scales the dashpots itself. An addition whose parameter is 0 is none. A contact that
+/// lasts t_c with restitution e has k = m* (pi^2 + ln^2 e) / t_c^2, the half period of the damped oscillator; at e = 0,
+/// which never parts, the undamped half period counts.
+PairConstants derive(const Material& a, const Material& b, const PairProperties& pair, const Additions& additions = {},
+                     double rolling_stiffness = rolling_stiffness_of_spheres);
 
 } // namespace tumble::contact

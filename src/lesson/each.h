@@ -11,6 +11,7 @@ Lesson time_step();
 Lesson restitution();
 Lesson energy();
 Lesson friction();
+Lesson rolling_resistance();
 Lesson clumps();
 Lesson repose();
 Lesson soft_and_hard();

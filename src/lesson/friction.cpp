@@ -198,7 +198,7 @@ std::optional<Problem> slip_to_roll(Walk& walk, double mu, double speed) {
     Result<Film> shown = film_of_slip(mu, speed, 1.6 * until);
     if (!shown)
         return shown.problems().front();
-    walk.parts.emplace_back(std::move(*shown));
+    walk.show(std::move(*shown));
     return std::nullopt;
 }
 

@@ -150,7 +150,7 @@ std::optional<Problem> add_packing(Walk& walk, double friction) {
         }
     }
     walk.parts.emplace_back(grid);
-    walk.parts.emplace_back(std::move(film));
+    walk.show(std::move(film));
     walk.say(
         "Friction decides more than shape: without it both lie closer. Between spheres and cones of one volume there "
         "is no "

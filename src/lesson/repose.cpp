@@ -26,15 +26,6 @@ struct Heap {
     std::vector<observe::Frame> frames;
 };
 
-/// Teeth as wide as a disc, so that the lowest row cannot roll away.
-scene::PolylineShape rough_floor() {
-    scene::PolylineShape floor;
-    const auto teeth = static_cast<int>(half / radius);
-    for (int k = -teeth; k <= teeth; ++k)
-        floor.points.emplace_back(k * radius, k % 2 == 0 ? -radius : 0.0);
-    return floor;
-}
-
 Result<Heap> pour(const std::vector<scene::Sphere>& body, double friction, double count) {
     scene::Scene scene = plane_stage(linear_pair(stiffness, 0.8, 0.5, friction), dt);
     scene.depth = 0.01;
@@ -42,7 +33,7 @@ Result<Heap> pour(const std::vector<scene::Sphere>& body, double friction, doubl
     scene.domain.box = {{-half, -0.05, -0.005}, {half, 0.5, 0.005}};
     scene.materials[0].density = 2500;
     add_body(scene, body);
-    add_wall(scene, scene::Outline(rough_floor()));
+    add_wall(scene, scene::Outline(scene::toothed_floor(half, radius)));
     for (const double side : {-half, half})
         add_wall(scene, scene::Outline(scene::SegmentShape{{side, -0.02}, {side, 0.5}}));
     scene::Fill fill;
@@ -66,17 +57,6 @@ Result<Heap> pour(const std::vector<scene::Sphere>& body, double friction, doubl
     return heap;
 }
 
-/// Three discs in a triangle, of about the area of one disc.
-std::vector<scene::Sphere> wedge() {
-    const double r = 0.62 * radius; // m, and so far are the centres from the middle
-    std::vector<scene::Sphere> discs;
-    for (const double turn : {90.0, 210.0, 330.0}) {
-        const double angle = turn / 180 * std::numbers::pi;
-        discs.push_back({{r * std::cos(angle), r * std::sin(angle), 0}, r});
-    }
-    return discs;
-}
-
 Result<Walk> teach(const Values& values) {
     const double mu = values["friction"], count = values["count"];
     const std::vector<scene::Sphere> disc{{Eigen::Vector3d::Zero(), radius}};
@@ -86,9 +66,10 @@ Result<Walk> teach(const Values& values) {
         std::vector<scene::Sphere> body;
         double friction;
     };
-    const std::vector<Case> cases{{"discs, no friction", "angle_smooth", disc, 0},
-                                  {fmt::format("discs, μ = {:.3g}", mu), "angle_discs", disc, mu},
-                                  {fmt::format("wedges, μ = {:.3g}", mu), "angle_wedges", wedge(), mu}};
+    const std::vector<Case> cases{
+        {"discs, no friction", "angle_smooth", disc, 0},
+        {fmt::format("discs, μ = {:.3g}", mu), "angle_discs", disc, mu},
+        {fmt::format("wedges, μ = {:.3g}", mu), "angle_wedges", scene::disc_triangle(radius), mu}};
     Walk walk;
     walk.say(fmt::format(
         "{:.0f} bodies fall one after the other onto the middle of a rough floor, and what stays is a heap. Its slope "
@@ -126,7 +107,7 @@ Result<Walk> teach(const Values& values) {
     }
     walk.parts.emplace_back(grid);
     walk.parts.emplace_back(figure);
-    walk.parts.emplace_back(std::move(film));
+    walk.show(std::move(film));
     walk.say(
         fmt::format("Without friction discs run apart. With it they still roll, so their heap is flat, far below "
                     "arctan μ, at which a block would begin to slide (`tumble lesson friction`). Three discs bound "

@@ -211,7 +211,7 @@ std::optional<Problem> cost(Walk& walk, const Setup& s) {
         film.reels.push_back(std::move(*reel));
     }
     film.poster = 25;
-    walk.parts.emplace_back(std::move(film));
+    walk.show(std::move(film));
     walk.say("So a hard step is longer and dearer, and who wins depends on the stiffness that the soft side has to "
              "resolve. Stiffer contacts shorten the soft step by the root of κ and leave the hard one as it is.");
     walk.fact("soft_steps", static_cast<double>(soft->steps));

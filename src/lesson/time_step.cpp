@@ -285,7 +285,7 @@ Result<Walk> teach(const Values& values) {
     Result<Film> heap = film_of_heap(s);
     if (!heap)
         return heap.problems();
-    walk.parts.emplace_back(std::move(*heap));
+    walk.show(std::move(*heap));
 
     walk.head("Stable is not yet accurate");
     walk.say(

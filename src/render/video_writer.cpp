@@ -1,7 +1,7 @@
 #include "render/video_writer.h"
 
+#include "base/child_process.h"
 #include "base/text.h"
-#include "render/child_process.h"
 #include "render/file_swap.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "render/child_process.h"
+#include "base/child_process.h"
 #include "run/flow_report.h"
 
 #include <cerrno>
@@ -88,7 +88,7 @@ std::string script_of(const FlowReport& report, const std::filesystem::path& fil
 } // namespace
 
 Result<Done> draw_flow(const FlowReport& report, const std::filesystem::path& file) {
-    render::ChildProcess gnuplot({"gnuplot"});
+    ChildProcess gnuplot({"gnuplot"});
     if (gnuplot.error() == ENOENT)
         return Problem{.what = "gnuplot, which draws the field, is not installed",
                        .fix = "apt install gnuplot-nox, or leave --picture away: the tables need no gnuplot"};

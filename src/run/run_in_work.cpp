@@ -33,7 +33,7 @@ std::filesystem::path folder_for(const scene::Scene& scene, const RunOptions& op
 
 double turned_over(const Books& books) {
     return books.kinetic_translation + books.kinetic_rotation + books.stored_normal + books.stored_tangential +
-           lost_of(books);
+           books.stored_rolling + lost_of(books);
 }
 
 /// What the sums of the books may miss by rounding alone: n terms, n roundings.

@@ -19,13 +19,13 @@ namespace tumble::run {
 
 namespace {
 
-// Rates of one core of the machine this was written on, for bodies of many spheres in dense flow and for single
-// spheres: a guess at the cost, right within a factor of a few on others. Memory per body: state, candidate lists and
-// contacts of a dense bed.
-constexpr double clump_rate = 1.0e6;
-constexpr double sphere_rate = 3.0e6;
-constexpr double disc_rate = 1.0e7; // discs, those of clumps too
-constexpr double hard_rate = 1.0e6; // bodies of Box2D at its usual iterations
+// Body-steps/s of one core in dense flow, bodies of many spheres and single spheres, as docs/performance.md has them
+// for one machine: a guess at the cost, right within a factor of a few on others. Memory per body: state, candidate
+// lists and contacts of a dense bed.
+constexpr double clump_rate = 3e6;
+constexpr double sphere_rate = 1.5e7;
+constexpr double disc_rate = 3e7; // discs, those of clumps too
+constexpr double hard_rate = 1e6; // bodies of Box2D at its usual iterations
 constexpr double bytes_per_body = 2500;
 constexpr double bytes_per_sphere = 60;
 constexpr double bytes_of_program = 2e7;

@@ -52,6 +52,36 @@ std::vector<Key> linear_law_of_discs() {
     };
 }
 
+/// What a pair may add to its plain law, docs/laws.md.
+std::vector<Key> additions() {
+    return {
+        number("rolling_friction", "", from(0, 1),
+               "Coefficient of rolling friction mu_r of `rolling`: the torque is at most mu_r R* F_n.")
+            .otherwise(0.0),
+        number("rolling_damping", "", from(0, 10), "Share of critical damping of the rolling spring of \"epsd\".")
+            .otherwise(0.3),
+        number(
+            "restitution_exponent", "", from(0, 1),
+            "p of a restitution that falls with the speed of impact: `restitution` (v / `restitution_speed_m_s`)^-p. "
+            "1/4 for plastic impacts, about 1/5 for viscoelastic ones; 0: it does not fall.")
+            .otherwise(0.0),
+        number("restitution_speed_m_s", "m/s", above(0, 1e4), "The speed of impact at which `restitution` holds."),
+        number("restitution_most", "", above(0, 1),
+               "What a restitution that falls with speed is at most in slow impacts.")
+            .otherwise(1.0),
+        number("sliding_friction", "", from(0, 10),
+               "What `friction` falls to in fast sliding: mu_k + (`friction` - mu_k) exp(-v / `sliding_speed_m_s`)."),
+        number("sliding_speed_m_s", "m/s", above(0, 1e4), "The speed of sliding v_c over which friction falls."),
+        number("cohesion_energy_J_m3", "J/m3", from(0, 1e12), "Pull per area of contact, of `adhesion = \"sjkr\"`.")
+            .in_3d()
+            .otherwise(0.0),
+        number("work_of_adhesion_J_m2", "J/m2", from(0, 1e3),
+               "Work that parts the surfaces, per area, of `adhesion = \"jkr\"` and `\"dmt\"`.")
+            .in_3d()
+            .otherwise(0.0),
+    };
+}
+
 KeyTable pair() {
     KeyTable table{.path = "pair", .head = "[pair.A-B]", .repeat = Repeat::named};
     table.sentence = "What two materials do to each other; also of one with itself, `[pair.media-media]`. Every two "
@@ -69,8 +99,9 @@ KeyTable pair() {
                "Spring of `tangential = \"linear\"`, required by it.")
             .in_3d(),
     };
-    for (const Key& key : linear_law_of_discs())
-        table.keys.push_back(key);
+    for (const auto part : {linear_law_of_discs, additions})
+        for (const Key& key : part())
+            table.keys.push_back(key);
     return table;
 }
 

@@ -1,4 +1,5 @@
 #include "scene/key_maker.h"
+#include "scene/laws.h"
 
 namespace tumble::scene {
 namespace {
@@ -94,8 +95,19 @@ KeyTable contact() {
              "Tangential force with history; \"linear\" goes with \"linear\", \"mindlin\" with \"hertz\".")
             .in_2d()
             .otherwise(std::string("linear")),
+        word("rolling", {words_of_rolling.begin(), words_of_rolling.end()},
+             "Resistance against rolling of pairs with a `rolling_friction`: \"cdt\" constant directional torque, "
+             "\"epsd\" elastic-plastic spring-dashpot.")
+            .otherwise(std::string("none")),
+        word("adhesion", {words_of_adhesion.begin(), words_of_adhesion.end()},
+             "Attraction of touching surfaces: \"sjkr\" by contact area from a `cohesion_energy_J_m3`, \"jkr\" and "
+             "\"dmt\" from a `work_of_adhesion_J_m2`; these two go with `normal = \"hertz\"`.")
+            .in_3d()
+            .otherwise(std::string("none")),
         flag("limit_force", "True: the normal force never pulls at the end of a rebound."),
-        flag("share_among_body_contacts", "True: the contacts of one body pair act together as one spring.").in_3d(),
+        flag("share_among_body_contacts",
+             "True: n contacts of one body pair share one dashpot, each damps 1/sqrt(n) as much; their springs add up.")
+            .in_3d(),
         number("global_damping_per_s", "1/s", from(0, 1e6),
                "Mass-proportional damping of every body's motion, alpha of Cundall and Strack: a force -alpha m v.")
             .in_2d()
@@ -108,10 +120,35 @@ KeyTable contact() {
     return table;
 }
 
+KeyTable air() {
+    KeyTable table{.path = "air", .head = "[air]"};
+    table.sentence =
+        "Still air, or another medium at rest, that drags on every body as on the sphere of its volume, or the "
+        "disc of its area. It neither carries bodies up nor turns them.";
+    table.keys = {
+        number("density_kg_m3", "kg/m3", from(0, 2e4),
+               "Density, for the drag rho C_d / 2 A v^2; that of air is 1.2 kg/m3.")
+            .otherwise(0.0),
+        number("drag_coefficient", "", from(0, 100),
+               "C_d; 0.44 is that of a sphere at Reynolds numbers of 1e3 to 2e5 (Clift, Grace and Weber 1978).")
+            .in_3d()
+            .otherwise(0.44),
+        number("drag_coefficient", "", from(0, 100),
+               "C_d; 1.1 is that of a cylinder across its axis at Reynolds numbers of 1e3 to 2e5 (Hoerner 1965).")
+            .in_2d()
+            .otherwise(1.1),
+        number("viscosity_Pa_s", "Pa s", from(0, 1e6),
+               "Viscosity, for the drag 3 pi mu d v of Stokes; that of air is 1.8e-5 Pa s.")
+            .in_3d()
+            .otherwise(0.0),
+    };
+    return table;
+}
+
 } // namespace
 
 std::vector<KeyTable> world_tables() {
-    return {top_level(), domain(), contact(), box2d()};
+    return {top_level(), domain(), contact(), box2d(), air()};
 }
 
 } // namespace tumble::scene

@@ -31,6 +31,10 @@ void resolve_fills(const View& root, const Resolving& to);     // fill
 void resolve_walls(const View& root, const Resolving& to);     // wall, wall.motion
 void resolve_output(const View& root, const Resolving& to);    // observe, render
 
+/// What a pair adds to its plain law.
+void resolve_additions(const View& pair, const Resolving& to, contact::PairProperties& properties);
+/// A law that no pair gives a parameter for is reported at the law.
+void check_additions(const View& root, const Resolving& to);
 /// After all of those: what Box2D is told, with the steps that the scene's bodies and walls ask for.
 void resolve_box2d(const View& root, const Resolving& to);
 

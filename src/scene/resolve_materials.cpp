@@ -125,6 +125,7 @@ void resolve_pair(const NamedView& named, const Resolving& to, std::map<std::pai
             view, "tangential_stiffness_N_per_m",
             fmt::format("{} has no 'tangential_stiffness_N_per_m', which tangential = \"linear\" needs", view.title()),
             "add it, a number in N/m above 0");
+    resolve_additions(view, to, pair);
     const std::size_t n = scene.materials.size();
     scene.pairs[static_cast<std::size_t>(first) * n + static_cast<std::size_t>(second)] = pair;
     scene.pairs[static_cast<std::size_t>(second) * n + static_cast<std::size_t>(first)] = pair;
@@ -202,6 +203,7 @@ void resolve_materials(const View& root, const Resolving& to) {
     std::map<std::pair<int, int>, std::string> seen;
     for (const NamedView& named : root.children("pair"))
         resolve_pair(named, to, seen);
+    check_additions(root, to);
 }
 
 void check_pairs(const View& root, const Resolving& to) {

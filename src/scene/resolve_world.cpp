@@ -1,6 +1,7 @@
 #include "scene/keys.h"
 #include "scene/resolve.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -88,6 +89,20 @@ void resolve_contact(const View& view, const Resolving& to) {
     laws.tangential = tangential == "none"     ? TangentialLaw::none
                       : tangential == "linear" ? TangentialLaw::linear
                                                : TangentialLaw::mindlin;
+    const auto rolling = std::find(words_of_rolling.begin(), words_of_rolling.end(), view.text("rolling"));
+    if (rolling != words_of_rolling.end())
+        laws.additions.rolling = static_cast<contact::RollingLaw>(rolling - words_of_rolling.begin());
+    if (to.scene.dimension == 3) {
+        const auto adhesion = std::find(words_of_adhesion.begin(), words_of_adhesion.end(), view.text("adhesion"));
+        if (adhesion != words_of_adhesion.end())
+            laws.additions.adhesion = static_cast<contact::AdhesionLaw>(adhesion - words_of_adhesion.begin());
+        if (laws.normal == NormalLaw::linear && (laws.additions.adhesion == contact::AdhesionLaw::jkr ||
+                                                 laws.additions.adhesion == contact::AdhesionLaw::dmt))
+            to.refuse(view, "adhesion",
+                      fmt::format("adhesion = \"{}\" builds on Hertz' contact, which normal = \"linear\" does not have",
+                                  view.text("adhesion")),
+                      "write normal = \"hertz\", or adhesion = \"sjkr\"");
+    }
     laws.limit_force = view.flag("limit_force");
     laws.share_among_body_contacts = view.flag("share_among_body_contacts");
     laws.global_damping = view.number("global_damping_per_s");
@@ -102,12 +117,28 @@ void resolve_contact(const View& view, const Resolving& to) {
                   "write tangential = \"mindlin\" or \"none\", or normal = \"linear\"");
 }
 
+void resolve_air(const View& root, const Resolving& to) {
+    const View view = root.child("air");
+    contact::Air& air = to.scene.air;
+    air.density = view.number("density_kg_m3");
+    air.drag_coefficient = view.number("drag_coefficient");
+    const bool flat = to.scene.dimension == 2;
+    if (!flat)
+        air.viscosity = view.number("viscosity_Pa_s");
+    if (to.scene.written.contains("air") && !view.written("density_kg_m3") && (flat || !view.written("viscosity_Pa_s")))
+        to.refuse(view, "density_kg_m3",
+                  flat ? "[air] drags on nothing without 'density_kg_m3'"
+                       : "[air] drags on nothing without 'density_kg_m3' or 'viscosity_Pa_s'",
+                  "give it, or remove [air]");
+}
+
 } // namespace
 
 void resolve_world(const View& root, const Resolving& to) {
     resolve_top(root, to);
     resolve_domain(root.child("domain"), to);
     resolve_contact(root.child("contact"), to);
+    resolve_air(root, to);
 }
 
 } // namespace tumble::scene

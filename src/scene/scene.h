@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/air_drag.h"
 #include "contact/material.h"
 #include "scene/laws.h"
 #include "scene/motion.h"
@@ -36,9 +37,10 @@ struct ContactLaws {
     NormalLaw normal = NormalLaw::hertz;
     TangentialLaw tangential = TangentialLaw::mindlin;
     bool limit_force = false;               // true: the normal force never pulls at the end of a rebound
-    bool share_among_body_contacts = false; // true: n contacts of one body pair act together as one (docs/bodies.md)
+    bool share_among_body_contacts = false; // true: n contacts of one body pair share one dashpot (docs/bodies.md)
     double global_damping = 0;              // 1/s, mass-proportional; two dimensions only
     double accepted_overlap = 0.05;         // over the smaller radius; a run that goes beyond says so
+    contact::Additions additions;           // docs/laws.md
 };
 
 struct Sphere {
@@ -227,6 +229,7 @@ struct Scene {
     Domain domain;
     double skin = 0; // m, of the body neighbour list; 0: chosen by the solver
     ContactLaws contact;
+    contact::Air air;
     std::vector<contact::Material> materials;
     std::vector<contact::PairProperties> pairs; // materials.size() squared, symmetric, row-major
     std::vector<BodyTemplate> bodies;
@@ -236,6 +239,12 @@ struct Scene {
     Render render;
     std::map<std::string, WrittenAt> written; // keys and tables by path: "time_step_s", "fill.0", "wall.plate.stl"
 
+    [[nodiscard]] contact::PairConstants constants(int a, int b) const {
+        return contact::derive(materials[static_cast<std::size_t>(a)], materials[static_cast<std::size_t>(b)],
+                               pair(a, b), contact.additions,
+                               dimension == 2 ? contact::rolling_stiffness_of_discs
+                                              : contact::rolling_stiffness_of_spheres);
+    }
     /// Length of the steps that the scene's solver takes, s.
     [[nodiscard]] double step() const { return solver == Solver::box2d ? box2d.time_step : time_step; }
     [[nodiscard]] const contact::PairProperties& pair(int a, int b) const {

@@ -1,5 +1,6 @@
 #include "scene/time_step.h"
 
+#include "contact/falling_restitution.h"
 #include "contact/material.h"
 #include "scene/motion.h"
 
@@ -31,15 +32,15 @@ struct Contact {
     double radius = 0;               // m, R*
     double radius_small = 0;         // m
     double mobility = 0;             // 1/kg, of both sides together
+    double turn_mobility = 0;        // 1/kg, what of it comes from turning the spheres about themselves
     std::string name;
 };
 
-Contact contact_of(const Scene& scene, const ContactSide& a, const ContactSide& b) {
-    const auto material = [&](const ContactSide& side) {
-        return scene.materials[static_cast<std::size_t>(side.material)];
-    };
+Contact contact_of(const Scene& scene, const ContactSide& a, const ContactSide& b, double speed) {
     Contact contact;
-    contact.pair = contact::derive(material(a), material(b), scene.pair(a.material, b.material));
+    contact.pair = scene.constants(a.material, b.material);
+    if (contact.pair.restitution_exponent > 0)
+        contact.pair.damping = contact::damping_at(speed, contact.pair);
     contact.rubs = scene.contact.tangential != TangentialLaw::none && contact.pair.friction > 0;
     contact.mass = 1 / (1 / a.mass + 1 / b.mass);
     contact.radius = 1 / (1 / a.radius + 1 / b.radius);
@@ -48,6 +49,7 @@ Contact contact_of(const Scene& scene, const ContactSide& a, const ContactSide& 
     contact.tangential_stiffness =
         contact.pair.tangential_stiffness + contact.pair.stiffness_ratio * contact.normal_stiffness;
     contact.mobility = contact.rubs ? a.full_mobility + b.full_mobility : a.push_mobility + b.push_mobility;
+    contact.turn_mobility = a.full_mobility - a.push_mobility + b.full_mobility - b.push_mobility;
     contact.name = fmt::format("{} on {} (R* = {:.3g} mm)", a.name, b.name, 1e3 * contact.radius);
     return contact;
 }
@@ -58,7 +60,11 @@ double stiffness_of(const Contact& contact, const ContactLaws& laws, double spee
     const double energy = 15 * contact.mass * speed * speed;
     const double hardness = 16 * contacts_at_once * contact.pair.E_eff * std::sqrt(contact.radius);
     const double overlap = std::min(overlap_most * contact.radius_small, std::pow(energy / hardness, 0.4));
-    const double reach = std::sqrt(contact.radius * overlap);
+    double reach = std::sqrt(contact.radius * overlap);
+    // What sticks rests with a^3 = 9 pi w R*^2 / (2 E*) (JKR without load), less under DMT.
+    if (contact.pair.adhesion == contact::AdhesionLaw::jkr || contact.pair.adhesion == contact::AdhesionLaw::dmt)
+        reach = std::max(reach, std::cbrt(4.5 * pi * contact.pair.work_of_adhesion * contact.radius * contact.radius /
+                                          contact.pair.E_eff));
     double stiffness = laws.normal == NormalLaw::linear ? contact.normal_stiffness : 2 * contact.pair.E_eff * reach;
     if (contact.rubs)
         stiffness = std::max(stiffness, laws.tangential == TangentialLaw::linear ? contact.tangential_stiffness
@@ -75,6 +81,14 @@ double stable_step(const Contact& contact, const ContactLaws& laws, double perio
         hertz_factor * contact.pair.damping * std::sqrt(contacts_at_once * contact.mass * contact.mobility) +
         contact.pair.damping_time * pi / period;
     return period / pi * (std::sqrt(1 + zeta * zeta) - zeta);
+}
+
+/// The same for EPSD's spring: k_r R*^-2 on bodies that turn about themselves, of which a sphere that rolls has 7/2 of
+/// the inertia.
+double stable_step_of_rolling(const Contact& contact, double stiffness) {
+    const double omega = std::sqrt(contact.pair.rolling_stiffness * stiffness * contact.turn_mobility);
+    const double zeta = contact.pair.rolling_damping * std::sqrt(3.5 * contacts_at_once);
+    return 2 / omega * (std::sqrt(1 + zeta * zeta) - zeta);
 }
 
 double height_along(const Vector3d& up, const Box& box, bool top) {
@@ -122,6 +136,8 @@ void add_contact(TimeStepReport& report, const Scene& scene, const Contact& cont
     const double period = 2 * pi / std::sqrt(stiffness * contact.mobility);
     keep_smallest(report.body_period, report.body_of, period, contact.name);
     keep_smallest(report.limit, stable_step(contact, scene.contact, period));
+    if (contact.pair.rolling == contact::RollingLaw::epsd)
+        keep_smallest(report.limit, stable_step_of_rolling(contact, stiffness));
 }
 
 } // namespace
@@ -161,12 +177,12 @@ TimeStepReport time_step_report(const Scene& scene, const std::vector<ContactSid
             add_rayleigh(report, part, material);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         for (std::size_t j = i; j < bodies.size(); ++j)
-            add_contact(report, scene, contact_of(scene, bodies[i], bodies[j]));
+            add_contact(report, scene, contact_of(scene, bodies[i], bodies[j], report.hertz_speed));
         for (const Wall& wall : scene.walls) {
             ContactSide side;
             side.name = "wall " + wall.name;
             side.material = wall.material;
-            add_contact(report, scene, contact_of(scene, bodies[i], side));
+            add_contact(report, scene, contact_of(scene, bodies[i], side, report.hertz_speed));
         }
     }
     if (bodies.empty())

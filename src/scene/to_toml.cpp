@@ -46,6 +46,9 @@ void write_world(const Scene& scene, TomlWriter& to) {
     to.text("tangential", scene.contact.tangential == TangentialLaw::none     ? "none"
                           : scene.contact.tangential == TangentialLaw::linear ? "linear"
                                                                               : "mindlin");
+    to.text("rolling", words_of_rolling[static_cast<std::size_t>(scene.contact.additions.rolling)]);
+    if (scene.dimension == 3)
+        to.text("adhesion", words_of_adhesion[static_cast<std::size_t>(scene.contact.additions.adhesion)]);
     to.flag("limit_force", scene.contact.limit_force);
     to.number("accepted_overlap", scene.contact.accepted_overlap);
     if (scene.dimension == 2)
@@ -54,6 +57,36 @@ void write_world(const Scene& scene, TomlWriter& to) {
         to.flag("share_among_body_contacts", scene.contact.share_among_body_contacts);
     if (scene.dimension == 2)
         write_box2d(scene.box2d, to);
+}
+
+void write_air(const Scene& scene, TomlWriter& to) {
+    if (!scene.air.there())
+        return;
+    to.table("air", "[air]");
+    to.number("density_kg_m3", scene.air.density);
+    to.number("drag_coefficient", scene.air.drag_coefficient);
+    if (scene.dimension == 3)
+        to.number("viscosity_Pa_s", scene.air.viscosity);
+}
+
+void write_additions(const contact::PairProperties& pair, const contact::Additions& additions, TomlWriter& to) {
+    if (additions.rolling != contact::RollingLaw::none) {
+        to.number("rolling_friction", pair.rolling_friction);
+        to.number("rolling_damping", pair.rolling_damping);
+    }
+    if (additions.adhesion == contact::AdhesionLaw::sjkr)
+        to.number("cohesion_energy_J_m3", pair.cohesion_energy);
+    else if (additions.adhesion != contact::AdhesionLaw::none)
+        to.number("work_of_adhesion_J_m2", pair.work_of_adhesion);
+    if (pair.restitution_exponent > 0) {
+        to.number("restitution_exponent", pair.restitution_exponent);
+        to.number("restitution_speed_m_s", pair.restitution_speed);
+        to.number("restitution_most", pair.restitution_most);
+    }
+    if (pair.sliding_speed > 0) {
+        to.number("sliding_friction", pair.sliding_friction);
+        to.number("sliding_speed_m_s", pair.sliding_speed);
+    }
 }
 
 void write_disc_pair(const contact::PairProperties& pair, TomlWriter& to) {
@@ -94,6 +127,7 @@ void write_materials(const Scene& scene, TomlWriter& to) {
                 to.number("normal_stiffness_N_per_m", pair.normal_stiffness);
             if (pair.tangential_stiffness > 0)
                 to.number("tangential_stiffness_N_per_m", pair.tangential_stiffness);
+            write_additions(pair, scene.contact.additions, to);
         }
 }
 
@@ -337,6 +371,7 @@ void write_output(const Scene& scene, TomlWriter& to) {
 std::string to_toml(const Scene& scene, const MeshNames& meshes) {
     TomlWriter to(scene.dimension);
     write_world(scene, to);
+    write_air(scene, to);
     write_materials(scene, to);
     write_bodies(scene, to);
     for (const Wall& wall : scene.walls) {
@@ -352,6 +387,12 @@ std::string to_toml(const Scene& scene, const MeshNames& meshes) {
         write_motion(wall.motion, scene.dimension, to);
     }
     write_output(scene, to);
+    return to.result();
+}
+
+std::string to_toml(const WallMotion& motion, int dimension) {
+    TomlWriter to(dimension);
+    write_motion(motion, dimension, to);
     return to.result();
 }
 

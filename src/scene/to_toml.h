@@ -16,4 +16,7 @@ using MeshNames = std::map<std::filesystem::path, std::string>;
 /// absolute path.
 std::string to_toml(const Scene& scene, const MeshNames& meshes = {});
 
+/// The motion's [[wall.motion]] tables, to stand below a wall.
+std::string to_toml(const WallMotion& motion, int dimension);
+
 } // namespace tumble::scene

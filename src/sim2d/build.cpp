@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <numbers>
 
 namespace tumble::sim2d {
 
@@ -64,9 +65,17 @@ void make_pairs(World& world) {
     world.materials = static_cast<int>(world.scene.materials.size());
     for (int a = 0; a < world.materials; ++a)
         for (int b = 0; b < world.materials; ++b)
-            world.pairs.push_back(contact::derive(world.scene.materials[static_cast<std::size_t>(a)],
-                                                  world.scene.materials[static_cast<std::size_t>(b)],
-                                                  world.scene.pair(a, b)));
+            world.pairs.push_back(world.scene.constants(a, b));
+    world.remembers_more =
+        std::any_of(world.pairs.begin(), world.pairs.end(), [](const auto& pair) { return !pair.plain(); });
+}
+
+/// Of the disc of the body's area.
+void make_drag(World& world) {
+    if (world.scene.air.there())
+        for (const BodyShape& shape : world.plain_shapes)
+            world.drag.push_back(contact::drag_of_disc(world.scene.air, 2 * std::sqrt(shape.area / std::numbers::pi),
+                                                       world.scene.depth));
 }
 
 void make_images(World& world) {
@@ -138,6 +147,7 @@ Result<WorldPtr> build_world(const scene::Scene& scene, int threads) {
         return problems;
     make_walls(*world);
     choose_skins(*world);
+    make_drag(*world);
     make_images(*world);
     Problems problems = check_periods(*world);
     append(problems, check_step(*world));

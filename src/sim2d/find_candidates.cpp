@@ -11,7 +11,7 @@ namespace tumble::sim2d {
 namespace {
 
 /// Of the pairs found, in order, makes the near lists; what a pair remembers it keeps.
-void list_near(Chunk& chunk, std::span<const int> found) {
+void list_near(const World& world, Chunk& chunk, std::span<const int> found) {
     thread_local std::vector<NearDiscs> old;
     thread_local std::vector<std::size_t> seen; // per material pair, how many of old
     old.resize(chunk.near_discs.size());
@@ -27,8 +27,12 @@ void list_near(Chunk& chunk, std::span<const int> found) {
         while (k < before.pairs.size() && before.pairs[k].listed < listed)
             ++k;
         const bool known = k < before.pairs.size() && before.pairs[k].listed == listed;
+        const FurtherMemory nothing{};
         chunk.near_discs[kind].add({pair.a, pair.b, pair.image, listed}, known ? before.touching[k] : std::uint8_t{0},
-                                   known ? before.memory[k] : Memory{});
+                                   known ? before.memory[k] : Memory{},
+                                   !world.remembers_more ? nullptr
+                                   : known               ? &before.further[k]
+                                                         : &nothing);
     }
 }
 
@@ -39,7 +43,7 @@ void find_near_discs(const World& world, Chunk& chunk) {
     const int count =
         world.kernels->near_discs(world.rows.data(), chunk.pairs.data(), static_cast<int>(chunk.pairs.size()),
                                   world.images.data(), skin, chunk.found.data());
-    list_near(chunk, {chunk.found.data(), static_cast<std::size_t>(count)});
+    list_near(world, chunk, {chunk.found.data(), static_cast<std::size_t>(count)});
     chunk.near_until = world.rush + skin;
 }
 

@@ -34,6 +34,13 @@ std::span<const Entry> of_key(const std::vector<Entry>& sorted, const std::vecto
 } // namespace
 
 void KeptMemory::take(const World& world) {
+    const auto keep_further = [&](const std::vector<FurtherMemory>& all, std::size_t at) {
+        if (!world.remembers_more)
+            return -1;
+        further_.push_back(all[at]);
+        return static_cast<int>(further_.size()) - 1;
+    };
+    further_.clear();
     unsorted_pairs_.clear();
     unsorted_walls_.clear();
     for (const Chunk& chunk : world.chunks) {
@@ -41,22 +48,26 @@ void KeptMemory::take(const World& world) {
             for (std::size_t k = 0; k < near.pairs.size(); ++k)
                 if (near.touching[k] != 0) {
                     const int a = world.tag_of(near.pairs[k].a), b = world.tag_of(near.pairs[k].b);
-                    unsorted_pairs_.push_back({std::min(a, b), std::max(a, b), near.memory[k]});
+                    unsorted_pairs_.push_back(
+                        {std::min(a, b), std::max(a, b), keep_further(near.further, k), near.memory[k]});
                 }
-        for (const WallNear& near : chunk.wall_nears)
+        for (std::size_t k = 0; k < chunk.wall_nears.size(); ++k) {
+            const WallNear& near = chunk.wall_nears[k];
             for (std::size_t t = 0; t < static_cast<std::size_t>(near.touches); ++t)
-                unsorted_walls_.push_back({world.tag_of(near.row), near.wall, near.memory[t]});
+                unsorted_walls_.push_back({world.tag_of(near.row), near.wall,
+                                           keep_further(chunk.wall_further, max_wall_touches * k + t), near.memory[t]});
+        }
     }
     const auto tags = static_cast<std::size_t>(world.tags);
     group(unsorted_pairs_, pairs_, pairs_begin_, next_, tags, [](const KeptPair& kept) { return kept.first; });
     group(unsorted_walls_, walls_, walls_begin_, next_, tags, [](const KeptWall& kept) { return kept.disc; });
 }
 
-const Memory* KeptMemory::of_pair(int a, int b) const {
+const KeptPair* KeptMemory::of_pair(int a, int b) const {
     const auto [first, second] = std::minmax(a, b);
     for (const KeptPair& old : of_key(pairs_, pairs_begin_, first))
         if (old.second == second)
-            return &old.memory;
+            return &old;
     return nullptr;
 }
 

@@ -16,12 +16,14 @@ struct World;
 struct KeptPair {
     int first = 0; // the smaller tag
     int second = 0;
+    int further = -1; // index of its further memory; -1: none
     Memory memory{};
 };
 
 struct KeptWall {
     int disc = 0; // tag
     int wall = 0;
+    int further = -1;
     WallMemory memory;
 };
 
@@ -31,8 +33,12 @@ public:
     void take(const World& world);
 
     /// What the discs of these tags remember of each other, or null.
-    [[nodiscard]] const Memory* of_pair(int a, int b) const;
+    [[nodiscard]] const KeptPair* of_pair(int a, int b) const;
     [[nodiscard]] std::span<const KeptWall> of_wall(int disc) const;
+    /// What an entry of that index remembers beside its spring.
+    [[nodiscard]] FurtherMemory further(int index) const {
+        return index < 0 ? FurtherMemory{} : further_[static_cast<std::size_t>(index)];
+    }
 
 private:
     std::vector<KeptPair> unsorted_pairs_;
@@ -42,6 +48,7 @@ private:
     std::vector<KeptWall> walls_;
     std::vector<int> walls_begin_;
     std::vector<int> next_;
+    std::vector<FurtherMemory> further_;
 };
 
 } // namespace tumble::sim2d

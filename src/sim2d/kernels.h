@@ -31,6 +31,13 @@ struct alignas(16) Memory {
     double energy; // J
 };
 
+/// What contacts remember beside it where a law needs more: contact::Further. The same seen from both sides.
+struct FurtherMemory {
+    double rolling; // rad
+    double rolling_energy;
+    double impact_speed; // m/s
+};
+
 struct DiscPair {
     int a;
     int b;
@@ -47,9 +54,9 @@ struct NearPair {
 };
 
 struct alignas(32) WallContact {
-    double normal[2]; // from wall to disc
-    double overlap;   // m
-    double unused;
+    double normal[2];   // from wall to disc
+    double overlap;     // m
+    double spin;        // rad/s, of the wall, half a step ago
     double velocity[2]; // m/s, of the wall at the contact, half a step ago
     double now[2];      // m/s, at the step
     Memory memory;
@@ -57,6 +64,8 @@ struct alignas(32) WallContact {
     int near;  // index of its WallNear
     int touch; // which of its touches
 };
+
+constexpr int max_wall_touches = 3;
 
 /// A shift of the periodic box, m; two are unused.
 struct alignas(32) Shift {
@@ -66,9 +75,12 @@ struct alignas(32) Shift {
 struct ContactSums {
     double stored_normal = 0;
     double stored_tangential = 0;
+    double stored_rolling = 0;
     double lost_normal_damping = 0;
     double lost_tangential_damping = 0;
     double lost_sliding = 0;
+    double lost_rolling_damping = 0; // by power
+    double lost_rolling_sliding = 0; // exact
     double lost_history = 0;
     double wall_work = 0; // J in this step
     double overlap_max = 0;
@@ -113,6 +125,7 @@ struct PushContext {
     bool limit_force;
     ForeignPush* foreign; // room for one per contact
     int foreign_count;
+    FurtherMemory* further; // parallel to the memory of what is pushed; null where the pair's law is plain
     ContactSums* sums;
 };
 
@@ -160,6 +173,7 @@ struct Kernels {
                                std::uint8_t* touching, int* contacts, int* ended);
     /// `which` lists the `count` pairs that touch; memory is parallel to pairs.
     void (*push_discs)(PushContext&, const NearPair* pairs, const int* which, int count, Memory* memory);
+    /// Each WallNear has max_wall_touches of PushContext::further.
     void (*push_walls)(PushContext&, WallContact* contacts, int count);
     MotionSums (*integrate)(const IntegrateContext&);
 };

@@ -122,6 +122,7 @@ void clear(Chunk& chunk) {
         near.clear();
     chunk.near_until = 0;
     chunk.wall_nears.clear();
+    chunk.wall_further.clear();
     chunk.wall_pieces.clear();
 }
 
@@ -135,9 +136,12 @@ bool may_remember(const World& world, double apart_squared, int a, int b) {
 void add_pair(const World& world, Chunk& chunk, int a, int b, int image, double apart_squared) {
     const int kind = world.kind_of(a, world.shape_at(world.slot_of(b)).material);
     if (may_remember(world, apart_squared, a, b))
-        if (const Memory* old = world.kept.of_pair(world.tag_of(a), world.tag_of(b)))
+        if (const KeptPair* old = world.kept.of_pair(world.tag_of(a), world.tag_of(b))) {
+            const FurtherMemory further = world.kept.further(old->further);
             chunk.near_discs[static_cast<std::size_t>(kind)].add({a, b, image, static_cast<int>(chunk.pairs.size())}, 1,
-                                                                 *old);
+                                                                 old->memory,
+                                                                 world.remembers_more ? &further : nullptr);
+        }
     chunk.pairs.push_back({a, b, static_cast<std::int16_t>(image), static_cast<std::int16_t>(kind)});
 }
 
@@ -178,9 +182,14 @@ void list_walls_of(const World& world, Chunk& chunk, int row, std::vector<int>& 
         near.pieces_begin = static_cast<int>(chunk.wall_pieces.size());
         near.pieces_count = static_cast<int>(pieces.size());
         chunk.wall_pieces.insert(chunk.wall_pieces.end(), pieces.begin(), pieces.end());
+        std::array<FurtherMemory, max_wall_touches> further{};
         for (const KeptWall& old : world.kept.of_wall(world.tag_of(row)))
-            if (old.wall == near.wall && near.touches < max_wall_touches)
+            if (old.wall == near.wall && near.touches < max_wall_touches) {
+                further[static_cast<std::size_t>(near.touches)] = world.kept.further(old.further);
                 near.memory[static_cast<std::size_t>(near.touches++)] = old.memory;
+            }
+        if (world.remembers_more)
+            chunk.wall_further.insert(chunk.wall_further.end(), further.begin(), further.end());
         chunk.wall_nears.push_back(near);
     }
 }

@@ -57,13 +57,16 @@ void push_contacts(World& world, Chunk& chunk) {
         letters.clear();
     for (std::size_t kind = 0; kind < world.pairs.size(); ++kind) {
         PushContext context = context_of(world, chunk, kind);
+        const bool plain = context.pair.plain();
         if (NearDiscs& near = chunk.near_discs[kind]; near.contact_count > 0) {
             prepare_foreign(chunk, context, near.contact_count);
+            context.further = plain ? nullptr : near.further.data();
             world.kernels->push_discs(context, near.pairs.data(), near.contacts.data(), near.contact_count,
                                       near.memory.data());
             post(world, chunk, context);
         }
         if (auto& contacts = chunk.wall_contacts[kind]; !contacts.empty()) {
+            context.further = plain ? nullptr : chunk.wall_further.data();
             world.kernels->push_walls(context, contacts.data(), static_cast<int>(contacts.size()));
             for (const WallContact& contact : contacts)
                 chunk.wall_nears[static_cast<std::size_t>(contact.near)]

@@ -12,6 +12,7 @@ void step(World& world) {
         [&](Chunk& chunk) {
             timed(Phase::find_candidates, find_candidates, world, chunk);
             timed(Phase::push_gravity, push_gravity, world, chunk);
+            timed(Phase::push_air, push_air, world, chunk);
             timed(Phase::touch_candidates, touch_candidates, world, chunk);
             timed(Phase::push_contacts, push_contacts, world, chunk);
         },

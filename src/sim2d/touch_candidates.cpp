@@ -16,6 +16,11 @@ void forget(Chunk& chunk, Memory& memory) {
     memory = {};
 }
 
+void forget(Chunk& chunk, FurtherMemory& further) {
+    chunk.dropped_history += further.rolling_energy;
+    further = {};
+}
+
 void make_room(std::vector<int>& list, std::size_t entries) {
     if (list.size() < entries)
         list.resize(2 * entries);
@@ -28,8 +33,12 @@ void touch_discs(const World& world, Chunk& chunk, NearDiscs& near) {
         world.kernels->touch_discs(world.rows.data(), near.pairs.data(), static_cast<int>(near.pairs.size()),
                                    world.images.data(), near.touching.data(), near.contacts.data(), chunk.found.data());
     near.contact_count = counts.contacts;
-    for (int k = 0; k < counts.ended; ++k)
-        forget(chunk, near.memory[static_cast<std::size_t>(chunk.found[static_cast<std::size_t>(k)])]);
+    for (int k = 0; k < counts.ended; ++k) {
+        const auto ended = static_cast<std::size_t>(chunk.found[static_cast<std::size_t>(k)]);
+        forget(chunk, near.memory[ended]);
+        if (world.remembers_more)
+            forget(chunk, near.further[ended]);
+    }
 }
 
 // Pieces that meet at less than this stand for one curved line.
@@ -51,17 +60,27 @@ WallMemory* heir_of(const WallMemory& old, std::span<WallMemory> now, std::span<
 }
 
 /// Hands the memory of the touches a step ago to those of now; what finds no heir is forgotten, and what is new starts
-/// at rest.
-void match_features(Chunk& chunk, WallNear& near, std::span<const WallTouch> touches) {
+/// at rest. `further` holds what the touches remember beside it, or is null.
+void match_features(Chunk& chunk, WallNear& near, FurtherMemory* further, std::span<const WallTouch> touches) {
     std::array<WallMemory, max_wall_touches> now;
+    std::array<FurtherMemory, max_wall_touches> further_now{};
     for (std::size_t t = 0; t < touches.size(); ++t)
         now[t] = {touches[t].feature, touches[t].normal, {}};
     const std::span before(near.memory.data(), static_cast<std::size_t>(near.touches));
-    for (WallMemory& old : before)
-        if (WallMemory* heir = heir_of(old, {now.data(), touches.size()}, before))
+    for (std::size_t t = 0; t < before.size(); ++t) {
+        WallMemory& old = before[t];
+        WallMemory* heir = heir_of(old, {now.data(), touches.size()}, before);
+        if (heir)
             heir->memory = old.memory;
         else
             forget(chunk, old.memory);
+        if (further && heir)
+            further_now[static_cast<std::size_t>(heir - now.data())] = further[t];
+        else if (further)
+            forget(chunk, further[t]);
+    }
+    if (further)
+        std::copy(further_now.begin(), further_now.end(), further);
     near.memory = now;
     near.touches = static_cast<int>(touches.size());
 }
@@ -83,6 +102,7 @@ WallContact wall_contact(const WallState& wall, const Row& row, const WallTouch&
     contact.overlap = -touch.gap;
     const Vector2d normal = wall.frame.rotation * touch.normal;
     const Vector2d point = Vector2d(row.x, row.y) - normal * (row.radius - 0.5 * contact.overlap);
+    contact.spin = wall.half_frame.spin;
     Eigen::Map<Vector2d>{contact.normal} = normal;
     Eigen::Map<Vector2d>{contact.velocity} = wall.half_frame.velocity_at(point);
     Eigen::Map<Vector2d>{contact.now} = wall.frame.velocity_at(point);
@@ -104,7 +124,9 @@ void touch_wall(const World& world, Chunk& chunk, int which) {
         chunk.crossed_row = near.row;
         chunk.crossed_wall = near.wall;
     }
-    match_features(chunk, near, now);
+    match_features(
+        chunk, near,
+        world.remembers_more ? &chunk.wall_further[static_cast<std::size_t>(max_wall_touches * which)] : nullptr, now);
     const int kind = world.kind_of(near.row, wall.wall.material);
     for (int t = 0; t < count; ++t) {
         WallContact contact = wall_contact(wall, row, touches[static_cast<std::size_t>(t)]);

@@ -13,8 +13,6 @@
 
 namespace tumble::sim2d {
 
-constexpr int max_wall_touches = 3;
-
 /// Where a disc touches a wall, in the wall's own frame.
 struct WallTouch {
     Eigen::Vector2d normal = Eigen::Vector2d::Zero(); // unit, from the wall's closest point to the disc's centre

@@ -4,6 +4,7 @@
 #include "base/lines.h"
 #include "base/parallel_for.h"
 #include "base/phases.h"
+#include "contact/air_drag.h"
 #include "contact/material.h"
 #include "scene/scene.h"
 #include "sim2d/cells.h"
@@ -56,6 +57,7 @@ struct WallNear {
 /// Sums of one chunk, J and extremes; added up in chunk order.
 struct Sums {
     ContactSums contacts;
+    double lost_air_drag = 0;
     MotionSums motion;
 };
 
@@ -65,21 +67,23 @@ enum class Phase {
     list_neighbours,
     find_candidates,
     push_gravity,
+    push_air,
     touch_candidates,
     push_contacts,
     collect_pushes,
     integrate,
     book_energy
 };
-constexpr std::array<const char*, 9> phase_names{"move_walls",     "list_neighbours",  "find_candidates",
-                                                 "push_gravity",   "touch_candidates", "push_contacts",
-                                                 "collect_pushes", "integrate",        "book_energy"};
+constexpr std::array<const char*, 10> phase_names{"move_walls", "list_neighbours",  "find_candidates", "push_gravity",
+                                                  "push_air",   "touch_candidates", "push_contacts",   "collect_pushes",
+                                                  "integrate",  "book_energy"};
 using PhaseSeconds = std::array<double, phase_names.size()>;
 
 /// Those of a chunk's pairs that may touch before World::rush reaches Chunk::near_until.
 struct NearDiscs {
     std::vector<NearPair> pairs; // in the order of Chunk::pairs
     std::vector<Memory> memory;
+    std::vector<FurtherMemory> further; // parallel to them where World::remembers_more, else empty
     std::vector<std::uint8_t> touching; // 1 or 0
     std::vector<int> contacts;          // the first contact_count entries: those of pairs that touch now
     int contact_count = 0;
@@ -87,10 +91,14 @@ struct NearDiscs {
     void clear() {
         pairs.clear();
         memory.clear();
+        further.clear();
         touching.clear();
         contact_count = 0;
     }
-    void add(const NearPair& pair, std::uint8_t touches, const Memory& remembered) {
+    /// `more` is null unless World::remembers_more.
+    void add(const NearPair& pair, std::uint8_t touches, const Memory& remembered, const FurtherMemory* more) {
+        if (more)
+            further.push_back(*more);
         pairs.push_back(pair);
         memory.push_back(remembered);
         touching.push_back(touches);
@@ -108,6 +116,7 @@ struct Chunk {
     double near_until = 0;             // m, on World::rush
 
     std::vector<WallNear> wall_nears;
+    std::vector<FurtherMemory> wall_further; // max_wall_touches each where World::remembers_more, else empty
     std::vector<int> wall_pieces;
     std::vector<std::vector<WallContact>> wall_contacts; // per material pair
 
@@ -134,6 +143,8 @@ struct Ledger {
     double lost_normal_damping = 0;
     double lost_tangential_damping = 0;
     double lost_sliding = 0;
+    double lost_rolling = 0;
+    double lost_air_drag = 0;
     double lost_history = 0;
     double lost_global_damping = 0;
     double wall_work = 0;
@@ -147,9 +158,11 @@ struct World {
     std::int64_t step = 0;
     std::vector<ShapeData> shapes;
     std::vector<BodyShape> plain_shapes;
+    std::vector<contact::AirDrag> drag; // per shape; empty without air
     std::vector<ShapeConstants> shape_constants;
     std::vector<contact::PairConstants> pairs; // materials squared
     int materials = 0;
+    bool remembers_more = false; // some pair's law is not plain
     std::vector<WallState> walls;
     std::vector<FillState> fills;
     std::int64_t next_fill_step = 0;

@@ -92,10 +92,11 @@ void clear(Chunk& chunk) {
         near.clear();
     chunk.near_until = 0;
     chunk.body_pairs.clear();
-    chunk.candidates.resize(0);
+    chunk.candidates.resize(0, true);
     chunk.body_walls.clear();
     chunk.wall_primitives.clear();
     chunk.wall_candidates.clear();
+    chunk.wall_further.clear();
     chunk.sphere_primitives.clear();
 }
 
@@ -105,8 +106,12 @@ bool may_remember(const World& world, int a, int b, int image) {
     const BodyMotion& body_b = world.motion[static_cast<std::size_t>(b)];
     const Vector3d d = Vector3d(body_a.position) - Vector3d(body_b.position) -
                        Vector3d(world.images[static_cast<std::size_t>(image)].along);
-    const double reach = body_a.radius + body_b.radius + 2.001 * world.books.speed_max * world.dt;
+    const double reach = body_a.radius + body_b.radius + 2.001 * world.books.speed_max * world.dt + world.hold;
     return d.squaredNorm() < reach * reach;
+}
+
+FurtherLanes further_of(const World& world, const KeptPair& old, bool straight) {
+    return straight ? world.kept.further(old.further) : mirrored(world.kept.further(old.further));
 }
 
 // What the pair remembers stands in the near list, which find_candidates completes.
@@ -116,9 +121,10 @@ void add_sphere_pair(const World& world, Chunk& chunk, int a, int b, int image) 
     const int kind = world.kind_of(a, world.shape_at(b).material);
     if (may_remember(world, a, b, image))
         world.kept.of_pair(id_a, id_b, image, [&](const KeptPair& old, bool straight) {
+            const FurtherLanes further = further_of(world, old, straight);
             chunk.near_spheres[static_cast<std::size_t>(kind)].add(
                 {a, b, image, static_cast<int>(chunk.sphere_pairs.size())}, 1,
-                straight ? old.memory : mirrored(old.memory));
+                straight ? old.memory : mirrored(old.memory), world.remembers_more ? &further : nullptr);
         });
     chunk.sphere_pairs.push_back({a, b, static_cast<std::int16_t>(image), static_cast<std::int16_t>(kind)});
 }
@@ -132,10 +138,11 @@ void add_body_pair(const World& world, Chunk& chunk, int a, int b, int image) {
     world.kept.of_pair(id_a, id_b, image, [&](const KeptPair& old, bool straight) {
         const int sphere_a = straight ? old.sphere_of_first : old.sphere_of_second;
         const int sphere_b = straight ? old.sphere_of_second : old.sphere_of_first;
-        candidates.resize(candidates.size() + 1);
+        const FurtherLanes further = further_of(world, old, straight);
+        candidates.resize(candidates.size() + 1, world.remembers_more);
         candidates.set(candidates.size() - 1,
                        {static_cast<std::int16_t>(sphere_a), static_cast<std::int16_t>(sphere_b)}, true,
-                       straight ? old.memory : mirrored(old.memory));
+                       straight ? old.memory : mirrored(old.memory), world.remembers_more ? &further : nullptr);
         ++pair.count;
     });
     pair.capacity = pair.count;
@@ -182,6 +189,10 @@ void add_body_wall(const World& world, Chunk& chunk, BodyWall near) {
         candidate.touches = 1;
         candidate.memory[0] = old.memory;
         chunk.wall_candidates.push_back(candidate);
+        if (world.remembers_more) {
+            chunk.wall_further.resize(max_wall_touches * chunk.wall_candidates.size());
+            chunk.wall_further[chunk.wall_further.size() - max_wall_touches] = world.kept.further(old.further);
+        }
         ++near.count;
     }
     near.capacity = near.count;

@@ -1,3 +1,4 @@
+#include "contact/jkr.h"
 #include "scene/written.h"
 #include "sim3d/body_list.h"
 #include "sim3d/body_shape.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 
 namespace tumble::sim3d {
 
@@ -21,6 +23,8 @@ constexpr double sphere_skin_per_radius = 0.15;
 constexpr double near_skin_per_skin = 0.3;
 // Walls do not take part in the mean flow, so bodies may pass them long before they pass each other.
 constexpr double wall_skin_per_skin = 4;
+// Necks of adhesion must lie well within every skin.
+constexpr double longest_neck = 0.04; // of the smallest radius
 
 /// Smallest sphere around all spheres, by repeatedly stepping towards the farthest (Badoiu and Clarkson 2003); a little
 /// too large is fine, too small never happens because the radius is measured at the end.
@@ -105,9 +109,35 @@ void make_pairs(World& world) {
     world.materials = static_cast<int>(world.scene.materials.size());
     for (int a = 0; a < world.materials; ++a)
         for (int b = 0; b < world.materials; ++b)
-            world.pairs.push_back(contact::derive(world.scene.materials[static_cast<std::size_t>(a)],
-                                                  world.scene.materials[static_cast<std::size_t>(b)],
-                                                  world.scene.pair(a, b)));
+            world.pairs.push_back(world.scene.constants(a, b));
+    world.remembers_more =
+        std::any_of(world.pairs.begin(), world.pairs.end(), [](const auto& pair) { return !pair.plain(); });
+}
+
+/// Of the sphere of the body's volume.
+void make_drag(World& world) {
+    if (world.scene.air.there())
+        for (const BodyShape& shape : world.plain_shapes)
+            world.drag.push_back(
+                contact::drag_of_sphere(world.scene.air, std::cbrt(6 * shape.volume / std::numbers::pi)));
+}
+
+/// How far necks of adhesion reach between the largest spheres, and between them and walls.
+Problems make_holds(World& world) {
+    double largest = 0;
+    for (const ShapeConstants& shape : world.shape_constants)
+        for (int s = 0; s < shape.exposed_count; ++s)
+            largest = std::max(largest, shape.exposed[4 * s + 3]);
+    for (const contact::PairConstants& pair : world.pairs)
+        world.holds.push_back(pair.adhesion == contact::AdhesionLaw::jkr ? contact::Jkr::reach(largest, pair) : 0.0);
+    world.hold = world.holds.empty() ? 0 : *std::max_element(world.holds.begin(), world.holds.end());
+    if (world.hold <= longest_neck * world.smallest_radius)
+        return {};
+    return {scene::problem_about(
+        world.scene, "contact.adhesion",
+        fmt::format("necks of adhesion would reach over {:.3g} m, more than {:.3g} of the smallest sphere's radius",
+                    world.hold, longest_neck),
+        "a material so soft and sticky is beyond JKR; use a larger Young's modulus or a smaller work of adhesion")};
 }
 
 void make_images(World& world) {
@@ -197,7 +227,9 @@ Result<WorldPtr> build_world(const scene::Scene& scene, int threads) {
     if (!problems.empty())
         return problems;
     choose_skins(*world);
+    make_drag(*world);
     make_images(*world);
+    append(problems, make_holds(*world));
     append(problems, check_periods(*world));
     append(problems, check_step(*world));
     append(problems, prepare_fills(*world));

@@ -11,7 +11,7 @@ namespace tumble::sim3d {
 namespace {
 
 /// Of the pairs found, in order, makes the near lists; what a pair remembers it keeps.
-void list_near(Chunk& chunk, std::span<const int> found) {
+void list_near(const World& world, Chunk& chunk, std::span<const int> found) {
     thread_local std::vector<NearSpheres> old;
     thread_local std::vector<std::size_t> seen; // per material pair, how many of old
     old.resize(chunk.near_spheres.size());
@@ -27,19 +27,23 @@ void list_near(Chunk& chunk, std::span<const int> found) {
         while (k < before.pairs.size() && before.pairs[k].listed < listed)
             ++k;
         const bool known = k < before.pairs.size() && before.pairs[k].listed == listed;
+        const FurtherLanes nothing{};
         chunk.near_spheres[kind].add({pair.a, pair.b, pair.image, listed}, known ? before.touching[k] : std::uint8_t{0},
-                                     known ? before.memory[k] : MemoryLanes{});
+                                     known ? before.memory[k] : MemoryLanes{},
+                                     !world.remembers_more ? nullptr
+                                     : known               ? &before.further[k]
+                                                           : &nothing);
     }
 }
 
 void find_near_spheres(const World& world, Chunk& chunk) {
     chunk.found.resize(chunk.sphere_pairs.size() + 8);
     // What touched a step ago must stay listed until it is seen apart, however fast it left.
-    const double skin = std::max(world.near_skin, world.last_rush);
+    const double skin = std::max(world.near_skin, world.last_rush + world.hold);
     const int count = world.kernels->near_spheres(world.motion.data(), chunk.sphere_pairs.data(),
                                                   static_cast<int>(chunk.sphere_pairs.size()), world.images.data(),
                                                   skin, chunk.found.data());
-    list_near(chunk, {chunk.found.data(), static_cast<std::size_t>(count)});
+    list_near(world, chunk, {chunk.found.data(), static_cast<std::size_t>(count)});
     chunk.near_until = world.rush + skin;
 }
 

@@ -25,8 +25,8 @@ void group(const std::vector<Entry>& entries, std::vector<Entry>& sorted, std::v
 
 KeptPair canonical(std::int64_t a, std::int64_t b, int sphere_a, int sphere_b, int image, const MemoryLanes& memory) {
     if (a < b)
-        return {a, b, sphere_a, sphere_b, image, memory};
-    return {b, a, sphere_b, sphere_a, mirrored(image), mirrored(memory)};
+        return {a, b, sphere_a, sphere_b, image, -1, memory};
+    return {b, a, sphere_b, sphere_a, mirrored(image), -1, mirrored(memory)};
 }
 
 /// The image of b seen from a, after both were moved back into the box.
@@ -41,30 +41,42 @@ int image_after(int image, int a, int b, const std::vector<std::array<int, 3>>& 
 } // namespace
 
 void KeptMemory::take(const World& world, const std::vector<std::array<int, 3>>& wraps) {
-    const auto keep = [&](int a, int b, int sphere_a, int sphere_b, int image, const MemoryLanes& memory) {
-        unsorted_pairs_.push_back(canonical(world.id[static_cast<std::size_t>(a)],
-                                            world.id[static_cast<std::size_t>(b)], sphere_a, sphere_b,
-                                            image_after(image, a, b, wraps), memory));
+    const auto keep_further = [&](const FurtherLanes& further) {
+        further_.push_back(further);
+        return static_cast<int>(further_.size()) - 1;
     };
+    const auto keep = [&](int a, int b, int sphere_a, int sphere_b, int image, const MemoryLanes& memory,
+                          const FurtherLanes* further) {
+        const auto id_a = world.id[static_cast<std::size_t>(a)], id_b = world.id[static_cast<std::size_t>(b)];
+        unsorted_pairs_.push_back(canonical(id_a, id_b, sphere_a, sphere_b, image_after(image, a, b, wraps), memory));
+        if (further)
+            unsorted_pairs_.back().further = keep_further(id_a < id_b ? *further : mirrored(*further));
+    };
+    further_.clear();
     unsorted_pairs_.clear();
     unsorted_walls_.clear();
     for (const Chunk& chunk : world.chunks) {
         for (const NearSpheres& near : chunk.near_spheres)
             for (std::size_t k = 0; k < near.pairs.size(); ++k)
                 if (near.touching[k] != 0)
-                    keep(near.pairs[k].a, near.pairs[k].b, 0, 0, near.pairs[k].image, near.memory[k]);
+                    keep(near.pairs[k].a, near.pairs[k].b, 0, 0, near.pairs[k].image, near.memory[k],
+                         world.remembers_more ? &near.further[k] : nullptr);
         for (const BodyPair& pair : chunk.body_pairs)
             for (auto k = static_cast<std::size_t>(pair.begin); k < static_cast<std::size_t>(pair.begin + pair.count);
                  ++k)
                 if (chunk.candidates.touching[k] != 0)
                     keep(pair.a, pair.b, chunk.candidates.spheres[k].a, chunk.candidates.spheres[k].b, pair.image,
-                         chunk.candidates.memory[k]);
+                         chunk.candidates.memory[k], world.remembers_more ? &chunk.candidates.further[k] : nullptr);
         for (const BodyWall& near : chunk.body_walls)
             for (int k = near.begin; k < near.begin + near.count; ++k) {
                 const WallCandidate& candidate = chunk.wall_candidates[static_cast<std::size_t>(k)];
-                for (std::size_t t = 0; t < static_cast<std::size_t>(candidate.touches); ++t)
-                    unsorted_walls_.push_back({world.id[static_cast<std::size_t>(near.body)], near.wall,
-                                               candidate.sphere, candidate.memory[t]});
+                for (int t = 0; t < candidate.touches; ++t)
+                    unsorted_walls_.push_back(
+                        {world.id[static_cast<std::size_t>(near.body)], near.wall, candidate.sphere,
+                         world.remembers_more
+                             ? keep_further(chunk.wall_further[static_cast<std::size_t>(max_wall_touches * k + t)])
+                             : -1,
+                         candidate.memory[static_cast<std::size_t>(t)]});
             }
     }
     const std::size_t ids = world.slot_of.size();

@@ -18,7 +18,8 @@ struct KeptPair {
     std::int64_t second = 0;
     int sphere_of_first = 0;
     int sphere_of_second = 0;
-    int image = 0; // of the second, seen from the first
+    int image = 0;    // of the second, seen from the first
+    int further = -1; // index of its further memory, from the same side; -1: none
     MemoryLanes memory{};
 };
 
@@ -26,6 +27,7 @@ struct KeptWall {
     std::int64_t body = 0;
     int wall = 0;
     int sphere = 0;
+    int further = -1;
     WallMemory memory;
 };
 
@@ -50,6 +52,10 @@ public:
                 each(old, straight);
     }
     [[nodiscard]] std::span<const KeptWall> of_wall(std::int64_t body) const;
+    /// What an entry of that index remembers beside its spring.
+    [[nodiscard]] FurtherLanes further(int index) const {
+        return index < 0 ? FurtherLanes{} : further_[static_cast<std::size_t>(index)];
+    }
 
 private:
     [[nodiscard]] std::span<const KeptPair> of_first(std::int64_t first) const;
@@ -61,11 +67,17 @@ private:
     std::vector<KeptWall> walls_;
     std::vector<int> walls_begin_;
     std::vector<int> next_;
+    std::vector<FurtherLanes> further_;
 };
 
 /// The same memory seen from the other body.
 inline MemoryLanes mirrored(const MemoryLanes& memory) {
     return {{-memory.spring[0], -memory.spring[1], -memory.spring[2]}, memory.energy};
+}
+inline FurtherLanes mirrored(FurtherLanes further) {
+    for (double& angle : further.rolling)
+        angle = -angle;
+    return further;
 }
 
 } // namespace tumble::sim3d

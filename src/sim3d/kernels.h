@@ -55,6 +55,17 @@ struct alignas(32) MemoryLanes {
     double energy;
 };
 
+/// What contacts remember beside it where a law needs more: contact::Further. Two rows of four, as the kernels load
+/// them.
+struct alignas(32) FurtherLanes {
+    double rolling[3]; // rad
+    double rolling_energy;
+    double impact_speed; // m/s
+    double bonded;       // 1 or 0
+    double bond_energy;
+    double unused;
+};
+
 /// Sphere about a body that it does not leave before its list is made anew.
 struct alignas(32) Bounds {
     double centre[3]; // m
@@ -137,18 +148,25 @@ struct alignas(32) WallContact {
     double wall_velocity[3]; // m/s at the contact, half a step ago
     double damping_share;
     MemoryLanes memory;
-    double wall_now[3]; // m/s at the contact, at the step
+    double wall_now[3];  // m/s at the contact, at the step
+    double wall_spin[3]; // rad/s, half a step ago
     int body;
     int candidate;
     int touch;
 };
 
+constexpr int max_wall_touches = 3;
+
 struct ContactSums {
     double stored_normal = 0;
     double stored_tangential = 0;
+    double stored_rolling = 0;
     double lost_normal_damping = 0;
     double lost_tangential_damping = 0;
     double lost_sliding = 0;
+    double lost_rolling_damping = 0; // by power
+    double lost_rolling_sliding = 0; // exact
+    double lost_adhesion = 0;
     double lost_history = 0;
     double wall_work = 0; // J in this step
     double overlap_max = 0;
@@ -188,6 +206,7 @@ struct PushContext {
     bool limit_force;
     ForeignPush* foreign; // room for one per contact
     int foreign_count;
+    FurtherLanes* further; // parallel to the memory of what is pushed; null where the pair's law is plain
     ContactSums* sums;
 };
 
@@ -235,16 +254,18 @@ struct Kernels {
     /// returns how many.
     int (*near_spheres)(const BodyMotion* motion, const SpherePair* pairs, int count, const Shift* images, double skin,
                         int* found);
-    /// Brings touching[] of `count` pairs up to date. Writes the indices of those that touch to `contacts` and of those
-    /// that ceased to touch to `ended`. touching[] and contacts[] have room for count + 8.
+    /// Brings touching[] of `count` pairs up to date: those that overlap touch, and those that touched do until their
+    /// gap exceeds `hold`, m. Writes the indices of those that touch to `contacts` and of those that ceased to touch to
+    /// `ended`. touching[] and contacts[] have room for count + 8.
     TouchCounts (*touch_spheres)(const BodyMotion* motion, const NearPair* pairs, int count, const Shift* images,
-                                 std::uint8_t* touching, int* contacts, int* ended);
+                                 double hold, std::uint8_t* touching, int* contacts, int* ended);
     /// The same for the candidates of `count` pairs of bodies; touching[] has room for eight more.
     TouchCounts (*touch_clumps)(const Placements&, const BodyPair* pairs, int count, const SphereCandidate* candidates,
-                                std::uint8_t* touching, ClumpTouch* contacts, int* ended);
+                                double hold, std::uint8_t* touching, ClumpTouch* contacts, int* ended);
     /// `which` lists the `count` pairs that touch; memory is parallel to pairs.
     void (*push_spheres)(PushContext&, const NearPair* pairs, const int* which, int count, MemoryLanes* memory);
     void (*push_bodies)(PushContext&, const BodyContact* contacts, int count, MemoryLanes* memory);
+    /// Each candidate has max_wall_touches of PushContext::further.
     void (*push_walls)(PushContext&, WallContact* contacts, int count);
     IntegrateSums (*integrate)(const IntegrateContext&);
     /// Writes candidates as (a << 16 | b), at most `room`; returns how many there are. `smallest_gap` becomes the

@@ -39,23 +39,28 @@ void post(const World& world, Chunk& chunk, const PushContext& context) {
 void push_contacts(World& world, Chunk& chunk) {
     chunk.sums.contacts = {};
     chunk.sums.contacts.lost_history = chunk.dropped_history;
+    chunk.sums.contacts.lost_adhesion = chunk.dropped_adhesion;
     for (auto& letters : chunk.outbox)
         letters.clear();
     for (std::size_t kind = 0; kind < world.pairs.size(); ++kind) {
         PushContext context = context_of(world, chunk, kind);
+        const bool plain = context.pair.plain();
         if (NearSpheres& near = chunk.near_spheres[kind]; near.contact_count > 0) {
             prepare_foreign(chunk, context, near.contact_count);
+            context.further = plain ? nullptr : near.further.data();
             world.kernels->push_spheres(context, near.pairs.data(), near.contacts.data(), near.contact_count,
                                         near.memory.data());
             post(world, chunk, context);
         }
         if (const auto& contacts = chunk.body_contacts[kind]; !contacts.empty()) {
             prepare_foreign(chunk, context, static_cast<int>(contacts.size()));
+            context.further = plain ? nullptr : chunk.candidates.further.data();
             world.kernels->push_bodies(context, contacts.data(), static_cast<int>(contacts.size()),
                                        chunk.candidates.memory.data());
             post(world, chunk, context);
         }
         if (auto& contacts = chunk.wall_contacts[kind]; !contacts.empty()) {
+            context.further = plain ? nullptr : chunk.wall_further.data();
             world.kernels->push_walls(context, contacts.data(), static_cast<int>(contacts.size()));
             for (const WallContact& contact : contacts)
                 chunk.wall_candidates[static_cast<std::size_t>(contact.candidate)]

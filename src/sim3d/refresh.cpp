@@ -14,25 +14,26 @@ using Eigen::Vector3d;
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 // A range that outgrew its place moves to the end of the pool; the next rebuild starts the pool anew.
-void make_room(ClumpCandidates& pool, BodyPair& pair, int count) {
+void make_room(ClumpCandidates& pool, BodyPair& pair, int count, bool remembers_more) {
     if (count <= pair.capacity)
         return;
     pair.capacity = static_cast<std::int16_t>(count + 2);
     pair.begin = pool.size();
-    pool.resize(pool.size() + pair.capacity);
+    pool.resize(pool.size() + pair.capacity, remembers_more);
 }
 
 /// A touching candidate and its memory.
 struct Remembered {
     SphereCandidate spheres;
     MemoryLanes memory;
+    FurtherLanes further;
 };
 
 void take_touching(const ClumpCandidates& pool, const BodyPair& pair, std::vector<Remembered>& taken) {
     taken.clear();
     for (auto k = static_cast<std::size_t>(pair.begin); k < static_cast<std::size_t>(pair.begin + pair.count); ++k)
         if (pool.touching[k] != 0)
-            taken.push_back({pool.spheres[k], pool.memory[k]});
+            taken.push_back({pool.spheres[k], pool.memory[k], pool.further.empty() ? FurtherLanes{} : pool.further[k]});
 }
 
 } // namespace
@@ -57,7 +58,7 @@ void refresh(const World& world, Chunk& chunk, BodyPair& pair) {
 
     thread_local std::vector<Remembered> before;
     take_touching(chunk.candidates, pair, before);
-    make_room(chunk.candidates, pair, count);
+    make_room(chunk.candidates, pair, count, world.remembers_more);
     pair.count = static_cast<std::int16_t>(count);
     for (int k = 0; k < count; ++k) {
         const SphereCandidate fresh{static_cast<std::int16_t>(found[k] >> 16),
@@ -66,7 +67,9 @@ void refresh(const World& world, Chunk& chunk, BodyPair& pair) {
             return remembered.spheres.a == fresh.a && remembered.spheres.b == fresh.b;
         });
         const bool known = old != before.end();
-        chunk.candidates.set(pair.begin + k, fresh, known, known ? old->memory : MemoryLanes{});
+        const FurtherLanes further = known ? old->further : FurtherLanes{};
+        chunk.candidates.set(pair.begin + k, fresh, known, known ? old->memory : MemoryLanes{},
+                             world.remembers_more ? &further : nullptr);
     }
 }
 
@@ -132,17 +135,37 @@ double find_wall_spheres(const World& world, Chunk& chunk, const BodyWall& near,
     return smallest;
 }
 
-void remember(WallCandidate& fresh, const std::vector<WallCandidate>& old) {
-    for (const WallCandidate& before : old)
-        for (int t = 0; before.sphere == fresh.sphere && t < before.touches && fresh.touches < max_wall_touches; ++t)
+/// Wall candidates and, where World::remembers_more, max_wall_touches of further memories each.
+struct WallMemories {
+    std::vector<WallCandidate> candidates;
+    std::vector<FurtherLanes> further;
+
+    void take(const Chunk& chunk, const BodyWall& near) {
+        const auto end = near.begin + near.count;
+        candidates.assign(chunk.wall_candidates.begin() + near.begin, chunk.wall_candidates.begin() + end);
+        if (!chunk.wall_further.empty())
+            further.assign(chunk.wall_further.begin() + max_wall_touches * near.begin,
+                           chunk.wall_further.begin() + max_wall_touches * end);
+    }
+};
+
+/// Puts what was known of the candidate's sphere into it and into `more`, which may be null.
+void remember(WallCandidate& fresh, FurtherLanes* more, const WallMemories& old) {
+    for (std::size_t k = 0; k < old.candidates.size(); ++k) {
+        const WallCandidate& before = old.candidates[k];
+        for (int t = 0; before.sphere == fresh.sphere && t < before.touches && fresh.touches < max_wall_touches; ++t) {
+            if (more)
+                more[fresh.touches] = old.further[max_wall_touches * k + static_cast<std::size_t>(t)];
             fresh.memory[static_cast<std::size_t>(fresh.touches++)] = before.memory[static_cast<std::size_t>(t)];
+        }
+    }
 }
 
 } // namespace
 
 void refresh(const World& world, Chunk& chunk, BodyWall& near) {
-    thread_local std::vector<WallCandidate> old;
-    old.assign(chunk.wall_candidates.begin() + near.begin, chunk.wall_candidates.begin() + near.begin + near.count);
+    thread_local WallMemories old;
+    old.take(chunk, near);
     std::vector<WallCandidate> fresh;
     const WallState& wall = world.walls[static_cast<std::size_t>(near.wall)];
     const double skin = sphere_skin(world, wall);
@@ -152,11 +175,14 @@ void refresh(const World& world, Chunk& chunk, BodyWall& near) {
         near.capacity = static_cast<int>(fresh.size()) + 2;
         near.begin = static_cast<int>(chunk.wall_candidates.size());
         chunk.wall_candidates.resize(chunk.wall_candidates.size() + static_cast<std::size_t>(near.capacity));
+        if (world.remembers_more)
+            chunk.wall_further.resize(max_wall_touches * chunk.wall_candidates.size());
     }
     near.count = static_cast<int>(fresh.size());
     for (std::size_t k = 0; k < fresh.size(); ++k) {
-        remember(fresh[k], old);
-        chunk.wall_candidates[static_cast<std::size_t>(near.begin) + k] = fresh[k];
+        const std::size_t at = static_cast<std::size_t>(near.begin) + k;
+        remember(fresh[k], world.remembers_more ? &chunk.wall_further[max_wall_touches * at] : nullptr, old);
+        chunk.wall_candidates[at] = fresh[k];
     }
 }
 

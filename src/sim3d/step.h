@@ -16,6 +16,8 @@ void list_neighbours(World& world);
 void find_candidates(World& world, Chunk& chunk);
 /// Starts the load of each of the chunk's bodies: its weight, no torque.
 void push_gravity(World& world, Chunk& chunk);
+/// The drag of still air on each of the chunk's bodies.
+void push_air(World& world, Chunk& chunk);
 /// Which candidates overlap now, and where.
 void touch_candidates(World& world, Chunk& chunk);
 /// The law's force on every touching pair, to the chunk's own bodies at once, to others' by letter.

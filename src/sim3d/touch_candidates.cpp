@@ -17,21 +17,31 @@ void forget(Chunk& chunk, MemoryLanes& memory) {
     memory = {};
 }
 
+void forget(Chunk& chunk, FurtherLanes& further) {
+    chunk.dropped_history += further.rolling_energy;
+    chunk.dropped_adhesion += further.bond_energy;
+    further = {};
+}
+
 template <class Entry> void make_room(std::vector<Entry>& list, std::size_t entries) {
     if (list.size() < entries)
         list.resize(2 * entries);
 }
 
-void touch_spheres(const World& world, Chunk& chunk, NearSpheres& near) {
+void touch_spheres(const World& world, Chunk& chunk, NearSpheres& near, double hold) {
     make_room(near.contacts, near.pairs.size() + 8);
     make_room(near.touching, near.pairs.size() + 8);
     make_room(chunk.found, near.pairs.size());
     const TouchCounts counts = world.kernels->touch_spheres(
-        world.motion.data(), near.pairs.data(), static_cast<int>(near.pairs.size()), world.images.data(),
+        world.motion.data(), near.pairs.data(), static_cast<int>(near.pairs.size()), world.images.data(), hold,
         near.touching.data(), near.contacts.data(), chunk.found.data());
     near.contact_count = counts.contacts;
-    for (int k = 0; k < counts.ended; ++k)
-        forget(chunk, near.memory[static_cast<std::size_t>(chunk.found[static_cast<std::size_t>(k)])]);
+    for (int k = 0; k < counts.ended; ++k) {
+        const auto ended = static_cast<std::size_t>(chunk.found[static_cast<std::size_t>(k)]);
+        forget(chunk, near.memory[ended]);
+        if (world.remembers_more)
+            forget(chunk, near.further[ended]);
+    }
 }
 
 BodyContact body_contact(const World& world, const BodyPair& pair, const SphereCandidate& spheres, int candidate) {
@@ -66,7 +76,7 @@ TouchCounts find_clump_touches(const World& world, Chunk& chunk) {
     make_room(chunk.found, candidates.spheres.size());
     return world.kernels->touch_clumps(
         {world.motion.data(), world.turn.data(), world.shape.data(), world.shape_constants.data(), world.images.data()},
-        chunk.body_pairs.data(), static_cast<int>(chunk.body_pairs.size()), candidates.spheres.data(),
+        chunk.body_pairs.data(), static_cast<int>(chunk.body_pairs.size()), candidates.spheres.data(), world.hold,
         candidates.touching.data(), chunk.touches.data(), chunk.found.data());
 }
 
@@ -74,8 +84,12 @@ void touch_clumps(const World& world, Chunk& chunk) {
     for (auto& list : chunk.body_contacts)
         list.clear();
     const TouchCounts counts = find_clump_touches(world, chunk);
-    for (int k = 0; k < counts.ended; ++k)
-        forget(chunk, chunk.candidates.memory[static_cast<std::size_t>(chunk.found[static_cast<std::size_t>(k)])]);
+    for (int k = 0; k < counts.ended; ++k) {
+        const auto ended = static_cast<std::size_t>(chunk.found[static_cast<std::size_t>(k)]);
+        forget(chunk, chunk.candidates.memory[ended]);
+        if (world.remembers_more)
+            forget(chunk, chunk.candidates.further[ended]);
+    }
     for (int first = 0, next = 0; first < counts.contacts; first = next) {
         const int listed = chunk.touches[static_cast<std::size_t>(first)].pair;
         const BodyPair& pair = chunk.body_pairs[static_cast<std::size_t>(listed)];
@@ -110,17 +124,27 @@ WallMemory* heir_of(const WallMemory& old, std::span<WallMemory> now, std::span<
 }
 
 /// Hands the memory of the touches a step ago to those of now; what finds no heir is forgotten, and what is new starts
-/// at rest.
-void match_features(Chunk& chunk, WallCandidate& candidate, std::span<const WallTouch> touches) {
+/// at rest. `further` holds what the touches remember beside it, or is null.
+void match_features(Chunk& chunk, WallCandidate& candidate, FurtherLanes* further, std::span<const WallTouch> touches) {
     std::array<WallMemory, max_wall_touches> now;
+    std::array<FurtherLanes, max_wall_touches> further_now{};
     for (std::size_t t = 0; t < touches.size(); ++t)
         now[t] = {touches[t].feature, touches[t].normal, {}};
     const std::span before(candidate.memory.data(), static_cast<std::size_t>(candidate.touches));
-    for (WallMemory& old : before)
-        if (WallMemory* heir = heir_of(old, {now.data(), touches.size()}, before))
+    for (std::size_t t = 0; t < before.size(); ++t) {
+        WallMemory& old = before[t];
+        WallMemory* heir = heir_of(old, {now.data(), touches.size()}, before);
+        if (heir)
             heir->lanes = old.lanes;
         else
             forget(chunk, old.lanes);
+        if (further && heir)
+            further_now[static_cast<std::size_t>(heir - now.data())] = further[t];
+        else if (further)
+            forget(chunk, further[t]);
+    }
+    if (further)
+        std::copy(further_now.begin(), further_now.end(), further);
     candidate.memory = now;
     candidate.touches = static_cast<std::int16_t>(touches.size());
 }
@@ -142,10 +166,10 @@ void put(double* to, const Vector3d& from) {
 }
 
 WallContact wall_contact(const WallState& wall, const BodyMotion& body, const Vector3d& arm, double radius,
-                         const WallTouch& touch) {
+                         const WallTouch& touch, double hold) {
     WallContact contact{};
     contact.damping_share = 1;
-    contact.overlap = -touch.gap;
+    contact.overlap = -touch.gap - hold;
     contact.radius = radius;
     const Vector3d normal = wall.pose.rotation * touch.normal;
     const Vector3d point = Vector3d(body.position) + arm - normal * (radius - 0.5 * contact.overlap);
@@ -153,6 +177,7 @@ WallContact wall_contact(const WallState& wall, const BodyMotion& body, const Ve
     put(contact.arm, arm);
     put(contact.wall_velocity, wall.half_pose.velocity_at(point));
     put(contact.wall_now, wall.pose.velocity_at(point));
+    put(contact.wall_spin, wall.half_pose.angular_velocity);
     return contact;
 }
 
@@ -161,6 +186,7 @@ int touch_wall(const World& world, Chunk& chunk, const BodyWall& near, std::vect
     const WallState& wall = world.walls[static_cast<std::size_t>(near.wall)];
     const BodyMotion& body = world.motion[static_cast<std::size_t>(near.body)];
     const ShapeConstants& shape = world.shape_at(near.body);
+    const double hold = world.holds[static_cast<std::size_t>(world.kind_of(near.body, wall.wall.material))];
     int touching = 0;
     for (int k = near.begin; k < near.begin + near.count; ++k) {
         WallCandidate& candidate = chunk.wall_candidates[static_cast<std::size_t>(k)];
@@ -168,7 +194,7 @@ int touch_wall(const World& world, Chunk& chunk, const BodyWall& near, std::vect
         const double radius = shape.exposed[4 * candidate.sphere + 3];
         const Vector3d local = wall.pose.rotation.transpose() * (Vector3d(body.position) + arm - wall.pose.translation);
         std::array<WallTouch, max_wall_touches> touches;
-        const int count = wall.surface.touches(local, radius,
+        const int count = wall.surface.touches(local, radius + hold,
                                                {chunk.sphere_primitives.data() + candidate.primitives_begin,
                                                 static_cast<std::size_t>(candidate.primitives_count)},
                                                touches);
@@ -178,9 +204,12 @@ int touch_wall(const World& world, Chunk& chunk, const BodyWall& near, std::vect
             chunk.crossed_wall = near.wall;
         }
         if (count > 0 || candidate.touches > 0)
-            match_features(chunk, candidate, now);
+            match_features(chunk, candidate,
+                           world.remembers_more ? &chunk.wall_further[static_cast<std::size_t>(max_wall_touches * k)]
+                                                : nullptr,
+                           now);
         for (int t = 0; t < count; ++t) {
-            WallContact contact = wall_contact(wall, body, arm, radius, touches[static_cast<std::size_t>(t)]);
+            WallContact contact = wall_contact(wall, body, arm, radius, touches[static_cast<std::size_t>(t)], hold);
             contact.body = near.body;
             contact.candidate = k;
             contact.touch = t;
@@ -210,8 +239,9 @@ void touch_walls(const World& world, Chunk& chunk) {
 
 void touch_candidates(World& world, Chunk& chunk) {
     chunk.dropped_history = 0;
-    for (NearSpheres& near : chunk.near_spheres)
-        touch_spheres(world, chunk, near);
+    chunk.dropped_adhesion = 0;
+    for (std::size_t kind = 0; kind < chunk.near_spheres.size(); ++kind)
+        touch_spheres(world, chunk, chunk.near_spheres[kind], world.holds[kind]);
     touch_clumps(world, chunk);
     touch_walls(world, chunk);
 }

@@ -5,6 +5,7 @@
 #include "base/parallel_for.h"
 #include "base/phases.h"
 #include "base/rng.h"
+#include "contact/air_drag.h"
 #include "contact/material.h"
 #include "scene/scene.h"
 #include "sim3d/cells.h"
@@ -60,8 +61,6 @@ struct BodyWall {
     int capacity = 0;
 };
 
-constexpr int max_wall_touches = 3;
-
 /// A sphere near a wall and its touches.
 struct WallCandidate {
     std::int16_t sphere = 0;
@@ -74,6 +73,7 @@ struct WallCandidate {
 /// Sums of one chunk, J and extremes; added up in chunk order.
 struct Sums {
     ContactSums contacts;
+    double lost_air_drag = 0;
     IntegrateSums motion{0, 0, 0, 0, 0, 0, 0, true};
 };
 
@@ -83,21 +83,23 @@ enum class Phase {
     list_neighbours,
     find_candidates,
     push_gravity,
+    push_air,
     touch_candidates,
     push_contacts,
     collect_pushes,
     integrate,
     book_energy
 };
-constexpr std::array<const char*, 9> phase_names{"move_walls",     "list_neighbours",  "find_candidates",
-                                                 "push_gravity",   "touch_candidates", "push_contacts",
-                                                 "collect_pushes", "integrate",        "book_energy"};
+constexpr std::array<const char*, 10> phase_names{"move_walls", "list_neighbours",  "find_candidates", "push_gravity",
+                                                  "push_air",   "touch_candidates", "push_contacts",   "collect_pushes",
+                                                  "integrate",  "book_energy"};
 using PhaseSeconds = std::array<double, phase_names.size()>;
 
 /// Those of a chunk's sphere pairs that may touch before World::rush reaches Chunk::near_until.
 struct NearSpheres {
     std::vector<NearPair> pairs; // in the order of Chunk::sphere_pairs
     std::vector<MemoryLanes> memory;
+    std::vector<FurtherLanes> further;  // parallel to them where World::remembers_more, else empty
     std::vector<std::uint8_t> touching; // 1 or 0, of the pairs; longer than they are
     std::vector<int> contacts;          // the first contact_count entries: those of pairs that touch now
     int contact_count = 0;
@@ -105,14 +107,18 @@ struct NearSpheres {
     void clear() {
         pairs.clear();
         memory.clear();
+        further.clear();
         contact_count = 0;
     }
-    void add(const NearPair& pair, std::uint8_t touches, const MemoryLanes& remembered) {
+    /// `more` is null unless World::remembers_more.
+    void add(const NearPair& pair, std::uint8_t touches, const MemoryLanes& remembered, const FurtherLanes* more) {
         if (touching.size() <= pairs.size())
             touching.resize(2 * pairs.size() + 8);
         touching[pairs.size()] = touches;
         pairs.push_back(pair);
         memory.push_back(remembered);
+        if (more)
+            further.push_back(*more);
     }
 };
 
@@ -120,15 +126,22 @@ struct NearSpheres {
 struct ClumpCandidates {
     std::vector<SphereCandidate> spheres;
     std::vector<MemoryLanes> memory;
+    std::vector<FurtherLanes> further; // parallel to them where World::remembers_more, else empty
     std::vector<std::uint8_t> touching = std::vector<std::uint8_t>(8); // 1 or 0; the kernels load eight from anywhere
 
     [[nodiscard]] int size() const { return static_cast<int>(spheres.size()); }
-    void resize(int size) {
+    void resize(int size, bool remembers_more) {
         spheres.resize(static_cast<std::size_t>(size));
         memory.resize(static_cast<std::size_t>(size));
+        if (remembers_more)
+            further.resize(static_cast<std::size_t>(size));
         touching.resize(static_cast<std::size_t>(size) + 8);
     }
-    void set(int at, const SphereCandidate& candidate, bool touches, const MemoryLanes& remembered) {
+    /// `more` is null unless World::remembers_more.
+    void set(int at, const SphereCandidate& candidate, bool touches, const MemoryLanes& remembered,
+             const FurtherLanes* more) {
+        if (more)
+            further[static_cast<std::size_t>(at)] = *more;
         spheres[static_cast<std::size_t>(at)] = candidate;
         memory[static_cast<std::size_t>(at)] = remembered;
         touching[static_cast<std::size_t>(at)] = touches ? 1 : 0;
@@ -153,6 +166,7 @@ struct Chunk {
     std::vector<BodyWall> body_walls;
     std::vector<int> wall_primitives;
     std::vector<WallCandidate> wall_candidates;
+    std::vector<FurtherLanes> wall_further; // max_wall_touches each where World::remembers_more, else empty
     std::vector<int> sphere_primitives;
 
     std::vector<std::vector<BodyContact>> body_contacts; // per material pair
@@ -162,6 +176,7 @@ struct Chunk {
     std::vector<ForeignPush> foreign;             // room for the kernels; delivered through the outbox
     std::vector<int> found;                       // room for the kernels
     double dropped_history = 0;                   // J forgotten by contacts that ended in this step
+    double dropped_adhesion = 0;                  // J that went with their necks
     int crossed_body = -1;                        // slot of a body whose sphere's centre has passed through a wall, ...
     int crossed_wall = -1;                        // ... and the wall
     Sums sums;
@@ -195,6 +210,9 @@ struct Ledger {
     double lost_normal_damping = 0;
     double lost_tangential_damping = 0;
     double lost_sliding = 0;
+    double lost_rolling = 0;
+    double lost_air_drag = 0;
+    double lost_adhesion = 0;
     double lost_history = 0;
     double wall_work = 0;
     double inserted = 0;
@@ -207,8 +225,12 @@ struct World {
     std::int64_t step = 0;
     std::vector<ShapeData> shapes;
     std::vector<BodyShape> plain_shapes;
+    std::vector<contact::AirDrag> drag;        // per shape; empty without air
     std::vector<contact::PairConstants> pairs; // materials squared
     int materials = 0;
+    bool remembers_more = false; // some pair's law is not plain
+    std::vector<double> holds;   // m, per pair: the widest gap over which two that touched may still push or pull
+    double hold = 0;             // m, the largest of them
     std::vector<WallState> walls;
     std::vector<FillState> fills;
     std::int64_t next_fill_step = 0;

@@ -22,6 +22,17 @@ TEST_CASE("every number is taken exactly once, by crews of any size, round after
     }
 }
 
+TEST_CASE("a helper that comes late from a round takes nothing of a larger one that follows") {
+    Crew crew(4);
+    std::vector<std::atomic<int>> taken(64);
+    for (int round = 0; round < 5000; ++round) {
+        const int n = 4 + 60 * (round % 2);
+        crew.share(n, [&](int k) { ++taken[static_cast<std::size_t>(k)]; });
+    }
+    for (std::size_t k = 0; k < taken.size(); ++k)
+        CHECK(taken[k] == (k < 4 ? 5000 : 2500));
+}
+
 TEST_CASE("what a task writes is there when share returns") {
     Crew crew(2);
     std::array<int, 100> squares{};

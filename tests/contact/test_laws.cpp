@@ -1,3 +1,4 @@
+#include "about.h"
 #include "contact/law.h"
 
 #include <array>
@@ -8,6 +9,7 @@
 
 using namespace tumble;
 using namespace tumble::contact;
+using tumble::test::about;
 
 namespace {
 
@@ -33,8 +35,8 @@ const Memory<double> fresh{{0, 0, 0}, 0};
 TEST_CASE("the effective moduli of two equal materials are E / 2(1 - nu^2) and G / 2(2 - nu)") {
     const PairConstants pair = glass_on_glass(0.5, 0.3);
     const double shear_modulus = 7e10 / (2 * (1 + 0.24));
-    CHECK(pair.E_eff == doctest::Approx(7e10 / (2 * (1 - 0.24 * 0.24))).epsilon(1e-14));
-    CHECK(pair.G_eff == doctest::Approx(shear_modulus / (2 * (2 - 0.24))).epsilon(1e-14));
+    CHECK(pair.E_eff == about(7e10 / (2 * (1 - 0.24 * 0.24)), 1e-14));
+    CHECK(pair.G_eff == about(shear_modulus / (2 * (2 - 0.24)), 1e-14));
 }
 
 TEST_CASE("of two unlike materials the soft one gives way, and the order does not matter") {
@@ -42,31 +44,31 @@ TEST_CASE("of two unlike materials the soft one gives way, and the order does no
     const PairConstants other = derive(lining, glass, {0.5, 0.3, 0, 0});
     CHECK(one.E_eff == other.E_eff);
     CHECK(one.G_eff == other.G_eff);
-    CHECK(one.E_eff == doctest::Approx(2.5e7 / (1 - 0.45 * 0.45)).epsilon(1e-3));
+    CHECK(one.E_eff == about(2.5e7 / (1 - 0.45 * 0.45), 1e-3));
 }
 
 TEST_CASE("damping is 0 for an elastic pair, 1 for restitution 0, and 1/sqrt(2) where ln e is -pi") {
     CHECK(glass_on_glass(1, 0).damping == 0);
     CHECK(glass_on_glass(0, 0).damping == 1);
-    CHECK(glass_on_glass(std::exp(-std::numbers::pi), 0).damping == doctest::Approx(std::sqrt(0.5)).epsilon(1e-14));
+    CHECK(glass_on_glass(std::exp(-std::numbers::pi), 0).damping == about(std::sqrt(0.5), 1e-14));
 }
 
 TEST_CASE("Hertz' force is 4/3 E* sqrt(R*) d^1.5, and the energy it stores is the force's integral over the overlap") {
     const PairConstants pair = glass_on_glass(1, 0);
     const auto at = [&](double overlap) { return Hertz::push(touch(overlap, {0, 0, 0}), 0.0, pair); };
     for (const double d : {1e-9, 1e-6, 3e-5}) {
-        CHECK(at(d).elastic == doctest::Approx(4.0 / 3 * pair.E_eff * std::sqrt(2e-3) * std::pow(d, 1.5)));
+        CHECK(at(d).elastic == about(4.0 / 3 * pair.E_eff * std::sqrt(2e-3) * std::pow(d, 1.5)));
         const double step = 1e-4 * d;
-        CHECK((at(d + step).stored - at(d - step).stored) / (2 * step) == doctest::Approx(at(d).elastic).epsilon(1e-7));
+        CHECK((at(d + step).stored - at(d - step).stored) / (2 * step) == about(at(d).elastic, 1e-7));
     }
 }
 
 TEST_CASE("the linear force is k d, its energy k d^2 / 2, its dashpot 2 beta sqrt(k m)") {
     const PairConstants pair = glass_on_glass(0.3, 0);
     const auto push = LinearNormal::push(touch(1e-5, {-0.2, 0, 0}), -0.2, pair);
-    CHECK(push.elastic == doctest::Approx(2e5 * 1e-5));
-    CHECK(push.stored == doctest::Approx(0.5 * 2e5 * 1e-10));
-    CHECK(push.viscous == doctest::Approx(0.2 * 2 * pair.damping * std::sqrt(2e5 * 5e-5)));
+    CHECK(push.elastic == about(2e5 * 1e-5));
+    CHECK(push.stored == about(0.5 * 2e5 * 1e-10));
+    CHECK(push.viscous == about(0.2 * 2 * pair.damping * std::sqrt(2e5 * 5e-5)));
 }
 
 TEST_CASE("at the end of a rebound the dashpot pulls, unless limit_force is set") {
@@ -84,9 +86,9 @@ TEST_CASE("Mindlin's spring has the stiffness 8 G* sqrt(R* d) and holds while it
     const Vec slip{0, 0.01, 0};
     const auto push = Law<Hertz, Mindlin>{}.push(touch(1e-6, slip), pair, fresh, dt);
     const double stiffness = 8 * pair.G_eff * std::sqrt(2e-3 * 1e-6);
-    CHECK(push.force.y == doctest::Approx(-stiffness * 0.01 * dt));
-    CHECK(push.memory.spring.y == doctest::Approx(0.01 * dt));
-    CHECK(push.memory.energy == doctest::Approx(0.5 * stiffness * std::pow(0.01 * dt, 2)));
+    CHECK(push.force.y == about(-stiffness * 0.01 * dt));
+    CHECK(push.memory.spring.y == about(0.01 * dt));
+    CHECK(push.memory.energy == about(0.5 * stiffness * std::pow(0.01 * dt, 2)));
     CHECK(push.lost_sliding == 0);
 }
 
@@ -97,11 +99,11 @@ TEST_CASE("a contact that slides pushes with mu |F_n| against the slip and keeps
     const double limit = 0.5 * push.force.x;
     const double stiffness = 8 * pair.G_eff * std::sqrt(2e-3 * 1e-6);
     REQUIRE(stiffness * 50 * dt > limit);
-    CHECK(push.force.y == doctest::Approx(-0.6 * limit));
-    CHECK(push.force.z == doctest::Approx(0.8 * limit));
-    CHECK(std::sqrt(dot(push.memory.spring, push.memory.spring)) == doctest::Approx(limit / stiffness));
+    CHECK(push.force.y == about(-0.6 * limit));
+    CHECK(push.force.z == about(0.8 * limit));
+    CHECK(std::sqrt(dot(push.memory.spring, push.memory.spring)) == about(limit / stiffness));
     // The way slipped in the step, times the force: all that is not left in the spring.
-    CHECK(push.lost_sliding == doctest::Approx(limit * (50 * dt - limit / stiffness)));
+    CHECK(push.lost_sliding == about(limit * (50 * dt - limit / stiffness)));
 }
 
 TEST_CASE("what of the spring stands along the new normal is dropped, and its energy booked as lost with history") {
@@ -110,8 +112,8 @@ TEST_CASE("what of the spring stands along the new normal is dropped, and its en
     const Memory<double> tilted{{3e-9, 4e-9, 0}, 0.5 * stiffness * 25e-18};
     const auto push = Law<Hertz, Mindlin>{}.push(touch(1e-6, {0, 0, 0}), pair, tilted, dt);
     CHECK(push.memory.spring.x == 0);
-    CHECK(push.memory.spring.y == doctest::Approx(4e-9));
-    CHECK(push.lost_history == doctest::Approx(0.5 * stiffness * 9e-18));
+    CHECK(push.memory.spring.y == about(4e-9));
+    CHECK(push.lost_history == about(0.5 * stiffness * 9e-18));
 }
 
 TEST_CASE("the share of damping scales both dashpots and no spring") {
@@ -123,8 +125,8 @@ TEST_CASE("the share of damping scales both dashpots and no spring") {
     const auto elastic = law.push(whole, glass_on_glass(1, 10), fresh, dt).force;
     const auto one = law.push(whole, pair, fresh, dt).force - elastic;
     const auto half = law.push(shared, pair, fresh, dt).force - elastic;
-    CHECK(half.x == doctest::Approx(0.5 * one.x));
-    CHECK(half.y == doctest::Approx(0.5 * one.y));
+    CHECK(half.x == about(0.5 * one.x));
+    CHECK(half.y == about(0.5 * one.y));
 }
 
 TEST_CASE_TEMPLATE("eight contacts at once give each the very bits of one alone", ThisLaw, Law<Hertz, Mindlin>,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "about.h"
 #include "hard2d/solver.h"
 #include "scene/scene.h"
 
@@ -12,6 +13,7 @@ namespace tumble::hard2d::testing {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+using test::about;
 
 constexpr double g = 9.81; // m/s2
 /// What Box2D lets things sink into each other, over the smallest radius (units.h).

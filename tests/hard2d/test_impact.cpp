@@ -16,12 +16,12 @@ TEST_CASE("free fall is that of Euler's rule with the new velocity: g dt^2 n (n 
     const int disc = box.disc(0.05);
     box.put({at(disc, {0.3, 4})});
     box.step(500);
-    CHECK(box.body_at(0).position.y() == doctest::Approx(4 - g * dt * dt * 500 * 501 / 2).epsilon(1e-5));
-    CHECK(box.body_at(0).velocity.y() == doctest::Approx(-g * 500 * dt).epsilon(1e-5));
-    CHECK(time_of(*box.world) == doctest::Approx(0.5));
+    CHECK(box.body_at(0).position.y() == about(4 - g * dt * dt * 500 * 501 / 2, 1e-5));
+    CHECK(box.body_at(0).velocity.y() == about(-g * 500 * dt, 1e-5));
+    CHECK(time_of(*box.world) == about(0.5));
     // Euler's fall loses m g^2 dt^2 / 2 a step, and nothing else is lost.
     const double mass = box.shape(disc).mass;
-    CHECK(books_of(*box.world).lost_in_sum == doctest::Approx(500 * mass * g * g * dt * dt / 2).epsilon(0.05));
+    CHECK(books_of(*box.world).lost_in_sum == about(500 * mass * g * g * dt * dt / 2, 0.05));
 }
 
 TEST_CASE("a dropped disc rebounds to e^2 of the height it fell, whatever the step") {
@@ -42,7 +42,7 @@ TEST_CASE("a dropped disc rebounds to e^2 of the height it fell, whatever the st
                 top = std::max(top, box.body_at(0).position.y() - 0.05);
             }
             // The impact falls anywhere in a step, in which the disc goes v dt.
-            CHECK(top == doctest::Approx(e * e * 0.5).epsilon(4 * g * down * dt / 0.5));
+            CHECK(top == about(e * e * 0.5, 4 * g * down * dt / 0.5));
         }
 }
 
@@ -57,8 +57,8 @@ TEST_CASE("each pair of materials has its own restitution and friction") {
     box.scene.bodies[1].material = 2;
     box.put({at(first, {-1, 0.1}, {0, -2}), at(second, {1, 0.1}, {0, -2})});
     box.run_for(0.1);
-    CHECK(box.body_at(0).velocity.y() == doctest::Approx(1.8).epsilon(1e-4));
-    CHECK(box.body_at(1).velocity.y() == doctest::Approx(0.2).epsilon(1e-4));
+    CHECK(box.body_at(0).velocity.y() == about(1.8, 1e-4));
+    CHECK(box.body_at(1).velocity.y() == about(0.2, 1e-4));
 }
 
 TEST_CASE("an oblique impact: full sliding takes mu (1 + e) of the normal speed, sticking leaves two thirds") {
@@ -69,20 +69,20 @@ TEST_CASE("an oblique impact: full sliding takes mu (1 + e) of the normal speed,
         box.floor();
         box.put({at(disc, {0, 0.2}, {along, -normal})});
         box.run_for(0.1);
-        CHECK(box.body_at(0).velocity.y() == doctest::Approx(e * normal).epsilon(1e-4));
+        CHECK(box.body_at(0).velocity.y() == about(e * normal, 1e-4));
         return box.body_at(0);
     };
     // Tangential impulse mu m (1 + e) v_n; the disc of inertia m R^2 / 2 is spun clockwise by twice that over m R.
     const double slip = mu * (1 + e) * normal;
     const BodyState fast = leaves(8);
-    CHECK(fast.velocity.x() == doctest::Approx(8 - slip).epsilon(1e-3));
+    CHECK(fast.velocity.x() == about(8 - slip, 1e-3));
     // Box2D pushes in the middle of the overlap, which may be as deep as the way of a step.
     const double shorter_arm = normal * 5e-4 / 2 / 0.1;
-    CHECK(fast.angular_velocity == doctest::Approx(-2 * slip / 0.1).epsilon(shorter_arm));
+    CHECK(fast.angular_velocity == about(-2 * slip / 0.1, shorter_arm));
     // It sticks where a third of the tangential speed is less than that: the lowest point stands still.
     const BodyState slow = leaves(1);
-    CHECK(slow.velocity.x() == doctest::Approx(2.0 / 3).epsilon(1e-3));
-    CHECK(slow.angular_velocity == doctest::Approx(-2.0 / 3 / 0.1).epsilon(shorter_arm));
+    CHECK(slow.velocity.x() == about(2.0 / 3, 1e-3));
+    CHECK(slow.angular_velocity == about(-2.0 / 3 / 0.1, shorter_arm));
 }
 
 TEST_CASE("a clump that is struck beside its centre answers with its mass and the inertia of its union") {
@@ -95,9 +95,9 @@ TEST_CASE("a clump that is struck beside its centre answers with its mass and th
     const double m = box.shape(disc).mass, M = box.shape(dumbbell).mass, I = box.shape(dumbbell).inertia;
     // Along the line of centres: J = 2 v / (1/m + 1/M + arm^2 / I) for e = 1.
     const double push = 2 / (1 / m + 1 / M + 0.08 * 0.08 / I);
-    CHECK(box.body_at(0).velocity.y() == doctest::Approx(-1 + push / m).epsilon(1e-3));
-    CHECK(box.body_at(1).velocity.y() == doctest::Approx(-push / M).epsilon(1e-3));
-    CHECK(box.body_at(1).angular_velocity == doctest::Approx(-0.08 * push / I).epsilon(1e-3));
+    CHECK(box.body_at(0).velocity.y() == about(-1 + push / m, 1e-3));
+    CHECK(box.body_at(1).velocity.y() == about(-push / M, 1e-3));
+    CHECK(box.body_at(1).angular_velocity == about(-0.08 * push / I, 1e-3));
 }
 
 TEST_CASE("among themselves bodies keep momentum and angular momentum, and lose energy unless e = 1 and mu = 0") {

@@ -18,10 +18,10 @@ TEST_CASE("a block that slides stops after v^2 / (2 mu g)") {
         box.put({at(block, {-3, 0.05}, {2, 0})});
         box.run_for(1.2 * 2 / (mu * g));
         CHECK(box.body_at(0).velocity.norm() < 1e-3);
-        CHECK(box.body_at(0).position.x() + 3 == doctest::Approx(4 / (2 * mu * g)).epsilon(5e-3));
+        CHECK(box.body_at(0).position.x() + 3 == about(4 / (2 * mu * g), 5e-3));
         // All its kinetic energy is gone, and nothing else but the fall by the slop has added to it.
         const double mass = box.shape(block).mass;
-        CHECK(books_of(*box.world).lost_in_sum == doctest::Approx(mass * 2).epsilon(5e-3));
+        CHECK(books_of(*box.world).lost_in_sum == about(mass * 2, 5e-3));
     }
 }
 
@@ -39,7 +39,7 @@ TEST_CASE("on a slope a block stays below the angle of friction and goes down wi
     const double limit = std::atan(mu);
     CHECK(std::abs(goes(0.95 * limit)) < 1e-3);
     for (const double angle : {1.1 * limit, 1.5 * limit})
-        CHECK(goes(angle) == doctest::Approx(g * (std::sin(angle) - mu * std::cos(angle))).epsilon(5e-3));
+        CHECK(goes(angle) == about(g * (std::sin(angle) - mu * std::cos(angle)), 5e-3));
 }
 
 TEST_CASE("a disc rolls down a slope with two thirds of the block's pull") {
@@ -50,8 +50,8 @@ TEST_CASE("a disc rolls down a slope with two thirds of the block's pull") {
     box.floor();
     box.put({at(disc, {0, 0.05})});
     box.run_for(0.5);
-    CHECK(box.body_at(0).velocity.x() == doctest::Approx(2.0 / 3 * g * std::sin(angle) * 0.5).epsilon(5e-3));
-    CHECK(box.body_at(0).angular_velocity * -0.05 == doctest::Approx(box.body_at(0).velocity.x()).epsilon(1e-3));
+    CHECK(box.body_at(0).velocity.x() == about(2.0 / 3 * g * std::sin(angle) * 0.5, 5e-3));
+    CHECK(box.body_at(0).angular_velocity * -0.05 == about(box.body_at(0).velocity.x(), 1e-3));
 }
 
 TEST_CASE("a column of discs stands still, each sunk into the one below by no more than Box2D's slop") {
@@ -90,9 +90,9 @@ TEST_CASE("a disc rolls over the joints of a straight wall as if there were none
         return box.body_at(0);
     };
     const BodyState plain = rolled(1), jointed = rolled(100);
-    CHECK(plain.velocity.x() == doctest::Approx(2).epsilon(1e-3));
-    CHECK(jointed.velocity.x() == doctest::Approx(2).epsilon(1e-3));
-    CHECK(jointed.position.x() == doctest::Approx(1).epsilon(2e-3));
+    CHECK(plain.velocity.x() == about(2, 1e-3));
+    CHECK(jointed.velocity.x() == about(2, 1e-3));
+    CHECK(jointed.position.x() == about(1, 2e-3));
     CHECK(std::abs(jointed.position.y() - plain.position.y()) < slop * 0.05);
 }
 
@@ -115,7 +115,7 @@ TEST_CASE("a disc without friction swings in a round wall as a pendulum of lengt
     }
     // The first passage comes after a quarter; amplitude 0.2 makes it longer by 1/16 of its square.
     const double period = 2 * std::numbers::pi * std::sqrt(length / g) * (1 + amplitude * amplitude / 16);
-    CHECK(passed == doctest::Approx(2.25 * period).epsilon(0.01));
+    CHECK(passed == about(2.25 * period, 0.01));
 }
 
 TEST_CASE("the same world, a thousand times larger and seen in slow motion, moves alike") {

@@ -17,12 +17,12 @@ TEST_CASE("a rising floor lifts a disc and does the work of its weight") {
     box.run_for(0.2);
     const double before = books_of(*box.world).wall_work, low = box.body_at(0).position.y();
     box.run_for(0.8);
-    CHECK(box.body_at(0).velocity.y() == doctest::Approx(1.5).epsilon(1e-3));
+    CHECK(box.body_at(0).velocity.y() == about(1.5, 1e-3));
     const double risen = box.body_at(0).position.y() - low, mass = box.shape(disc).mass;
-    CHECK(risen == doctest::Approx(0.8 * 1.5).epsilon(2e-3));
+    CHECK(risen == about(0.8 * 1.5, 2e-3));
     // Setting it in motion from rest without rebound costs m v^2, of which half is lost; then m g h.
-    CHECK(books_of(*box.world).wall_work - before == doctest::Approx(mass * (1.5 * 1.5 + g * risen)).epsilon(0.01));
-    CHECK(books_of(*box.world).lost_in_sum == doctest::Approx(mass * 1.5 * 1.5 / 2).epsilon(0.02));
+    CHECK(books_of(*box.world).wall_work - before == about(mass * (1.5 * 1.5 + g * risen), 0.01));
+    CHECK(books_of(*box.world).lost_in_sum == about(mass * 1.5 * 1.5 / 2, 0.02));
 }
 
 TEST_CASE("a plate that shakes below one g carries its load, period after period, without drifting from its motion") {
@@ -48,12 +48,12 @@ TEST_CASE("a belt takes a block along: it slips for v / (mu g), and as much is l
     box.floor().motion.linears = {{{}, {1, 0, 0}}};
     box.put({at(block, {0, 0.05})});
     box.run_for(0.5 / (0.3 * g));
-    CHECK(box.body_at(0).velocity.x() == doctest::Approx(0.5).epsilon(5e-3));
+    CHECK(box.body_at(0).velocity.x() == about(0.5, 5e-3));
     box.run_for(1 / (0.3 * g));
-    CHECK(box.body_at(0).velocity.x() == doctest::Approx(1).epsilon(1e-3));
+    CHECK(box.body_at(0).velocity.x() == about(1, 1e-3));
     const double mass = box.shape(block).mass;
-    CHECK(books_of(*box.world).wall_work == doctest::Approx(mass).epsilon(0.01));
-    CHECK(books_of(*box.world).lost_in_sum == doctest::Approx(mass / 2).epsilon(0.02));
+    CHECK(books_of(*box.world).wall_work == about(mass, 0.01));
+    CHECK(books_of(*box.world).lost_in_sum == about(mass / 2, 0.02));
 }
 
 TEST_CASE("a turning arm, round a point beside it and for many turns, pushes with the speed of its surface") {
@@ -69,7 +69,7 @@ TEST_CASE("a turning arm, round a point beside it and for many turns, pushes wit
     const double height = 0.5 * std::tan(w * since) + 0.06;
     box.put({at(disc, {0.5, height})});
     box.run_for(0.01);
-    CHECK(box.body_at(0).velocity.norm() == doctest::Approx(2 * w * 0.5).epsilon(0.03));
+    CHECK(box.body_at(0).velocity.norm() == about(2 * w * 0.5, 0.03));
 }
 
 TEST_CASE("walls touch from both sides") {
@@ -81,10 +81,10 @@ TEST_CASE("walls touch from both sides") {
     box.put({at(disc, {0, 0.2}, {0, -1}), at(disc, {0.5, -0.2}, {0, 1}), at(disc, {2, 0}, {2, 0}),
              at(disc, {3, 0.1}, {-2, 0}), at(disc, {-3, 0}, {0, 3}), at(disc, {-3, 0.8}, {0, -1})});
     box.run_for(0.4);
-    CHECK(box.body_at(0).velocity.y() == doctest::Approx(1).epsilon(1e-4));
-    CHECK(box.body_at(1).velocity.y() == doctest::Approx(-1).epsilon(1e-4));
+    CHECK(box.body_at(0).velocity.y() == about(1, 1e-4));
+    CHECK(box.body_at(1).velocity.y() == about(-1, 1e-4));
     CHECK(box.body_at(2).position.x() < 2.5); // it ran into the corner and came back
     CHECK(box.body_at(3).position.x() > 2.4);
     CHECK((box.body_at(4).position - Vector2d(-3, 0)).norm() < 0.45 + 1e-3);
-    CHECK(box.body_at(5).velocity.y() == doctest::Approx(1).epsilon(1e-2));
+    CHECK(box.body_at(5).velocity.y() == about(1, 1e-2));
 }

@@ -67,7 +67,7 @@ TEST_CASE("a scene begins with the same bodies at the same places under either s
     for (std::size_t k = 0; k < a.size(); ++k) {
         CHECK(a[k].shape == b[k].shape);
         CHECK((a[k].position - b[k].position).norm() < 1e-7); // single precision
-        CHECK(a[k].angle == doctest::Approx(b[k].angle).epsilon(1e-6));
+        CHECK(a[k].angle == about(b[k].angle, 1e-6));
     }
 }
 
@@ -94,8 +94,8 @@ TEST_CASE("global damping lets a free disc's velocity and spin die away as exp(-
     box.put({at(disc, {0, 0}, {3, -1}, 7)});
     box.run_for(1);
     // Box2D divides by 1 + alpha dt in every step: to first order in dt.
-    CHECK(box.body_at(0).velocity.x() == doctest::Approx(3 * std::exp(-2.0)).epsilon(3e-3));
-    CHECK(box.body_at(0).angular_velocity == doctest::Approx(7 * std::exp(-2.0)).epsilon(3e-3));
+    CHECK(box.body_at(0).velocity.x() == about(3 * std::exp(-2.0), 3e-3));
+    CHECK(box.body_at(0).angular_velocity == about(7 * std::exp(-2.0), 3e-3));
 }
 
 TEST_CASE("before the first step the books hold the bodies with the energy that they brought") {
@@ -106,9 +106,9 @@ TEST_CASE("before the first step the books hold the bodies with the energy that 
     const double mass = box.shape(disc).mass;
     const Books books = books_of(*box.world);
     CHECK(books.bodies == 2);
-    CHECK(books.kinetic_translation == doctest::Approx(0.5 * mass * 25));
-    CHECK(books.kinetic_rotation == doctest::Approx(0.5 * 0.5 * mass * 0.01 * 400));
-    CHECK(books.gravity == doctest::Approx(mass * g * (0.5 - 2)));
+    CHECK(books.kinetic_translation == about(0.5 * mass * 25));
+    CHECK(books.kinetic_rotation == about(0.5 * 0.5 * mass * 0.01 * 400));
+    CHECK(books.gravity == about(mass * g * (0.5 - 2)));
     CHECK(std::abs(books.lost_in_sum) < 1e-5 * std::abs(books.inserted));
 }
 

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "taught.h"
 
 #include <cmath>
@@ -6,6 +7,7 @@
 
 using namespace tumble::lesson;
 using namespace tumble::lesson::testing;
+using tumble::test::about;
 
 TEST_CASE("clumps: n contacts are sqrt(n) times as damped as one, unless they share") {
     const double e = 0.7;
@@ -14,8 +16,8 @@ TEST_CASE("clumps: n contacts are sqrt(n) times as damped as one, unless they sh
         CAPTURE(n);
         const double zeta = std::sqrt(n) * -std::log(e) / std::hypot(std::log(e), std::numbers::pi);
         const double expected = std::exp(-std::numbers::pi * zeta / std::sqrt(1 - zeta * zeta));
-        CHECK(walk.fact("restitution_" + std::to_string(n)) == doctest::Approx(expected).epsilon(5e-3));
-        CHECK(walk.fact("shared_restitution_" + std::to_string(n)) == doctest::Approx(e).epsilon(5e-3));
+        CHECK(walk.fact("restitution_" + std::to_string(n)) == about(expected, 5e-3));
+        CHECK(walk.fact("shared_restitution_" + std::to_string(n)) == about(e, 5e-3));
     }
 }
 

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "taught.h"
 
 #include <cmath>
@@ -5,15 +6,16 @@
 
 using namespace tumble::lesson;
 using namespace tumble::lesson::testing;
+using tumble::test::about;
 
 TEST_CASE("energy: a ball comes back to e^2 and e^4 of its height, and the books close") {
     const double h = 0.15, e = 0.8, r = 4e-3; // m, -, m
     const Walk walk = taught("energy", {{"height_mm", "150"}, {"restitution", "0.8"}, {"radius_mm", "4"}});
     const double energy = 4.0 / 3 * std::numbers::pi * r * r * r * 1665.71 * 9.81 * h;
-    CHECK(walk.fact("energy") == doctest::Approx(energy).epsilon(1e-9));
+    CHECK(walk.fact("energy") == about(energy, 1e-9));
     // Gravity goes on pulling during the contact: a part of a percent.
-    CHECK(walk.fact("height_1") == doctest::Approx(e * e * h).epsilon(0.01));
-    CHECK(walk.fact("height_2") == doctest::Approx(std::pow(e, 4) * h).epsilon(0.02));
-    CHECK(walk.fact("lost_first") == doctest::Approx((1 - e * e) * energy).epsilon(0.01));
+    CHECK(walk.fact("height_1") == about(e * e * h, 0.01));
+    CHECK(walk.fact("height_2") == about(std::pow(e, 4) * h, 0.02));
+    CHECK(walk.fact("lost_first") == about((1 - e * e) * energy, 0.01));
     CHECK(walk.fact("closure") < 1e-3); // a hundred steps a contact, second order
 }

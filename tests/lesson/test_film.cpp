@@ -1,3 +1,4 @@
+#include "about.h"
 #include "folder.h"
 #include "lesson/film.h"
 #include "lesson/stage.h"
@@ -6,6 +7,7 @@
 #include <algorithm>
 
 using namespace tumble;
+using tumble::test::about;
 using namespace tumble::lesson;
 using namespace tumble::lesson::testing;
 
@@ -33,8 +35,8 @@ TEST_CASE("a reel has a frame at every instant asked for, until the solver stops
     const Film film = flights();
     REQUIRE(film.reels[0].frames.size() == 11);
     for (std::size_t k = 0; k < 11; ++k) {
-        CHECK(film.reels[0].frames[k].time == doctest::Approx(0.02 * static_cast<double>(k)));
-        CHECK(film.reels[0].frames[k].position[0].x() == doctest::Approx(0.02 * static_cast<double>(k)));
+        CHECK(film.reels[0].frames[k].time == about(0.02 * static_cast<double>(k)));
+        CHECK(film.reels[0].frames[k].position[0].x() == about(0.02 * static_cast<double>(k)));
     }
     CHECK(film.reels[1].frames.size() >= 2); // the wall is reached after 0.02 s
     CHECK(film.reels[1].frames.size() < 11);
@@ -55,8 +57,8 @@ TEST_CASE("lessons where motion teaches something have a film") {
     for (const char* name : {"time-step", "friction", "repose", "soft-and-hard", "clumps"}) {
         CAPTURE(name);
         const Walk walk = taught(name);
-        REQUIRE(walk.films().size() == 1);
-        for (const Reel& reel : walk.films()[0]->reels)
+        REQUIRE(walk.films.size() == 1);
+        for (const Reel& reel : walk.films[0].reels)
             CHECK(!reel.frames.empty());
     }
 }
@@ -66,7 +68,7 @@ TEST_CASE(
     const Walk walk = taught("time-step");
     const auto fastest = [&](std::size_t side) {
         double most = 0;
-        for (const Eigen::Vector3d& velocity : walk.films()[0]->reels[side].frames.back().velocity)
+        for (const Eigen::Vector3d& velocity : walk.films[0].reels[side].frames.back().velocity)
             most = std::max(most, velocity.norm());
         return most;
     };

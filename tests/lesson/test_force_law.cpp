@@ -1,24 +1,26 @@
+#include "about.h"
 #include "taught.h"
 
 #include <cmath>
 
 using namespace tumble::lesson;
 using namespace tumble::lesson::testing;
+using tumble::test::about;
 
 TEST_CASE("force-law: the rig sees Hertz, Mindlin and Coulomb") {
     const double R = 2.5e-3, d = 50e-6, E = 5e7, nu = 0.25, mu = 0.3, s = 30e-6; // m, m, Pa, -, -, m
     const Walk walk = taught("force-law");
     const double E_eff = E / (2 * (1 - nu * nu)), G_eff = E / (4 * (2 - nu) * (1 + nu));
     const double force = 4.0 / 3 * E_eff * std::sqrt(R) * std::pow(d, 1.5);
-    CHECK(walk.fact("hertz_force") == doctest::Approx(force));
-    CHECK(walk.fact("hertz_work") == doctest::Approx(0.4 * force * d).epsilon(1e-4));
-    CHECK(walk.fact("linear_work") == doctest::Approx(0.5 * force * d).epsilon(1e-9));
+    CHECK(walk.fact("hertz_force") == about(force));
+    CHECK(walk.fact("hertz_work") == about(0.4 * force * d, 1e-4));
+    CHECK(walk.fact("linear_work") == about(0.5 * force * d, 1e-9));
     const double slope = 8 * G_eff * std::sqrt(R * d), yield = mu * force / slope;
-    CHECK(walk.fact("shear_slope") == doctest::Approx(slope));
-    CHECK(walk.fact("shear_limit") == doctest::Approx(mu * force));
-    CHECK(walk.fact("yield") == doctest::Approx(yield).epsilon(0.01)); // 400 steps resolve s / 400
-    CHECK(walk.fact("loop_loss") == doctest::Approx(5 * mu * force * (s - yield)).epsilon(1e-6));
-    CHECK(walk.fact("loop_work") == doctest::Approx(walk.fact("loop_loss")).epsilon(1e-3));
+    CHECK(walk.fact("shear_slope") == about(slope));
+    CHECK(walk.fact("shear_limit") == about(mu * force));
+    CHECK(walk.fact("yield") == about(yield, 0.01)); // 400 steps resolve s / 400
+    CHECK(walk.fact("loop_loss") == about(5 * mu * force * (s - yield), 1e-6));
+    CHECK(walk.fact("loop_work") == about(walk.fact("loop_loss"), 1e-3));
     CHECK(walk.fact("beyond_limit") < 1e-12 * force);
 }
 

@@ -50,7 +50,7 @@ TEST_CASE("the text fits into 100 columns and does not tell the answer") {
         while (from < text.size()) {
             const std::size_t to = text.find('\n', from);
             const std::string line = text.substr(from, to - from);
-            CHECK_MESSAGE(letters(line) <= 100, lesson.name << ": " << line);
+            CHECK_MESSAGE(sheet::letters(line) <= 100, lesson.name << ": " << line);
             from = to + 1;
         }
         CHECK(text.find(walk.answer.substr(0, 30)) == std::string::npos);
@@ -74,10 +74,4 @@ TEST_CASE("values are taken in their range, and every wrong one is told with wha
     CHECK(values.problems()[0].fix == "0.05 to 1");
     CHECK(values.problems()[1].what == "--speed_m_s takes a number, not 'fast'");
     CHECK(values.problems()[2].fix == "did you mean 'friction'?");
-}
-
-TEST_CASE("lines break between words, and letters are counted, not bytes") {
-    CHECK(letters("Δt ≤ 2/ω") == 8);
-    CHECK(wrapped("one two three", 7) == "one two\nthree\n");
-    CHECK(wrapped("ααα βββ γγγ", 7, "") == "ααα βββ\nγγγ\n");
 }

@@ -23,8 +23,8 @@ TEST_CASE("docs/lessons says what the program teaches, and every figure is there
         CHECK_MESSAGE(fresh, "docs/lessons/" << lesson.name << ".md" << remedy);
         for (const Figure* figure : walk.figures())
             CHECK(std::filesystem::exists(pages / lesson.name / (figure->name + ".svg")));
-        for (const Film* film : walk.films())
-            CHECK(std::filesystem::exists(pages / lesson.name / (film->name + ".png")));
+        for (const Film& film : walk.films)
+            CHECK(std::filesystem::exists(pages / lesson.name / (film.name + ".png")));
     }
     const bool fresh = test::content_of(pages / "index.md") == contents_page();
     CHECK_MESSAGE(fresh, "docs/lessons/index.md" << remedy);

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "taught.h"
 
 #include <cmath>
@@ -5,12 +6,13 @@
 
 using namespace tumble::lesson;
 using namespace tumble::lesson::testing;
+using tumble::test::about;
 
 TEST_CASE("time-step: a disc between two springs explodes from 2 / omega on, not before") {
     const double limit = 2 / std::sqrt(2 * 1e5 / 1.0); // s
     const Walk walk = taught("time-step");
-    CHECK(walk.fact("limit_predicted") == doctest::Approx(limit).epsilon(1e-12));
-    CHECK(walk.fact("limit_seen") == doctest::Approx(limit).epsilon(2e-5));
+    CHECK(walk.fact("limit_predicted") == about(limit, 1e-12));
+    CHECK(walk.fact("limit_seen") == about(limit, 2e-5));
     CHECK(walk.fact("growth_difference") < 1e-6);
     CHECK(walk.fact("check_limit") < limit);
 }
@@ -20,9 +22,9 @@ TEST_CASE("time-step: dashpots bring the limit down") {
     const double zeta = std::sqrt(2.0) * -ln_e / std::hypot(ln_e, std::numbers::pi); // two dashpots, two springs
     const double limit = 2 / std::sqrt(2 * 1e5 / 1.0) * (std::sqrt(1 + zeta * zeta) - zeta);
     const Walk walk = taught("time-step", {{"restitution", "0.6"}});
-    CHECK(walk.fact("limit_seen") == doctest::Approx(limit).epsilon(2e-3));
+    CHECK(walk.fact("limit_seen") == about(limit, 2e-3));
 }
 
 TEST_CASE("time-step: fifty steps in a contact give the peak force to two in a thousand") {
-    CHECK(taught("time-step").fact("force_of_50_steps") == doctest::Approx(1).epsilon(2e-3));
+    CHECK(taught("time-step").fact("force_of_50_steps") == about(1, 2e-3));
 }

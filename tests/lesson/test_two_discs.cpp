@@ -1,7 +1,9 @@
+#include "about.h"
 #include "taught.h"
 
 using namespace tumble::lesson;
 using namespace tumble::lesson::testing;
+using tumble::test::about;
 
 TEST_CASE("two-discs: the solver's numbers are those of (3.10) to (3.17)") {
     const double k = 2000, v = 0.05, dt = 0.008, m_x = 1.5, m_y = 3; // N/m, m/s, s, kg
@@ -12,12 +14,12 @@ TEST_CASE("two-discs: the solver's numbers are those of (3.10) to (3.17)") {
                                            {"mass_y_kg", "3"}});
     const double n = v * dt, f = k * n;
     const double x = f / m_x * dt, y = -f / m_y * dt;
-    CHECK(walk.fact("overlap_a_t1") == doctest::Approx(n).epsilon(1e-10));
-    CHECK(walk.fact("velocity_x_t1") == doctest::Approx(x).epsilon(1e-10));
-    CHECK(walk.fact("growth_a_t2") == doctest::Approx((v - x) * dt).epsilon(1e-10));
-    CHECK(walk.fact("growth_b_t2") == doctest::Approx((x - y) * dt).epsilon(1e-10));
-    CHECK(walk.fact("growth_c_t2") == doctest::Approx((y + v) * dt).epsilon(1e-10));
-    CHECK(walk.fact("force_x_t2") == doctest::Approx(k * (n + (v - x) * dt - (x - y) * dt)).epsilon(1e-9));
+    CHECK(walk.fact("overlap_a_t1") == about(n, 1e-10));
+    CHECK(walk.fact("velocity_x_t1") == about(x, 1e-10));
+    CHECK(walk.fact("growth_a_t2") == about((v - x) * dt, 1e-10));
+    CHECK(walk.fact("growth_b_t2") == about((x - y) * dt, 1e-10));
+    CHECK(walk.fact("growth_c_t2") == about((y + v) * dt, 1e-10));
+    CHECK(walk.fact("force_x_t2") == about(k * (n + (v - x) * dt - (x - y) * dt), 1e-9));
 }
 
 TEST_CASE("two-discs: forty cycles of the loop in the walk end where the solver does") {
@@ -26,7 +28,7 @@ TEST_CASE("two-discs: forty cycles of the loop in the walk end where the solver 
 
 TEST_CASE("two-discs: the growth at B falls with the third power of the step") {
     const Walk walk = taught("two-discs");
-    CHECK(walk.fact("growth_b_t2") / walk.fact("halved_growth_b_t2") == doctest::Approx(8).epsilon(1e-9));
+    CHECK(walk.fact("growth_b_t2") / walk.fact("halved_growth_b_t2") == about(8, 1e-9));
 }
 
 TEST_CASE("two-discs: a step beyond 2 / omega of the faster mode is refused") {

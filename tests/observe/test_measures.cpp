@@ -1,3 +1,4 @@
+#include "about.h"
 #include "frames.h"
 #include "observe/measures.h"
 
@@ -7,6 +8,7 @@
 
 using namespace tumble;
 using namespace tumble::test;
+using tumble::test::about;
 
 namespace {
 
@@ -56,7 +58,7 @@ TEST_CASE("the solver's books come through under their names") {
     CHECK(measured("energy_closure", seen) == -2e-12);
     CHECK(measured("wall_work", seen) == 7);
     CHECK(measured("speed_max", seen) == 3);
-    CHECK(measured("kinetic_energy", seen) == doctest::Approx(4.5));
+    CHECK(measured("kinetic_energy", seen) == about(4.5));
 }
 
 TEST_CASE("a group brings all its measures, and none comes twice") {

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "frames.h"
 #include "observe/paraview.h"
 #include "observe/text_dump.h"
@@ -10,6 +11,7 @@
 
 using namespace tumble;
 using namespace tumble::test;
+using tumble::test::about;
 
 namespace {
 
@@ -94,7 +96,7 @@ TEST_CASE("bodies carry their id, motion and orientation") {
     CHECK(array_in<float>(xml, "velocity_m_s") == std::vector<float>{0, 5, 0});
     CHECK(array_in<float>(xml, "angular_velocity_rad_s") == std::vector<float>{0, 0, 2});
     CHECK(array_in<float>(xml, "mass_kg") == std::vector<float>{0.25F});
-    CHECK(array_in<float>(xml, "orientation_wxyz")[0] == doctest::Approx(std::sqrt(0.5)));
+    CHECK(array_in<float>(xml, "orientation_wxyz")[0] == about(std::sqrt(0.5)));
     CHECK(array_in<std::int64_t>(xml, "offsets") == std::vector<std::int64_t>{1});
 }
 
@@ -102,12 +104,12 @@ TEST_CASE("spheres stand and move where the turned body has them") {
     const std::string xml = observe::spheres_vtp(some_frame());
     const auto at = array_in<float>(xml, "Points");
     REQUIRE(at.size() == 6);
-    CHECK(at[0] == doctest::Approx(1));
-    CHECK(at[1] == doctest::Approx(2.01)); // x of the template points to y
-    CHECK(at[4] == doctest::Approx(1.99));
+    CHECK(at[0] == about(1));
+    CHECK(at[1] == about(2.01)); // x of the template points to y
+    CHECK(at[4] == about(1.99));
     const auto velocity = array_in<float>(xml, "velocity_m_s");
-    CHECK(velocity[0] == doctest::Approx(-0.02)); // w x r = 2 z x 0.01 y
-    CHECK(velocity[1] == doctest::Approx(5));
+    CHECK(velocity[0] == about(-0.02)); // w x r = 2 z x 0.01 y
+    CHECK(velocity[1] == about(5));
     CHECK(array_in<float>(xml, "radius_m") == std::vector<float>{0.01F, 0.005F});
 }
 

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "frames.h"
 #include "observe/surface.h"
 
@@ -6,6 +7,7 @@
 
 using namespace tumble;
 using namespace tumble::test;
+using tumble::test::about;
 
 namespace {
 
@@ -30,9 +32,9 @@ TEST_CASE("a tilted heap shows its slope, its sign and its height") {
     for (const double slope : {-31.0, -5.0, 0.0, 7.5, 24.0}) {
         const observe::Surface surface =
             observe::free_surface(heap([&](double z) { return 0.05 + tangent(slope) * z; }));
-        CHECK(observe::surface_slope(surface) == doctest::Approx(slope).epsilon(1e-9));
-        CHECK(observe::surface_slope_left(surface) == doctest::Approx(slope).epsilon(1e-9));
-        CHECK(observe::surface_slope_right(surface) == doctest::Approx(slope).epsilon(1e-9));
+        CHECK(observe::surface_slope(surface) == about(slope, 1e-9));
+        CHECK(observe::surface_slope_left(surface) == about(slope, 1e-9));
+        CHECK(observe::surface_slope_right(surface) == about(slope, 1e-9));
         // The middle column is the median one; its top stands a radius above its centre. A strip shows its highest
         // point, up to half a strip (5 mm) off its middle.
         const double middle = 0.055 - surface.lowest;
@@ -42,8 +44,8 @@ TEST_CASE("a tilted heap shows its slope, its sign and its height") {
 
 TEST_CASE("a roof of two slopes shows one of each sign in its halves and none as a whole") {
     const observe::Surface surface = observe::free_surface(heap([](double z) { return -tangent(20) * std::abs(z); }));
-    CHECK(observe::surface_slope_left(surface) == doctest::Approx(20).epsilon(1e-9));
-    CHECK(observe::surface_slope_right(surface) == doctest::Approx(-20).epsilon(1e-9));
+    CHECK(observe::surface_slope_left(surface) == about(20, 1e-9));
+    CHECK(observe::surface_slope_right(surface) == about(-20, 1e-9));
     CHECK(std::abs(observe::surface_slope(surface)) < 2.0);
 }
 
@@ -51,7 +53,7 @@ TEST_CASE("a few bodies in flight above the heap do not tilt its surface") {
     observe::Frame frame = heap([](double z) { return tangent(12) * z; });
     for (const double z : {-0.17, -0.12, 0.04})
         add_body(frame, {0, 0.6, z});
-    CHECK(observe::surface_slope(observe::free_surface(frame)) == doctest::Approx(12).epsilon(0.02));
+    CHECK(observe::surface_slope(observe::free_surface(frame)) == about(12, 0.02));
 }
 
 TEST_CASE("tops of a turned body's spheres count, not its centre") {
@@ -64,8 +66,8 @@ TEST_CASE("tops of a turned body's spheres count, not its centre") {
     frame.orientation[0] = Eigen::AngleAxisd(std::numbers::pi / 2, Vector3d::UnitZ()); // stands upright
     const observe::Surface surface = observe::free_surface(frame);
     REQUIRE(surface.points.size() == 1);
-    CHECK(surface.points[0].y() == doctest::Approx(0.105));
-    CHECK(surface.lowest == doctest::Approx(-0.105));
+    CHECK(surface.points[0].y() == about(0.105));
+    CHECK(surface.lowest == about(-0.105));
 }
 
 TEST_CASE("a robust line ignores up to a quarter of wild points and needs three") {
@@ -74,7 +76,7 @@ TEST_CASE("a robust line ignores up to a quarter of wild points and needs three"
         points.emplace_back(i, i % 4 == 3 ? 1e3 : 2.0 - 0.5 * i);
     const auto line = observe::robust_line(points);
     REQUIRE(line);
-    CHECK(line->slope == doctest::Approx(-0.5).epsilon(0.05));
+    CHECK(line->slope == about(-0.5, 0.05));
     CHECK_FALSE(observe::robust_line({{0, 0}, {1, 1}}));
     CHECK_FALSE(observe::robust_line({{1, 0}, {1, 1}, {1, 2}}));
 }

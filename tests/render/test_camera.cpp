@@ -1,3 +1,4 @@
+#include "about.h"
 #include "fixtures.h"
 #include "render/camera.h"
 
@@ -8,6 +9,7 @@ using namespace tumble::render;
 using Eigen::AlignedBox3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+using tumble::test::about;
 
 namespace {
 
@@ -24,8 +26,8 @@ Camera camera_for(const std::string& name, const std::string& projection) {
 }
 
 void check_at(const Vector2d& found, double x, double y) {
-    CHECK(found.x() == doctest::Approx(x).epsilon(1e-9));
-    CHECK(found.y() == doctest::Approx(y).epsilon(1e-9));
+    CHECK(found.x() == about(x, 1e-9));
+    CHECK(found.y() == about(y, 1e-9));
 }
 
 } // namespace
@@ -33,7 +35,7 @@ void check_at(const Vector2d& found, double x, double y) {
 TEST_CASE("the front camera shows y upwards and z to the right, fitted into the area") {
     const Camera camera = camera_for("front", "orthographic");
     // 4 m of height and 6 m of width in 400 x 600 pixels less 3 % on each side: both give 94 pixels a metre.
-    CHECK(camera.scale == doctest::Approx(94));
+    CHECK(camera.scale == about(94));
     check_at(camera.to_picture({0, 0, 0}), 400, 250);
     check_at(camera.to_picture({0.7, 2, 3}), 400 + 3 * 94, 250 - 2 * 94);
     check_at(camera.to_picture({-0.7, -2, -3}), 400 - 3 * 94, 250 + 2 * 94);
@@ -41,7 +43,7 @@ TEST_CASE("the front camera shows y upwards and z to the right, fitted into the 
 
 TEST_CASE("the side camera shows x to the right and y upwards") {
     const Camera camera = camera_for("side", "orthographic");
-    CHECK(camera.scale == doctest::Approx(94));
+    CHECK(camera.scale == about(94));
     check_at(camera.to_picture({1, 2, 3}), 400 + 94, 250 - 2 * 94);
 }
 
@@ -49,7 +51,7 @@ TEST_CASE("the top camera shows x to the right and z downwards") {
     const Camera camera = camera_for("top", "orthographic");
     // 6 m of z in 400 pixels.
     const double scale = 0.94 * 400 / 6;
-    CHECK(camera.scale == doctest::Approx(scale));
+    CHECK(camera.scale == about(scale));
     check_at(camera.to_picture({1, 0, 3}), 400 + scale, 250 + 3 * scale);
 }
 
@@ -64,9 +66,9 @@ TEST_CASE("a perspective camera keeps the whole box within the margin and touche
     }
     CHECK(widest <= 0.94 * 300 * (1 + 1e-9));
     CHECK(highest <= 0.94 * 200 * (1 + 1e-9));
-    CHECK(std::max(widest / 300, highest / 200) == doctest::Approx(0.94));
+    CHECK(std::max(widest / 300, highest / 200) == about(0.94));
     // The field of view of 35 degrees is that of the area's height.
-    CHECK(camera.scale == doctest::Approx(200 / std::tan(17.5 * std::numbers::pi / 180)));
+    CHECK(camera.scale == about(200 / std::tan(17.5 * std::numbers::pi / 180)));
 }
 
 TEST_CASE("a free perspective camera divides by the distance from its eye") {
@@ -81,7 +83,7 @@ TEST_CASE("a free perspective camera divides by the distance from its eye") {
     check_at(camera->to_picture({0, 0, 0}), 400, 250);
     check_at(camera->to_picture({1, 2, 0}), 400 + 200 * 0.1, 250 - 200 * 0.2);
     check_at(camera->to_picture({1, 2, 5}), 400 + 200 * 0.2, 250 - 200 * 0.4);
-    CHECK(camera->pixels_per_metre({0, 0, 5}) == doctest::Approx(40));
+    CHECK(camera->pixels_per_metre({0, 0, 5}) == about(40));
 }
 
 TEST_CASE("a free parallel camera shows at its target what a perspective one with the same opening shows there") {
@@ -92,8 +94,8 @@ TEST_CASE("a free parallel camera shows at its target what a perspective one wit
     settings.field_of_view_deg = 90;
     const auto camera = make_camera(settings, box, area);
     REQUIRE(camera.ok());
-    CHECK(camera->scale == doctest::Approx(200.0 / 5));
-    CHECK(camera->to_picture({0, 0, 1}).x() == doctest::Approx(400 - 40)); // right of -x looking is -z
+    CHECK(camera->scale == about(200.0 / 5));
+    CHECK(camera->to_picture({0, 0, 1}).x() == about(400 - 40)); // right of -x looking is -z
 }
 
 TEST_CASE("clip space and the picture agree, and the depth range holds the box") {
@@ -104,8 +106,8 @@ TEST_CASE("clip space and the picture agree, and the depth range holds the box")
             const Vector3d corner = box.corner(static_cast<AlignedBox3d::CornerType>(i));
             const Eigen::Vector4d at = clip * camera.to_view(corner).homogeneous();
             const Vector2d expected = camera.to_picture(corner);
-            CHECK(400 + 400 * at.x() / at.w() == doctest::Approx(expected.x()).epsilon(1e-4));
-            CHECK(250 - 250 * at.y() / at.w() == doctest::Approx(expected.y()).epsilon(1e-4));
+            CHECK(400 + 400 * at.x() / at.w() == about(expected.x(), 1e-4));
+            CHECK(250 - 250 * at.y() / at.w() == about(expected.y(), 1e-4));
             CHECK(std::abs(at.z() / at.w()) < 1);
         }
     }

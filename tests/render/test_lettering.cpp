@@ -1,3 +1,4 @@
+#include "about.h"
 #include "fixtures.h"
 #include "render/color_map.h"
 #include "render/theme.h"
@@ -5,6 +6,7 @@
 using namespace tumble;
 using namespace tumble::render;
 using namespace tumble::render::testing;
+using tumble::test::about;
 
 namespace {
 
@@ -113,7 +115,7 @@ TEST_CASE("the scale bar is as long as its length at the picture's scale") {
     }
     const double metres = longest / painter.camera().scale;
     // 2 m in about 620 pixels: the round length that fits into some 200 pixels is 0.5 m.
-    CHECK(metres == doctest::Approx(0.5).epsilon(1.5 / longest));
+    CHECK(metres == about(0.5, 1.5 / longest));
 }
 
 TEST_CASE("a white background is white and a dark one is dark wherever nothing is drawn") {

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "fixtures.h"
 #include "render/color_map.h"
 #include "render/sphere_list.h"
@@ -10,6 +11,7 @@
 using namespace tumble;
 using namespace tumble::render;
 using namespace tumble::render::testing;
+using tumble::test::about;
 
 namespace {
 
@@ -34,9 +36,9 @@ TEST_CASE("a sphere covers pi r^2 times the scale squared pixels and has the col
     Painter painter = painter_for(square_view(1), layout, bare);
     const Picture picture = painter.draw(frame);
     const double scale = 0.94 * 400 / 2; // 2 m in 400 pixels less 3 % on each side
-    CHECK(painter.camera().scale == doctest::Approx(scale));
+    CHECK(painter.camera().scale == about(scale));
     const double expected = std::numbers::pi * 0.25 * scale * scale;
-    CHECK(covered_pixels(picture, viridis(1), dark()) == doctest::Approx(expected).epsilon(0.002));
+    CHECK(covered_pixels(picture, viridis(1), dark()) == about(expected, 0.002));
     // Front view: z to the right, y up.
     const int x = static_cast<int>(200 - 0.15 * scale);
     const int y = static_cast<int>(200 - 0.1 * scale);
@@ -130,7 +132,7 @@ TEST_CASE("in perspective a sphere covers the ellipse that its cone of sight cut
         const double k = cos_t * cos_t - sin_a * sin_a;
         const double area = std::numbers::pi * f * f * sin_a * sin_a * cos_a / std::pow(k, 1.5);
         const Picture picture = painter_for(settings, layout, bare).draw(frame);
-        CHECK(covered_pixels(picture, viridis(1), dark()) == doctest::Approx(area).epsilon(0.002));
+        CHECK(covered_pixels(picture, viridis(1), dark()) == about(area, 0.002));
     }
 }
 

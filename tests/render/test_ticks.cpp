@@ -1,3 +1,4 @@
+#include "about.h"
 #include "render/color_range.h"
 #include "render/panels.h"
 #include "render/ticks.h"
@@ -7,15 +8,16 @@
 #include <limits>
 
 using namespace tumble::render;
+using tumble::test::about;
 
 TEST_CASE("round numbers are 1, 2, 2.5 or 5 times a power of ten") {
-    CHECK(round_up(0.3) == doctest::Approx(0.5));
-    CHECK(round_up(0.2) == doctest::Approx(0.2));
-    CHECK(round_up(2.1) == doctest::Approx(2.5));
-    CHECK(round_up(7) == doctest::Approx(10));
-    CHECK(round_down(7) == doctest::Approx(5));
-    CHECK(round_down(0.49) == doctest::Approx(0.2));
-    CHECK(round_down(1000) == doctest::Approx(1000));
+    CHECK(round_up(0.3) == about(0.5));
+    CHECK(round_up(0.2) == about(0.2));
+    CHECK(round_up(2.1) == about(2.5));
+    CHECK(round_up(7) == about(10));
+    CHECK(round_down(7) == about(5));
+    CHECK(round_down(0.49) == about(0.2));
+    CHECK(round_down(1000) == about(1000));
 }
 
 TEST_CASE("ticks meet both ends of a round span") {
@@ -47,7 +49,7 @@ TEST_CASE("tick labels have the digits that their step needs") {
 TEST_CASE("units take a prefix when the numbers would be small or large") {
     const DisplayUnit slow = display_unit("m/s", {0, 0.05});
     CHECK(slow.unit == "mm/s");
-    CHECK(0.05 * slow.factor == doctest::Approx(50));
+    CHECK(0.05 * slow.factor == about(50));
     CHECK(display_unit("m/s", {0, 0.5}).unit == "m/s");
     CHECK(display_unit("m/s", {-2e-5, 2e-5}).unit == "\u00b5m/s");
     CHECK(display_unit("J", {0, 5000}).unit == "kJ");

@@ -1,5 +1,5 @@
+#include "base/child_process.h"
 #include "fixtures.h"
-#include "render/child_process.h"
 #include "render/video_writer.h"
 
 #include <chrono>

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "folder.h"
 #include "run/beside.h"
 #include "run/run_scene.h"
@@ -49,7 +50,7 @@ TEST_CASE("two runs stand side by side at the times that both have, though their
     // Frames at 0, 5 and 10 ms are in both; the left one goes on to 20 ms, the right one ends with one at 10.5 ms.
     CHECK(done.frames == 3);
     CHECK(done.first == 0);
-    CHECK(done.last == doctest::Approx(0.01).epsilon(1e-3));
+    CHECK(done.last == about(0.01, 1e-3));
     CHECK(count_files(two.folder.path / "both", ".png") == 3);
     const auto told = [&](const std::string& words) {
         return std::any_of(done.warnings.begin(), done.warnings.end(),

@@ -1,4 +1,5 @@
 // The same scene of two dimensions under either solver: runs, folders, measures, what is said of it.
+#include "about.h"
 #include "folder.h"
 #include "observe/series.h"
 #include "run/run_scene.h"
@@ -107,15 +108,15 @@ TEST_CASE("solver = box2d runs the same scene in its own, longer steps; rows and
         else if (times[row] > 0.25)
             top = std::max(top, low[row] - 0.01);
     }
-    CHECK(top == doctest::Approx(0.25 * 0.2).epsilon(way_of_a_step));
+    CHECK(top == about(0.25 * 0.2, way_of_a_step));
 }
 
 TEST_CASE("of a run of Box2D the losses are known in sum: the bounce's, as the soft run splits them") {
     const Ran soft(disc()), hard(disc({"solver=box2d"}));
     const double mass = 2500 * std::numbers::pi * 1e-4 * 0.01, bounce = (1 - 0.25) * mass * g * 0.2;
-    CHECK(soft.last("lost_energy_J") == doctest::Approx(bounce).epsilon(0.02));
-    CHECK(hard.last("lost_energy_J") == doctest::Approx(bounce).epsilon(way_of_a_step));
-    CHECK(soft.last("lost_normal_damping_J") == doctest::Approx(bounce).epsilon(0.02));
+    CHECK(soft.last("lost_energy_J") == about(bounce, 0.02));
+    CHECK(hard.last("lost_energy_J") == about(bounce, way_of_a_step));
+    CHECK(soft.last("lost_normal_damping_J") == about(bounce, 0.02));
     for (const char* column : {"lost_normal_damping_J", "lost_sliding_J", "lost_history_J", "energy_closure_J"}) {
         CAPTURE(column);
         CHECK(std::isnan(hard.last(column)));
@@ -143,15 +144,15 @@ TEST_CASE("keys that Box2D does not read are doubted once, with the way back") {
 
 TEST_CASE("Box2D's usual step is the shortest of a fall through its slop, half a radius at impact, 1/40 period") {
     // sqrt(2 * 0.005 * 0.01 / 9.81) = 3.2 ms; 0.005 m over the 2.47 m/s of a fall to the domain's bottom = 2.0 ms.
-    CHECK(disc().box2d.time_step == doctest::Approx(2e-3));
+    CHECK(disc().box2d.time_step == about(2e-3));
     // Without the fall's speed gravity decides.
-    CHECK(disc({"fill.0.position_m=[0, -0.05]"}).box2d.time_step == doctest::Approx(2e-3));
-    CHECK(disc({"domain.hi_m=[0.1, 6]", "fill.0.position_m=[0, 5.9]"}).box2d.time_step == doctest::Approx(2e-4));
+    CHECK(disc({"fill.0.position_m=[0, -0.05]"}).box2d.time_step == about(2e-3));
+    CHECK(disc({"domain.hi_m=[0.1, 6]", "fill.0.position_m=[0, 5.9]"}).box2d.time_step == about(2e-4));
     const std::string shaken =
         "wall.floor.motion=[{kind=\"harmonic\", axis=\"y\", amplitude_m=1e-5, frequency_Hz=100}]";
-    CHECK(disc({shaken}).box2d.time_step == doctest::Approx(2e-4)); // of 0.25 ms
+    CHECK(disc({shaken}).box2d.time_step == about(2e-4)); // of 0.25 ms
     CHECK(disc({"box2d.time_step_s=3e-4"}).box2d.time_step == 3e-4);
-    CHECK(disc().box2d.rebound_above == doctest::Approx(2 * 9.81 * 2e-3));
+    CHECK(disc().box2d.rebound_above == about(2 * 9.81 * 2e-3));
 }
 
 TEST_CASE("a resolved scene with solver = box2d loads again to the same settings, with and without springs") {

@@ -1,4 +1,5 @@
 #include "../folder.h"
+#include "about.h"
 #include "observe/frame_file.h"
 #include "run/redraw.h"
 #include "run/run_scene.h"
@@ -8,6 +9,7 @@
 
 using namespace tumble;
 using namespace tumble::test;
+using tumble::test::about;
 namespace fs = std::filesystem;
 
 namespace {
@@ -40,8 +42,8 @@ TEST_CASE("a run is redrawn with other settings, in whole or in part, without si
     const auto done = run::redraw(run, options, silent);
     REQUIRE_MESSAGE(done.ok(), to_string(done.problems()));
     CHECK(done->frames == 3); // 0.005, 0.010, 0.015
-    CHECK(done->first == doctest::Approx(0.005));
-    CHECK(done->last == doctest::Approx(0.015));
+    CHECK(done->first == about(0.005));
+    CHECK(done->last == about(0.015));
     CHECK(count_files(options.targets.folder, ".png") == 3);
     CHECK(content_of(run / "series.csv") == series);
 
@@ -68,8 +70,8 @@ TEST_CASE("a cut takes the frames at its ends, which sit at the nearest step, an
     const auto done = run::export_run(running.folder, options, silent);
     REQUIRE_MESSAGE(done.ok(), to_string(done.problems()));
     CHECK(done->frames == 3);
-    CHECK(done->first == doctest::Approx(0.00999));
-    CHECK(done->last == doctest::Approx(0.02001));
+    CHECK(done->first == about(0.00999));
+    CHECK(done->last == about(0.02001));
     for (const char* name : {"bodies_000002.vtp", "bodies_000003.vtp", "bodies_000004.vtp"})
         CHECK_MESSAGE(fs::exists(options.paraview / name), name);
     run::RedrawOptions drawing;

@@ -1,4 +1,5 @@
 #include "../folder.h"
+#include "about.h"
 #include "observe/frame_file.h"
 #include "observe/series.h"
 #include "run/run_folder.h"
@@ -10,6 +11,7 @@
 
 using namespace tumble;
 using namespace tumble::test;
+using tumble::test::about;
 namespace fs = std::filesystem;
 
 namespace {
@@ -53,8 +55,8 @@ TEST_CASE("a run leaves its folder: scene, summary, series at exact times, frame
     REQUIRE(series->rows() == 21);
     for (std::size_t i = 0; i < 21; ++i) {
         const double t = series->values[0][i];
-        CHECK(t == doctest::Approx(0.001 * static_cast<double>(i)).epsilon(1e-12));
-        CHECK((*series->find("centre_of_mass_y"))[i] == doctest::Approx(0.5 - 0.5 * 9.81 * t * t).epsilon(1e-6));
+        CHECK(t == about(0.001 * static_cast<double>(i), 1e-12));
+        CHECK((*series->find("centre_of_mass_y"))[i] == about(0.5 - 0.5 * 9.81 * t * t, 1e-6));
     }
     const auto layout = observe::read_layout(observe::layout_path(options.folder / "frames"));
     REQUIRE(layout.ok());
@@ -63,8 +65,8 @@ TEST_CASE("a run leaves its folder: scene, summary, series at exact times, frame
     REQUIRE(files.size() == 5);
     const auto frame = observe::read_frame(files[4], *layout);
     REQUIRE(frame.ok());
-    CHECK(frame->time == doctest::Approx(0.02));
-    CHECK(frame->velocity.at(0).y() == doctest::Approx(-9.81 * 0.02).epsilon(1e-3));
+    CHECK(frame->time == about(0.02));
+    CHECK(frame->velocity.at(0).y() == about(-9.81 * 0.02, 1e-3));
 
     const auto json = nlohmann::json::parse(content_of(options.folder / "run.json"));
     CHECK(json["state"] == "finished");
@@ -146,13 +148,13 @@ TEST_CASE("the last state is kept as a frame where the schedule misses it") {
         const auto summary = ran(loaded(falling_ball, {"fill.0.velocity_m_s=[13, 0, 0]"}), options);
         CHECK(summary.state == "failed"); // 0.1 m to the side of the domain
         end = summary.time;
-        CHECK(end == doctest::Approx(0.1 / 13).epsilon(0.1));
+        CHECK(end == about(0.1 / 13, 0.1));
     }
     const auto layout = observe::read_layout(observe::layout_path(options.folder / "frames"));
     REQUIRE(layout.ok());
     const auto files = observe::list_frames(options.folder / "frames");
     REQUIRE(files.size() == 3);
-    CHECK(observe::read_frame(files.back(), *layout)->time == doctest::Approx(end));
+    CHECK(observe::read_frame(files.back(), *layout)->time == about(end));
 }
 
 TEST_CASE("the first row of the series describes the state that the run starts from") {
@@ -167,9 +169,9 @@ TEST_CASE("the first row of the series describes the state that the run starts f
     const auto first = [&](const std::string& name) { return series->find(name)->front(); };
     const double mass = 2500 * 4.0 / 3.0 * M_PI * 1e-6;
     CHECK(first("bodies") == 1);
-    CHECK(first("kinetic_translation_J") == doctest::Approx(0.5 * mass * 4));
-    CHECK(first("gravity_energy_J") == doctest::Approx(mass * 9.81 * 0.5));
-    CHECK(first("inserted_energy_J") == doctest::Approx(mass * (2 + 9.81 * 0.5)));
+    CHECK(first("kinetic_translation_J") == about(0.5 * mass * 4));
+    CHECK(first("gravity_energy_J") == about(mass * 9.81 * 0.5));
+    CHECK(first("inserted_energy_J") == about(mass * (2 + 9.81 * 0.5)));
     CHECK(std::abs(first("energy_closure_J")) < 1e-15);
 }
 

@@ -1,9 +1,11 @@
+#include "about.h"
 #include "run/scenes.h"
 #include "run/simulation.h"
 #include "run/view_box.h"
 
 using namespace tumble;
 using namespace tumble::test;
+using tumble::test::about;
 
 namespace {
 
@@ -26,5 +28,5 @@ TEST_CASE("a picture of a run that begins holds its walls and the body where it 
 TEST_CASE("a picture of a run that begins holds the places that its walls will move to") {
     const Eigen::AlignedBox3d box =
         box_of({"wall.floor.motion=[{kind=\"linear\", velocity_m_s=[0, -2, 0], stop_s=0.01}]"});
-    CHECK(box.min().y() == doctest::Approx(-0.02));
+    CHECK(box.min().y() == about(-0.02));
 }

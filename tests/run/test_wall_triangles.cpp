@@ -1,3 +1,4 @@
+#include "about.h"
 #include "run/wall_triangles.h"
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 
 using namespace tumble;
 using Eigen::Vector3d;
+using tumble::test::about;
 
 namespace {
 
@@ -39,27 +41,27 @@ double chord_share(int n) {
 TEST_CASE("a plane is cut to the polygon that lies in the domain") {
     scene::PlaneShape floor;
     floor.point = {7, 0.1, -9};
-    CHECK(area(triangles(floor)) == doctest::Approx(0.1 * 0.6));
+    CHECK(area(triangles(floor)) == about(0.1 * 0.6));
     floor.point.y() = 0; // on the domain's own face
-    CHECK(area(triangles(floor)) == doctest::Approx(0.1 * 0.6));
+    CHECK(area(triangles(floor)) == about(0.1 * 0.6));
     floor.point.y() = 2;
     CHECK(triangles(floor).triangles.empty());
     scene::PlaneShape tilted; // 45 degrees about x through the middle: from face to face of y
     tilted.point = {0, 0.3, 0};
     tilted.normal = Vector3d(0, 1, 1).normalized();
-    CHECK(area(triangles(tilted)) == doctest::Approx(0.1 * 0.6 * std::sqrt(2.0)));
+    CHECK(area(triangles(tilted)) == about(0.1 * 0.6 * std::sqrt(2.0)));
     scene::PlaneShape corner; // cuts three edges of one corner, 0.05 m from it
     corner.point = {0.05, 0.6, 0.25};
     corner.normal = -Vector3d(1, 1, 1).normalized();
-    CHECK(area(triangles(corner)) == doctest::Approx(std::sqrt(3.0) / 4 * 2 * 0.05 * 0.05));
+    CHECK(area(triangles(corner)) == about(std::sqrt(3.0) / 4 * 2 * 0.05 * 0.05));
 }
 
 TEST_CASE("a box has its closed faces, cut where it goes on periodically") {
     scene::BoxShape box;
     box.box = {Vector3d(-1, 0.1, -0.2), Vector3d(1, 0.3, 0.2)};
     box.open = {true, true, false, true, false, false}; // no x faces, no lid
-    CHECK(area(triangles(box)) == doctest::Approx(0.1 * (0.4 + 0.2 + 0.2)));
-    CHECK(area(triangles(box, {false, false, false})) == doctest::Approx(2 * (0.4 + 0.2 + 0.2)));
+    CHECK(area(triangles(box)) == about(0.1 * (0.4 + 0.2 + 0.2)));
+    CHECK(area(triangles(box, {false, false, false})) == about(2 * (0.4 + 0.2 + 0.2)));
 }
 
 TEST_CASE("a cylinder, a disc and a ring have the areas of their 64 strips") {
@@ -67,14 +69,14 @@ TEST_CASE("a cylinder, a disc and a ring have the areas of their 64 strips") {
     cylinder.axis = Vector3d(1, 2, 3).normalized();
     cylinder.length = 0.2;
     cylinder.radius = 0.1;
-    CHECK(area(triangles(cylinder)) == doctest::Approx(2 * std::numbers::pi * 0.1 * 0.2 * chord_share(64)));
+    CHECK(area(triangles(cylinder)) == about(2 * std::numbers::pi * 0.1 * 0.2 * chord_share(64)));
     scene::DiscShape disc;
     disc.normal = Vector3d(0, 1, 1).normalized();
     disc.radius = 0.1;
     const double full = std::numbers::pi * 0.01 * chord_share(32); // sin(2 pi/n) n/2 r^2
-    CHECK(area(triangles(disc)) == doctest::Approx(full));
+    CHECK(area(triangles(disc)) == about(full));
     disc.hole_radius = 0.05;
-    CHECK(area(triangles(disc)) == doctest::Approx(0.75 * full));
+    CHECK(area(triangles(disc)) == about(0.75 * full));
     for (const Vector3d& vertex : triangles(disc).vertices)
         CHECK(std::abs(disc.normal.dot(vertex)) < 1e-15);
 }
@@ -92,26 +94,26 @@ TEST_CASE("a trough runs from rim to rim, through its lowest point, tangent wher
             best = largest ? std::max(best, v[axis]) : std::min(best, v[axis]);
         return best;
     };
-    CHECK(by(1, false) == doctest::Approx(0.05));
-    CHECK(by(1, true) == doctest::Approx(0.5));
+    CHECK(by(1, false) == about(0.05));
+    CHECK(by(1, true) == about(0.5));
     CHECK(by(0, false) == -0.05); // the domain's length where the scene gives none
     CHECK(by(0, true) == 0.05);
     // Side: from (R cos f, c - R sin f) upwards, leaning outwards by f.
     const double f = trough.flare;
     const double rim = 0.2 * std::cos(f) + (0.5 - (0.25 - 0.2 * std::sin(f))) * std::tan(f);
-    CHECK(by(2, true) == doctest::Approx(rim));
-    CHECK(by(2, false) == doctest::Approx(-rim));
+    CHECK(by(2, true) == about(rim));
+    CHECK(by(2, false) == about(-rim));
     const double side = (0.5 - (0.25 - 0.2 * std::sin(f))) / std::cos(f);
     const double arc = 2 * 0.2 * (std::numbers::pi / 2 - f);
     const double step = (std::numbers::pi / 2 - f) / 16; // angle of one of 32 chords
-    CHECK(area(wall) == doctest::Approx(0.1 * (2 * side + arc * std::sin(step / 2) / (step / 2))));
+    CHECK(area(wall) == about(0.1 * (2 * side + arc * std::sin(step / 2) / (step / 2))));
     SUBCASE("a rim below the sides cuts the arc") {
         trough.rim = 0.15; // halfway up the circle: 60 degrees
         const observe::FrameWall cut = triangles(trough);
         double highest = 0;
         for (const Vector3d& v : cut.vertices)
             highest = std::max(highest, v.y());
-        CHECK(highest == doctest::Approx(0.15));
+        CHECK(highest == about(0.15));
     }
 }
 
@@ -121,5 +123,5 @@ TEST_CASE("a mesh keeps its triangles and shares corners") {
     mesh.triangles = {{a, b, c}, {b, d, c}};
     const observe::FrameWall wall = triangles(mesh);
     CHECK(wall.vertices.size() == 4);
-    CHECK(area(wall) == doctest::Approx(1));
+    CHECK(area(wall) == about(1));
 }

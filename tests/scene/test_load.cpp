@@ -1,3 +1,4 @@
+#include "about.h"
 #include "scene/load.h"
 #include "scene/written.h"
 
@@ -9,6 +10,7 @@
 
 using namespace tumble;
 using namespace tumble::scene;
+using tumble::test::about;
 
 namespace {
 
@@ -42,7 +44,7 @@ Result<Scene> load(const std::string& more, const std::vector<Override>& sets = 
 TEST_CASE("the drop scene loads in SI units with its defaults filled in") {
     const auto scene = load_scene(scenes / "drop.toml");
     REQUIRE_MESSAGE(scene, to_string(scene.problems()));
-    CHECK(scene->bodies.at(0).spheres.at(0).radius == doctest::Approx(0.01275).epsilon(1e-15));
+    CHECK(scene->bodies.at(0).spheres.at(0).radius == about(0.01275, 1e-15));
     CHECK(scene->materials.at(0).youngs_modulus == 4.6e8);
     CHECK(scene->pair(0, 0).restitution == 0.67);
     CHECK(scene->gravity.y() == -9.81);
@@ -74,16 +76,16 @@ TEST_CASE("the trough slice is the thesis' case") {
     REQUIRE(scene);
     CHECK(scene->bodies.at(0).spheres.size() == 65);
     CHECK(scene->fills.at(0).count == 4878);
-    CHECK(1 / scene->time_step == doctest::Approx(350000).epsilon(1e-14));
+    CHECK(1 / scene->time_step == about(350000, 1e-14));
     const auto& harmonics = scene->walls.at(0).motion.harmonics;
     REQUIRE(harmonics.size() == 12);
     CHECK(harmonics[9].axis == 1);
     CHECK(harmonics[9].amplitude == 1.949234e-3);
-    CHECK(harmonics[9].frequency == doctest::Approx(25));
+    CHECK(harmonics[9].frequency == about(25));
     CHECK(harmonics[9].active.start == 1.5);
     // a (2 pi f)^2: the vertical acceleration is 4.9 g.
     const double peak = harmonics[9].amplitude * std::pow(2 * std::numbers::pi * harmonics[9].frequency, 2) / 9.81;
-    CHECK(peak == doctest::Approx(4.9).epsilon(0.01));
+    CHECK(peak == about(4.9, 0.01));
     CHECK(scene->domain.periodic == std::array{true, false, false});
 }
 
@@ -130,11 +132,11 @@ phase_deg = -180
     REQUIRE_MESSAGE(scene, to_string(scene.problems()));
     const WallMotion& motion = scene->walls.at(0).motion;
     CHECK(std::get<CylinderShape>(scene->walls[0].shape).axis == Vector3d::UnitZ());
-    CHECK(motion.rotations.at(0).angular_velocity == doctest::Approx(std::numbers::pi).epsilon(1e-15));
+    CHECK(motion.rotations.at(0).angular_velocity == about(std::numbers::pi, 1e-15));
     CHECK(motion.rotations[0].axis == Vector3d(0, 0, -1));
-    CHECK(motion.rockings.at(0).amplitude == doctest::Approx(std::numbers::pi / 2).epsilon(1e-15));
-    CHECK(motion.rockings[0].phase == doctest::Approx(-std::numbers::pi).epsilon(1e-15));
-    CHECK(scene->bodies.at(0).spheres.at(0).radius == doctest::Approx(0.002).epsilon(1e-15));
+    CHECK(motion.rockings.at(0).amplitude == about(std::numbers::pi / 2, 1e-15));
+    CHECK(motion.rockings[0].phase == about(-std::numbers::pi, 1e-15));
+    CHECK(scene->bodies.at(0).spheres.at(0).radius == about(0.002, 1e-15));
 }
 
 TEST_CASE("open faces of a box are found by their sign and axis") {
@@ -162,7 +164,7 @@ material = "glass"
     REQUIRE_MESSAGE(scene, to_string(scene.problems()));
     const auto& mesh = std::get<MeshShape>(scene->walls.at(0).shape);
     CHECK(mesh.triangles.size() == 4);
-    CHECK(mesh.triangles[0][1].cwiseAbs().maxCoeff() == doctest::Approx(0.01)); // 10 mm
+    CHECK(mesh.triangles[0][1].cwiseAbs().maxCoeff() == about(0.01)); // 10 mm
 }
 
 TEST_CASE("files are found from the scene's folder, wherever the program stands") {

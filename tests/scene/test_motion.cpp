@@ -1,3 +1,4 @@
+#include "about.h"
 #include "scene/motion.h"
 
 #include <cmath>
@@ -6,6 +7,7 @@
 
 using namespace tumble::scene;
 using Eigen::Vector3d;
+using tumble::test::about;
 
 namespace {
 
@@ -67,9 +69,8 @@ TEST_CASE("a harmonic starts without a jump whatever its phase, and starts at it
     CHECK(pose_at(motion, 0.499).translation.norm() == 0);
     CHECK(pose_at(motion, 0.499).velocity.norm() == 0);
     CHECK(pose_at(motion, 0.5).translation.norm() < 1e-17);
-    CHECK(pose_at(motion, 0.5).velocity.x() == doctest::Approx(0.01 * 20 * pi * std::cos(1.0)).epsilon(1e-14));
-    CHECK(pose_at(motion, 0.525).translation.x() ==
-          doctest::Approx(0.01 * (std::sin(pi / 2 + 1.0) - std::sin(1.0))).epsilon(1e-12));
+    CHECK(pose_at(motion, 0.5).velocity.x() == about(0.01 * 20 * pi * std::cos(1.0), 1e-14));
+    CHECK(pose_at(motion, 0.525).translation.x() == about(0.01 * (std::sin(pi / 2 + 1.0) - std::sin(1.0)), 1e-12));
 }
 
 TEST_CASE("every part holds at its stop what it had reached, with no velocity") {
@@ -174,14 +175,14 @@ TEST_CASE("displacements add up and do not depend on what else moves") {
 
 TEST_CASE("no point moves faster than the speed bound, and one harmonic reaches it") {
     const WallMotion all = everything();
-    const Vector3d about(0.2, 0.1, -0.3);
-    const double bound = speed_bound(all, about, 0.5);
+    const Vector3d centre(0.2, 0.1, -0.3);
+    const double bound = speed_bound(all, centre, 0.5);
     double fastest = 0;
     for (int i = 0; i < 2000; ++i) {
         const WallPose pose = pose_at(all, i * 1e-3);
         for (int corner = 0; corner < 8; ++corner) {
             const Vector3d way(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-            const Vector3d local = about + 0.5 * way.normalized();
+            const Vector3d local = centre + 0.5 * way.normalized();
             fastest = std::max(fastest, pose.velocity_at(pose.rotation * local + pose.translation).norm());
         }
     }
@@ -189,6 +190,6 @@ TEST_CASE("no point moves faster than the speed bound, and one harmonic reaches 
     CHECK(bound < 4 * fastest);
     WallMotion one;
     one.harmonics = {{{}, 1, 4e-3, 25.0, 0.3}};
-    CHECK(speed_bound(one, about, 10) == doctest::Approx(4e-3 * 50 * pi).epsilon(1e-14));
-    CHECK(speed_bound({}, about, 10) == 0);
+    CHECK(speed_bound(one, centre, 10) == about(4e-3 * 50 * pi, 1e-14));
+    CHECK(speed_bound({}, centre, 10) == 0);
 }

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "scene/read_table.h"
 
 #include <doctest/doctest.h>
@@ -5,6 +6,7 @@
 
 using namespace tumble;
 using namespace tumble::scene;
+using tumble::test::about;
 
 namespace {
 
@@ -48,13 +50,13 @@ TEST_CASE("the thesis' excitation file gives twelve harmonics without phase") {
     CHECK(harmonics->size() == 12);
     for (const Harmonic& harmonic : *harmonics)
         CHECK(harmonic.phase == 0);
-    CHECK((*harmonics)[0].frequency == doctest::Approx(12.5));
+    CHECK((*harmonics)[0].frequency == about(12.5));
 }
 
 TEST_CASE("phases of harmonics are degrees in the file and radians inside") {
     const auto harmonics = parse_harmonics("axis,amplitude,period,phase_deg\nz,0.002,0.04,90\n", "h.csv");
     REQUIRE(harmonics);
-    CHECK((*harmonics)[0].phase == doctest::Approx(std::numbers::pi / 2).epsilon(1e-15));
+    CHECK((*harmonics)[0].phase == about(std::numbers::pi / 2, 1e-15));
     CHECK((*harmonics)[0].axis == 2);
 }
 

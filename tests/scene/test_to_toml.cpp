@@ -26,6 +26,11 @@ Scene again(const Scene& scene) {
     return loaded(load_scene_text(to_toml(scene), "/nowhere/resolved.toml"));
 }
 
+auto additions_of(const contact::PairProperties& pair) {
+    return std::tuple(pair.rolling_friction, pair.rolling_damping, pair.restitution_exponent, pair.restitution_speed,
+                      pair.restitution_most, pair.sliding_friction, pair.sliding_speed);
+}
+
 void check_same_motion(const WallMotion& a, const WallMotion& b) {
     REQUIRE(a.harmonics.size() == b.harmonics.size());
     for (std::size_t i = 0; i < a.harmonics.size(); ++i) {
@@ -133,6 +138,10 @@ TEST_CASE("a resolved scene loads again to the same laws, materials and pairs") 
                      a.contact.share_among_body_contacts) == std::tuple(b.contact.normal, b.contact.tangential,
                                                                         b.contact.limit_force,
                                                                         b.contact.share_among_body_contacts));
+    CHECK(b.contact.additions.rolling == contact::RollingLaw::epsd);
+    CHECK(b.contact.additions.adhesion == contact::AdhesionLaw::sjkr);
+    CHECK(b.pairs[1].cohesion_energy == 1234.5);
+    CHECK(std::tuple(b.air.density, b.air.drag_coefficient, b.air.viscosity) == std::tuple(1.3, 0.5, 1.7e-5));
     CHECK(a.contact.accepted_overlap == 0.123);
     CHECK(b.contact.accepted_overlap == 0.123);
     REQUIRE(a.materials.size() == b.materials.size());
@@ -142,11 +151,14 @@ TEST_CASE("a resolved scene loads again to the same laws, materials and pairs") 
                                                                      b.materials[i].youngs_modulus,
                                                                      b.materials[i].poisson_ratio));
     REQUIRE(a.pairs.size() == b.pairs.size());
-    for (std::size_t i = 0; i < a.pairs.size(); ++i)
+    for (std::size_t i = 0; i < a.pairs.size(); ++i) {
+        CHECK(additions_of(a.pairs[i]) == additions_of(b.pairs[i]));
         CHECK(std::tuple(a.pairs[i].restitution, a.pairs[i].friction, a.pairs[i].normal_stiffness,
                          a.pairs[i].tangential_stiffness) == std::tuple(b.pairs[i].restitution, b.pairs[i].friction,
                                                                         b.pairs[i].normal_stiffness,
                                                                         b.pairs[i].tangential_stiffness));
+    }
+    CHECK(additions_of(a.pairs[1]) == std::tuple(0.07, 0.4, 0.25, 0.9, 0.8, 0.6, 0.05));
 }
 
 TEST_CASE("what is written once is written the same again") {
@@ -177,8 +189,10 @@ TEST_CASE("meshes that were copied beside the scene go by the names they have th
 }
 
 TEST_CASE("every key of the list arrives in the scene and is written again") {
-    // Other ways to say what is written as spheres_m, discs_m, rows, harmonic or friction; three dimensions are usual.
-    std::set<std::string> other_ways{"clump", "radius_mm", "file", "speed_rpm", "friction_angle_deg", "dimension"};
+    // Other ways to say what is written as spheres_m, discs_m, rows, harmonic, friction or cohesion energy; three
+    // dimensions are usual.
+    std::set<std::string> other_ways{
+        "clump", "radius_mm", "file", "speed_rpm", "friction_angle_deg", "work_of_adhesion_J_m2", "dimension"};
     for (const int dimension : {3, 2}) {
         if (dimension == 2) // discs have no mesh to scale
             other_ways.insert("scale");
@@ -199,11 +213,13 @@ TEST_CASE("a resolved scene of two dimensions loads again to the same bodies, pa
     CHECK(a.depth == 0.07);
     CHECK(a.domain.box.lo == b.domain.box.lo);
     CHECK(a.contact.global_damping == b.contact.global_damping);
-    for (std::size_t i = 0; i < a.pairs.size(); ++i)
+    for (std::size_t i = 0; i < a.pairs.size(); ++i) {
+        CHECK(additions_of(a.pairs[i]) == additions_of(b.pairs[i]));
         CHECK(std::tuple(a.pairs[i].restitution, a.pairs[i].friction, a.pairs[i].contact_time,
                          a.pairs[i].stiffness_ratio, a.pairs[i].damping_time, a.pairs[i].cohesion) ==
               std::tuple(b.pairs[i].restitution, b.pairs[i].friction, b.pairs[i].contact_time,
                          b.pairs[i].stiffness_ratio, b.pairs[i].damping_time, b.pairs[i].cohesion));
+    }
     for (std::size_t i = 0; i < a.bodies.size(); ++i) {
         CHECK(a.bodies[i].principal_inertia == b.bodies[i].principal_inertia);
         REQUIRE(a.bodies[i].spheres.size() == b.bodies[i].spheres.size());

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "sandbox.h"
 
 #include <cmath>
@@ -6,6 +7,7 @@
 using namespace tumble;
 using namespace tumble::sim2d;
 using namespace tumble::sim2d::testing;
+using tumble::test::about;
 
 namespace {
 
@@ -52,21 +54,21 @@ TEST_CASE("a head-on impact is half a swing of the damped oscillator: overlap, f
         // n(t) = v / w_d exp(-zeta w t) sin(w_d t); k n + c n' is largest where its rate is zero.
         const double deepest = std::atan2(std::sqrt(1 - zeta * zeta), zeta) / damped;
         const double overlap = speed / w * std::exp(-zeta * w * deepest);
-        CHECK(hit.overlap == doctest::Approx(overlap).epsilon(1e-3));
-        CHECK(hit.duration == doctest::Approx(duration).epsilon(2e-3));
+        CHECK(hit.overlap == about(overlap, 1e-3));
+        CHECK(hit.duration == about(duration, 2e-3));
         const double strongest =
             std::atan2((1 - 4 * zeta * zeta) * std::sqrt(1 - zeta * zeta), zeta * (3 - 4 * zeta * zeta)) / damped;
         const double n = speed / damped * std::exp(-zeta * w * strongest) * std::sin(damped * strongest);
         const double rate = speed * std::exp(-zeta * w * strongest) *
                             (std::cos(damped * strongest) - zeta * w / damped * std::sin(damped * strongest));
-        CHECK(hit.force == doctest::Approx(k * n + 2 * zeta * w * mass * rate).epsilon(2e-3));
+        CHECK(hit.force == about(k * n + 2 * zeta * w * mass * rate, 2e-3));
     }
 }
 
 TEST_CASE("restitution comes out as it was put in") {
     for (const double e : {0.1, 0.3, 0.5, 0.8, 1.0}) {
         CAPTURE(e);
-        CHECK(HeadOn(springs(1e5, 1, e, 0), 0.5, 1e-5).restitution == doctest::Approx(e).epsilon(5e-3));
+        CHECK(HeadOn(springs(1e5, 1, e, 0), 0.5, 1e-5).restitution == about(e, 5e-3));
     }
 }
 
@@ -76,8 +78,8 @@ TEST_CASE("a given contact time is how long an impact lasts, whatever the masses
     pair.contact_time = 0.02;
     pair.stiffness_ratio = 1;
     const HeadOn hit(pair, 0.5, 1e-5);
-    CHECK(hit.duration == doctest::Approx(0.02).epsilon(2e-3));
-    CHECK(hit.restitution == doctest::Approx(0.6).epsilon(5e-3));
+    CHECK(hit.duration == about(0.02, 2e-3));
+    CHECK(hit.restitution == about(0.6, 5e-3));
 }
 
 TEST_CASE("stiffness-proportional damping is beta k: restitution follows from the damping ratio beta w / 2") {
@@ -86,7 +88,7 @@ TEST_CASE("stiffness-proportional damping is beta k: restitution follows from th
     const double mass = 1000 * pi * 0.01 / 2;
     const double zeta = 0.5 * pair.damping_time * std::sqrt(1e5 / mass);
     const double e = std::exp(-pi * zeta / std::sqrt(1 - zeta * zeta));
-    CHECK(HeadOn(pair, 0.5, 1e-5).restitution == doctest::Approx(e).epsilon(5e-3));
+    CHECK(HeadOn(pair, 0.5, 1e-5).restitution == about(e, 5e-3));
 }
 
 TEST_CASE("global damping lets a free disc's velocity and spin die away as exp(-alpha t)") {
@@ -96,9 +98,9 @@ TEST_CASE("global damping lets a free disc's velocity and spin die away as exp(-
     box.put({at(disc, {0, 0}, {3, -1}, 7)});
     box.step(1000);
     const double left = std::exp(-2.0);
-    CHECK(box.body_at(0).velocity.x() == doctest::Approx(3 * left).epsilon(1e-5));
-    CHECK(box.body_at(0).velocity.y() == doctest::Approx(-left).epsilon(1e-5));
-    CHECK(box.body_at(0).angular_velocity == doctest::Approx(7 * left).epsilon(1e-5));
+    CHECK(box.body_at(0).velocity.x() == about(3 * left, 1e-5));
+    CHECK(box.body_at(0).velocity.y() == about(-left, 1e-5));
+    CHECK(box.body_at(0).angular_velocity == about(7 * left, 1e-5));
     CHECK(std::abs(books_of(*box.world).closure) < 1e-5 * books_of(*box.world).inserted);
 }
 
@@ -110,8 +112,8 @@ TEST_CASE("before the first step the books hold the bodies with the energy that 
     const double mass = box.shape(disc).mass;
     const Books books = books_of(*box.world);
     CHECK(books.bodies == 2);
-    CHECK(books.kinetic_translation == doctest::Approx(0.5 * mass * 25));
-    CHECK(books.kinetic_rotation == doctest::Approx(0.5 * 0.5 * mass * 0.01 * 400));
-    CHECK(books.gravity == doctest::Approx(mass * 9.81 * (0.5 - 2)));
+    CHECK(books.kinetic_translation == about(0.5 * mass * 25));
+    CHECK(books.kinetic_rotation == about(0.5 * 0.5 * mass * 0.01 * 400));
+    CHECK(books.gravity == about(mass * 9.81 * (0.5 - 2)));
     CHECK(std::abs(books.closure) < 1e-14 * books.kinetic_translation);
 }

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "contact/cundall_strack.h"
 #include "contact/hertz_discs.h"
 #include "contact/material.h"
@@ -7,6 +8,7 @@
 #include <numbers>
 
 using namespace tumble::contact;
+using tumble::test::about;
 
 namespace {
 
@@ -47,10 +49,10 @@ TEST_CASE("increments of the shear force add up until Coulomb's limit F_n tan(ph
     for (int step = 1; step <= 30; ++step) {
         const auto push = law.push(DiscTouch<double>{overlap, 0, rate, 0.05, 1}, memory, dt);
         memory = push.memory;
-        CHECK(push.normal == doctest::Approx(10));
-        CHECK(push.shear == doctest::Approx(std::min(0.25 * step, 4.25)));
+        CHECK(push.normal == about(10));
+        CHECK(push.shear == about(std::min(0.25 * step, 4.25)));
     }
-    CHECK(memory.energy == doctest::Approx(4.25 * 4.25 / (2 * 500)));
+    CHECK(memory.energy == about(4.25 * 4.25 / (2 * 500)));
 }
 
 TEST_CASE("a loading loop never makes energy, and what it takes is what the law books") {
@@ -81,8 +83,7 @@ TEST_CASE("a contact time sets the stiffness: m* (pi^2 + ln^2 e) / t^2") {
     const CundallStrack law(derive({"a", 1, 0, 0}, {"a", 1, 0, 0}, pair), false, true);
     const double ln = std::log(0.5);
     const double k = 3 * (std::numbers::pi * std::numbers::pi + ln * ln) / 1e-4;
-    CHECK(law.push(DiscTouch<double>{0.01, 0, 0, 0.05, 3}, DiscMemory<double>{0, 0}, 1e-4).normal ==
-          doctest::Approx(0.01 * k));
+    CHECK(law.push(DiscTouch<double>{0.01, 0, 0, 0.05, 3}, DiscMemory<double>{0, 0}, 1e-4).normal == about(0.01 * k));
 }
 
 TEST_CASE("a normal force that may not pull does not") {

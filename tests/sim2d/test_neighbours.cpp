@@ -1,3 +1,4 @@
+#include "about.h"
 #include "base/rng.h"
 #include "sandbox.h"
 
@@ -7,6 +8,7 @@
 using namespace tumble;
 using namespace tumble::sim2d;
 using namespace tumble::sim2d::testing;
+using tumble::test::about;
 
 namespace {
 
@@ -83,7 +85,7 @@ TEST_CASE("no contact is missed and none counted twice: a gas of discs and clump
         box.step();
         const Books books = books_of(*box.world);
         REQUIRE(books.contacts == seen.contacts);
-        REQUIRE(books.overlap_max == doctest::Approx(seen.deepest).epsilon(1e-9));
+        REQUIRE(books.overlap_max == about(seen.deepest, 1e-9));
         contacts += seen.contacts;
     }
     CHECK(contacts > 10000);

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "sandbox.h"
 #include "sim2d/time_step.h"
 
@@ -7,6 +8,7 @@
 using namespace tumble;
 using namespace tumble::sim2d;
 using namespace tumble::sim2d::testing;
+using tumble::test::about;
 
 namespace {
 
@@ -44,8 +46,8 @@ TEST_CASE("the reported limit is that of four contacts at once that share a body
     const auto report = time_step_report(box.scene, shapes_of(*box.world));
     const double mass = 1000 * std::numbers::pi * 0.01;
     // 1/m + R^2/I of both sides = 2 (1 + 2) / m; omega^2 = 4 k times that; limit 2 / omega.
-    CHECK(report.limit == doctest::Approx(2 / std::sqrt(4 * 1e5 * 6 / mass)).epsilon(1e-9));
-    CHECK(report.linear_period == doctest::Approx(std::numbers::pi * std::sqrt(mass / 2 / 1e5)).epsilon(1e-9));
+    CHECK(report.limit == about(2 / std::sqrt(4 * 1e5 * 6 / mass), 1e-9));
+    CHECK(report.linear_period == about(std::numbers::pi * std::sqrt(mass / 2 / 1e5), 1e-9));
     CHECK(report.rayleigh == 0);
     CHECK(report.hertz == 0);
 }

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "sandbox.h"
 #include "sim2d/wall_line.h"
 
@@ -7,6 +8,7 @@
 using namespace tumble;
 using namespace tumble::sim2d;
 using namespace tumble::sim2d::testing;
+using tumble::test::about;
 
 namespace {
 
@@ -28,12 +30,12 @@ TEST_CASE("a segment is touched from both sides and on its ends, each once") {
     const scene::SegmentShape floor{{0, 0}, {1, 0}};
     const auto above = touches_of(floor, {0.3, 0.09}, 0.1);
     REQUIRE(above.size() == 1);
-    CHECK(above[0].normal.y() == doctest::Approx(1));
-    CHECK(above[0].gap == doctest::Approx(-0.01));
-    CHECK(touches_of(floor, {0.3, -0.09}, 0.1)[0].normal.y() == doctest::Approx(-1));
+    CHECK(above[0].normal.y() == about(1));
+    CHECK(above[0].gap == about(-0.01));
+    CHECK(touches_of(floor, {0.3, -0.09}, 0.1)[0].normal.y() == about(-1));
     const auto end = touches_of(floor, {1.06, 0.06}, 0.1);
     REQUIRE(end.size() == 1);
-    CHECK(end[0].normal.x() == doctest::Approx(std::sqrt(0.5)));
+    CHECK(end[0].normal.x() == about(std::sqrt(0.5)));
     CHECK(touches_of(floor, {0.3, 0.11}, 0.1).empty());
 }
 
@@ -46,12 +48,12 @@ TEST_CASE("a corner is one touch from outside and two from inside") {
 
 TEST_CASE("a circle is touched from inside and outside, a part of it also on its ends") {
     const scene::ArcShape circle{{0, 0}, 1, 0, 2 * pi};
-    CHECK(touches_of(circle, {0.95, 0}, 0.1)[0].normal.x() == doctest::Approx(-1));
-    CHECK(touches_of(circle, {1.05, 0}, 0.1)[0].normal.x() == doctest::Approx(1));
+    CHECK(touches_of(circle, {0.95, 0}, 0.1)[0].normal.x() == about(-1));
+    CHECK(touches_of(circle, {1.05, 0}, 0.1)[0].normal.x() == about(1));
     const scene::ArcShape quarter{{0, 0}, 1, 0, pi / 2};
     const auto end = touches_of(quarter, {1, -0.05}, 0.1);
     REQUIRE(end.size() == 1);
-    CHECK(end[0].normal.y() == doctest::Approx(-1));
+    CHECK(end[0].normal.y() == about(-1));
     CHECK(touches_of(quarter, {-0.95, 0}, 0.1).empty());
 }
 
@@ -62,7 +64,7 @@ TEST_CASE("a trough is its three pieces, and its joints are not felt") {
     for (const double y : {0.49, 0.5, 0.51}) {
         const auto touch = touches_of(trough, {0.41, y}, 0.1);
         REQUIRE(touch.size() == 1);
-        CHECK(touch[0].gap == doctest::Approx(-0.01).epsilon(0.02));
+        CHECK(touch[0].gap == about(-0.01, 0.02));
     }
 }
 
@@ -73,7 +75,7 @@ TEST_CASE("along a periodic direction a floor goes on through the domain's ends"
     for (const double x : {-0.05, 0.0, 0.05, 1.95, 2.05}) {
         const auto touch = touches_of(scene::SegmentShape{{0, 0}, {2, 0}}, {x, 0.09}, 0.1, domain);
         REQUIRE(touch.size() == 1);
-        CHECK(touch[0].normal.y() == doctest::Approx(1));
+        CHECK(touch[0].normal.y() == about(1));
     }
 }
 
@@ -92,9 +94,9 @@ TEST_CASE("rolling over joints of a straight floor shows no jump in force") {
         joined.points.emplace_back(0.1 * k, 0);
     const BodyState plain = rolled({{{-1, 0}, {6, 0}}, false}), over = rolled(joined);
     CHECK(plain.position.x() > 2.5);
-    CHECK(over.position.x() == doctest::Approx(plain.position.x()).epsilon(1e-9));
-    CHECK(over.velocity.x() == doctest::Approx(plain.velocity.x()).epsilon(1e-9));
-    CHECK(over.position.y() == doctest::Approx(plain.position.y()).epsilon(1e-9));
+    CHECK(over.position.x() == about(plain.position.x(), 1e-9));
+    CHECK(over.velocity.x() == about(plain.velocity.x(), 1e-9));
+    CHECK(over.position.y() == about(plain.position.y(), 1e-9));
 }
 
 TEST_CASE("a disc in a turning drum with friction enough comes to roll with it") {

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "base/rng.h"
 #include "sim3d/body_shape.h"
 #include "sim3d/union_moments.h"
@@ -12,6 +13,7 @@ using namespace tumble::sim3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using scene::Sphere;
+using tumble::test::about;
 
 namespace {
 
@@ -203,7 +205,7 @@ TEST_CASE("the principal frame is right-handed, near the written axes, and bring
         const std::vector<Sphere> spheres = random_clump(rng, 6);
         const BodyShape shape = shape_of(spheres);
         const Matrix3d axes = shape.written_from_principal.toRotationMatrix();
-        CHECK(axes.determinant() == doctest::Approx(1));
+        CHECK(axes.determinant() == about(1));
         for (std::size_t i = 0; i < spheres.size(); ++i)
             CHECK((axes * shape.spheres[i].centre + shape.written_centre - spheres[i].centre).norm() < 1e-15);
         // The spheres as moved must have the moments that the shape states, with nothing off the diagonal.

@@ -1,3 +1,4 @@
+#include "base/rng.h"
 #include "sandbox.h"
 #include "sim3d/wall_surface.h"
 #include "sim3d/world.h"
@@ -47,7 +48,57 @@ std::vector<WallTouch> touches(const WallSurface& surface, const Vector3d& centr
     return {out.begin(), out.begin() + surface.touches(centre, radius, near, out)};
 }
 
+/// Every touch there is now, of each sphere with the disc and with each sphere of another body, found without lists.
+std::int64_t touches_now(const World& world, const WallSurface& surface) {
+    struct Placed {
+        std::int64_t body;
+        Vector3d centre;
+        double radius;
+    };
+    std::vector<Placed> spheres;
+    for (const BodyState& body : bodies_of(world))
+        for (const scene::Sphere& s : shapes_of(world)[static_cast<std::size_t>(body.shape)].spheres)
+            spheres.push_back({body.id, body.position + body.orientation * s.centre, s.radius});
+    const scene::WallPose pose = walls_of(world).front();
+    std::size_t count = 0;
+    for (const Placed& a : spheres) {
+        count += touches(surface, pose.rotation.transpose() * (a.centre - pose.translation), a.radius).size();
+        for (const Placed& b : spheres)
+            count += a.body < b.body && (a.centre - b.centre).norm() < a.radius + b.radius ? 1 : 0;
+    }
+    return static_cast<std::int64_t>(count);
+}
+
 } // namespace
+
+TEST_CASE("no touch of clumps with a fast ribbed disc is ever missed or imagined") {
+    Sandbox box(plastic, damped(), 1e-5);
+    box.scene.gravity = {0, -g, 0};
+    const int clump = box.body({{{-2e-3, 0, 0}, 3e-3}, {{2e-3, 0, 0}, 2.5e-3}, {{0, 2e-3, 1e-3}, 2e-3}});
+    scene::Rotation turning;
+    turning.angular_velocity = 21; // 200 rpm
+    box.wall(disc(12)).motion.rotations = {turning};
+    Rng rng(11);
+    std::vector<BodyState> bodies;
+    for (int ring = 0; ring < 4; ++ring)
+        for (int i = 0; i < 16; ++i) {
+            const double angle = 2 * std::numbers::pi * i / 16, away = 0.05 + 0.025 * ring;
+            const Vector3d place(away * std::cos(angle), 0.012 + 0.006 * ring, away * std::sin(angle));
+            bodies.push_back(placed(clump, place, {rng.uniform(-1, 1), -1, rng.uniform(-1, 1)},
+                                    50 * Vector3d(rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1))));
+        }
+    box.start(bodies);
+    const auto surface = WallSurface::make(box.scene.walls.front().shape, box.scene.domain).value();
+    std::int64_t seen = 0;
+    for (int step = 0; step < 3000; ++step) {
+        const std::int64_t expected = touches_now(*box.world, surface);
+        box.run(1);
+        CAPTURE(step);
+        REQUIRE(books_of(*box.world).contacts == expected);
+        seen += expected;
+    }
+    CHECK(seen > 10000);
+}
 
 TEST_CASE("without friction a smooth disc turns beneath a ball, and a rib takes it along") {
     const double speed = 4;

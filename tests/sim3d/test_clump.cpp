@@ -1,3 +1,4 @@
+#include "about.h"
 #include "sim3d/sandbox.h"
 #include "sim3d/world.h"
 
@@ -7,6 +8,7 @@
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
+using tumble::test::about;
 
 namespace {
 
@@ -23,7 +25,7 @@ double flat_landing(int per_side_x, int per_side_z, double e, bool share) {
         for (int k = 0; k < per_side_z; ++k)
             spheres.push_back({{(2 * i - per_side_x + 1) * r, 0, (2 * k - per_side_z + 1) * r}, r});
     Sandbox box({"media", 2000, 1e8, 0.3}, {e, 0.5, 1e5, 1e5}, 5e-7);
-    box.scene.contact = {scene::NormalLaw::linear, scene::TangentialLaw::linear, false, share};
+    box.scene.contact = {scene::NormalLaw::linear, scene::TangentialLaw::linear, false, share, 0, 0.05, {}};
     box.wall(scene::PlaneShape{});
     BodyState body = placed(box.body(spheres), {0, r + 1e-7, 0}, {0, -1, 0});
     auto probe = build_world(box.scene, 1);
@@ -104,11 +106,11 @@ TEST_CASE("n spheres that land flat are n parallel springs and dashpots: restitu
                            Row{2, 2, 0.5, 0.223}, Row{3, 3, 0.9, 0.728}, Row{3, 3, 0.7, 0.323}}) {
         const int n = row.x * row.z;
         const double b = std::sqrt(n) * -std::log(row.e) / std::hypot(std::numbers::pi, std::log(row.e));
-        CHECK(std::exp(-std::numbers::pi * b / std::sqrt(1 - b * b)) == doctest::Approx(row.predicted).epsilon(2e-3));
+        CHECK(std::exp(-std::numbers::pi * b / std::sqrt(1 - b * b)) == about(row.predicted, 2e-3));
         CAPTURE(n);
         CAPTURE(row.e);
-        CHECK(flat_landing(row.x, row.z, row.e, false) == doctest::Approx(row.predicted).epsilon(0.01));
-        CHECK(flat_landing(row.x, row.z, row.e, true) == doctest::Approx(row.e).epsilon(0.01));
+        CHECK(flat_landing(row.x, row.z, row.e, false) == about(row.predicted, 0.01));
+        CHECK(flat_landing(row.x, row.z, row.e, true) == about(row.e, 0.01));
     }
 }
 
@@ -118,6 +120,6 @@ TEST_CASE("a body of one sphere with an inertia of its own turns as that inertia
     box.scene.bodies[0].principal_inertia = Vector3d(1e-8, 2e-8, 2.5e-8);
     box.start({placed(bead, {0, 0, 0}, {0, 0, 0}, {0, 100, 0})});
     box.run(1000);
-    CHECK(books_of(*box.world).kinetic_rotation == doctest::Approx(0.5 * 2e-8 * 1e4).epsilon(1e-9));
+    CHECK(books_of(*box.world).kinetic_rotation == about(0.5 * 2e-8 * 1e4, 1e-9));
     CHECK(std::abs(books_of(*box.world).closure) < 1e-9 * 1e-4);
 }

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "sim3d/sandbox.h"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
+using tumble::test::about;
 
 namespace {
 
@@ -40,17 +42,17 @@ TEST_CASE("before the first step the books hold the bodies with the energy that 
     CHECK(books.step == 0);
     CHECK(books.time == 0);
     CHECK(books.bodies == 2);
-    CHECK(books.kinetic_translation == doctest::Approx(0.5 * mass * 25));
-    CHECK(books.kinetic_rotation == doctest::Approx(0.5 * 0.4 * mass * r * r * 400));
-    CHECK(books.gravity == doctest::Approx(mass * 9.81 * (0.1 - 0.2)));
-    CHECK(books.inserted == doctest::Approx(books.kinetic_translation + books.kinetic_rotation + books.gravity));
+    CHECK(books.kinetic_translation == about(0.5 * mass * 25));
+    CHECK(books.kinetic_rotation == about(0.5 * 0.4 * mass * r * r * 400));
+    CHECK(books.gravity == about(mass * 9.81 * (0.1 - 0.2)));
+    CHECK(books.inserted == about(books.kinetic_translation + books.kinetic_rotation + books.gravity));
     CHECK(std::abs(books.closure) < 1e-15 * books.kinetic_translation);
-    CHECK(books.speed_max == doctest::Approx(5));
-    CHECK(books.angular_speed_max == doctest::Approx(20));
+    CHECK(books.speed_max == about(5));
+    CHECK(books.angular_speed_max == about(20));
     box.run(1); // the books of the first step are those of the same instant
     CHECK(books_of(*box.world).time == 0);
-    CHECK(books_of(*box.world).gravity == doctest::Approx(books.gravity));
-    CHECK(books_of(*box.world).kinetic_translation == doctest::Approx(books.kinetic_translation));
+    CHECK(books_of(*box.world).gravity == about(books.gravity));
+    CHECK(books_of(*box.world).kinetic_translation == about(books.kinetic_translation));
 }
 
 TEST_CASE("a fill places what it is asked for, inside the walls, and nothing overlaps") {

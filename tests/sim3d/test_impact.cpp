@@ -1,3 +1,4 @@
+#include "about.h"
 #include "sim3d/sandbox.h"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
+using tumble::test::about;
 
 namespace {
 
@@ -50,9 +52,9 @@ Impact hertz(double E_eff, double radius, double mass, double speed) {
 }
 
 void check_equal(const Impact& seen, const Impact& predicted) {
-    CHECK(seen.force == doctest::Approx(predicted.force).epsilon(1e-3));
-    CHECK(seen.overlap == doctest::Approx(predicted.overlap).epsilon(1e-3));
-    CHECK(seen.duration == doctest::Approx(predicted.duration).epsilon(1e-3));
+    CHECK(seen.force == about(predicted.force, 1e-3));
+    CHECK(seen.overlap == about(predicted.overlap, 1e-3));
+    CHECK(seen.duration == about(predicted.duration, 1e-3));
 }
 
 } // namespace
@@ -76,7 +78,7 @@ TEST_CASE("two equal spheres meet as Hertz says: Chung and Ooi test 1") {
         const int ball = box.ball(r);
         box.start({placed(ball, {-r - 1e-7, 0, 0}, {10, 0, 0}), placed(ball, {r + 1e-7, 0, 0}, {-10, 0, 0})});
         check_equal(run_impact(box, mass, 0), predicted);
-        CHECK(box.body_now(0).velocity.x() == doctest::Approx(-10).epsilon(1e-6));
+        CHECK(box.body_now(0).velocity.x() == about(-10, 1e-6));
     }
 }
 
@@ -110,11 +112,11 @@ TEST_CASE("what goes in as restitution comes out, for Hertz and for the linear l
             const double r = 2.5e-3;
             Sandbox box({"alumina", 4000, 380e9, 0.23}, {e, 0.092, 1e7, 1e7}, linear ? 2e-8 : 2e-9);
             if (linear)
-                box.scene.contact = {scene::NormalLaw::linear, scene::TangentialLaw::linear, false, false};
+                box.scene.contact = {scene::NormalLaw::linear, scene::TangentialLaw::linear, false, false, 0, 0.05, {}};
             box.wall(scene::PlaneShape{}, box.wall_material({"rigid", 7800, 1e20, 0.3}, {e, 0.092, 1e7, 1e7}));
             box.start({placed(box.ball(r), {0, r + 1e-9, 0}, {0, -3.9, 0})});
             (void)run_impact(box, ball_mass(r, 4000), 1);
-            CHECK(box.body_now(0).velocity.y() / 3.9 == doctest::Approx(e).epsilon(5e-3));
+            CHECK(box.body_now(0).velocity.y() / 3.9 == about(e, 5e-3));
         }
 }
 
@@ -123,12 +125,12 @@ TEST_CASE("a linear contact lasts half a period of its oscillator") {
     const double r = 0.01;
     const double mass = ball_mass(r, 2500);
     Sandbox box({"glass", 2500, 5e10, 0.2}, {1.0, 0.0, k, k}, 1e-7);
-    box.scene.contact = {scene::NormalLaw::linear, scene::TangentialLaw::none, false, false};
+    box.scene.contact = {scene::NormalLaw::linear, scene::TangentialLaw::none, false, false, 0, 0.05, {}};
     box.wall(scene::PlaneShape{});
     box.start({placed(box.ball(r), {0, r, 0}, {0, -1, 0})});
     const Impact seen = run_impact(box, mass, 1);
-    CHECK(seen.duration == doctest::Approx(std::numbers::pi * std::sqrt(mass / k)).epsilon(1e-3));
-    CHECK(seen.overlap == doctest::Approx(std::sqrt(mass / k)).epsilon(1e-3));
+    CHECK(seen.duration == about(std::numbers::pi * std::sqrt(mass / k), 1e-3));
+    CHECK(seen.overlap == about(std::sqrt(mass / k), 1e-3));
 }
 
 TEST_CASE("an oblique impact of two spheres keeps linear and angular momentum") {
@@ -175,8 +177,8 @@ TEST_CASE("the energy error of an elastic collision falls with the square of the
     const double fine = worst_closure(1e-7);
     const double finest = worst_closure(0.5e-7);
     CHECK(coarse < 1e-3);
-    CHECK(std::log2(coarse / fine) == doctest::Approx(2).epsilon(0.1));
-    CHECK(std::log2(fine / finest) == doctest::Approx(2).epsilon(0.1));
+    CHECK(std::log2(coarse / fine) == about(2, 0.1));
+    CHECK(std::log2(fine / finest) == about(2, 0.1));
 }
 
 TEST_CASE("the books of a damped, sliding impact close, the better the shorter the step") {
@@ -218,7 +220,7 @@ TEST_CASE("without pulling forces a linear impact ends when the force does, as S
         const double predicted =
             std::exp(-b / omega * (std::numbers::pi - std::atan(2 * b * omega / (omega * omega - b * b))));
         CHECK(predicted > 1.01 * e);
-        CHECK(box.body_now(0).velocity.y() == doctest::Approx(predicted).epsilon(2e-3));
+        CHECK(box.body_now(0).velocity.y() == about(predicted, 2e-3));
         CHECK(std::abs(books_of(*box.world).closure) < 1e-3 * 0.5 * mass);
     }
 }

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "base/rng.h"
 #include "sim3d/mean_flow.h"
 #include "sim3d/sandbox.h"
@@ -8,6 +9,7 @@ using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
 using Eigen::Matrix3d;
+using tumble::test::about;
 
 namespace {
 
@@ -47,7 +49,7 @@ TEST_CASE("along a periodic direction the flow does not change, or it would jump
     gradient(0, 1) = 2;
     const MeanFlow flow = fit_mean_flow(*flowing(Vector3d::Zero(), gradient, {true, false, false}).world);
     CHECK(flow.gradient.col(0).norm() == 0);
-    CHECK(flow.gradient(0, 1) == doctest::Approx(2).epsilon(1e-5));
+    CHECK(flow.gradient(0, 1) == about(2, 1e-5));
 }
 
 TEST_CASE("a few bodies give a mean velocity and no gradient") {
@@ -73,5 +75,5 @@ TEST_CASE("a wall that moves with the flow goes no way beside it, and one that t
     const double angle = 0.01;
     to.rotation = Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
     // The corner farthest from the axis stands sqrt(1 + 4) m off and moves along the chord.
-    CHECK(way_beside(flow, from, to, 1e-3) == doctest::Approx(2 * std::sin(angle / 2) * std::sqrt(5.0)));
+    CHECK(way_beside(flow, from, to, 1e-3) == about(2 * std::sin(angle / 2) * std::sqrt(5.0)));
 }

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "sim3d/sandbox.h"
 
 #include <cmath>
@@ -6,6 +7,7 @@
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
+using tumble::test::about;
 
 namespace {
 
@@ -44,15 +46,15 @@ TEST_CASE("an impact that slides throughout loses mu (1 + e) v_n, whatever its a
         const double angle = degrees * std::numbers::pi / 180;
         const double kick = friction * (1 + restitution) * speed * std::cos(angle);
         const Rebound seen = rebound(degrees);
-        CHECK(seen.tangential == doctest::Approx(speed * std::sin(angle) - kick).epsilon(2e-3));
-        CHECK(seen.spin == doctest::Approx(2.5 * kick / radius).epsilon(2e-3));
+        CHECK(seen.tangential == about(speed * std::sin(angle) - kick, 2e-3));
+        CHECK(seen.spin == about(2.5 * kick / radius, 2e-3));
     }
 }
 
 TEST_CASE("the printed case at 40 degrees: e_t 0.7829 and 544.2 rad/s") {
     const Rebound seen = rebound(40);
-    CHECK(seen.tangential / (speed * std::sin(40 * std::numbers::pi / 180)) == doctest::Approx(0.7829).epsilon(2e-3));
-    CHECK(seen.spin == doctest::Approx(544.2).epsilon(2e-3));
+    CHECK(seen.tangential / (speed * std::sin(40 * std::numbers::pi / 180)) == about(0.7829, 2e-3));
+    CHECK(seen.spin == about(544.2, 2e-3));
 }
 
 TEST_CASE("an impact that sticks for a while rebounds as Chung and Ooi's figures show, 15 to 30 degrees") {
@@ -62,9 +64,8 @@ TEST_CASE("an impact that sticks for a while rebounds as Chung and Ooi's figures
     for (const Row& row : {Row{15, 0.624, 378}, Row{20, 0.616, 511}, Row{25, 0.634, 599}, Row{30, 0.684, 617}}) {
         CAPTURE(row.degrees);
         const Rebound seen = rebound(row.degrees);
-        CHECK(seen.tangential / (speed * std::sin(row.degrees * std::numbers::pi / 180)) ==
-              doctest::Approx(row.ratio).epsilon(0.03));
-        CHECK(seen.spin == doctest::Approx(row.spin).epsilon(0.03));
+        CHECK(seen.tangential / (speed * std::sin(row.degrees * std::numbers::pi / 180)) == about(row.ratio, 0.03));
+        CHECK(seen.spin == about(row.spin, 0.03));
     }
 }
 
@@ -91,8 +92,8 @@ TEST_CASE("a sliding sphere rolls after 2 u0 / (7 mu g), at 5/7 of its speed") {
                 rolls_at = time_of(*box.world);
             REQUIRE(time_of(*box.world) < 2 * predicted);
         }
-        CHECK(rolls_at == doctest::Approx(predicted).epsilon(6e-3));
+        CHECK(rolls_at == about(predicted, 6e-3));
         box.run(20000);
-        CHECK(box.body_now(0).velocity.x() == doctest::Approx(5.0 / 7.0 * u0).epsilon(6e-3));
+        CHECK(box.body_now(0).velocity.x() == about(5.0 / 7.0 * u0, 6e-3));
     }
 }

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "sim3d/body_shape.h"
 #include "sim3d/time_step.h"
 
@@ -8,6 +9,7 @@
 using namespace tumble;
 using namespace tumble::sim3d;
 using Eigen::Vector3d;
+using tumble::test::about;
 
 namespace {
 
@@ -75,9 +77,9 @@ TEST_CASE("the thesis' step is 18 % of the Rayleigh time of its smallest media s
     // G = 4.6e8 / (2 * 1.2887) = 1.78474e8 Pa; pi * 1.53e-3 * sqrt(1665.71 / G) / (0.1631 * 0.2887 + 0.8766)
     // = 4.80664e-3 * 3.05501e-3 / 0.923687 = 1.58974e-5 s; 2.857143e-6 s is 17.97 % of it.
     const TimeStepReport report = report_of(thesis_like());
-    CHECK(report.rayleigh == doctest::Approx(1.58974e-5).epsilon(1e-4));
+    CHECK(report.rayleigh == about(1.58974e-5, 1e-4));
     CHECK(report.rayleigh_of == "body grain, sphere 2 (r = 1.53 mm)");
-    CHECK(report.step / report.rayleigh == doctest::Approx(0.1797).epsilon(1e-3));
+    CHECK(report.step / report.rayleigh == about(0.1797, 1e-3));
     CHECK(report.step / report.rayleigh < 0.2);
     CHECK(report.stable());
 }
@@ -87,20 +89,20 @@ TEST_CASE("the thesis' step in the bowl is 36 % of the Rayleigh time of its half
     for (auto& sphere : scene.bodies[0].spheres)
         sphere = {sphere.centre / 2, sphere.radius / 2};
     const TimeStepReport report = report_of(scene);
-    CHECK(report.step / report.rayleigh == doctest::Approx(0.3594).epsilon(1e-3));
+    CHECK(report.step / report.rayleigh == about(0.3594, 1e-3));
     CHECK(report.stable()); // the rule of thumb is broken, the body's mass still carries the step
 }
 
 TEST_CASE("the impact speed is the fall from the fill's top to the domain's bottom, plus the fastest wall") {
     scene::Scene scene = thesis_like();
     const double fall = std::sqrt(2 * 9.81 * 0.77);
-    CHECK(report_of(scene).hertz_speed == doctest::Approx(fall));
+    CHECK(report_of(scene).hertz_speed == about(fall));
     scene.walls[0].motion.harmonics = {{{}, 1, 1e-3, 25.0, 0.0}};
-    CHECK(report_of(scene).hertz_speed == doctest::Approx(fall + 1e-3 * 50 * pi));
+    CHECK(report_of(scene).hertz_speed == about(fall + 1e-3 * 50 * pi));
     scene.fills[0].velocity = Vector3d(3, 0, 0);
-    CHECK(report_of(scene).hertz_speed == doctest::Approx(std::sqrt(9 + fall * fall) + 1e-3 * 50 * pi));
+    CHECK(report_of(scene).hertz_speed == about(std::sqrt(9 + fall * fall) + 1e-3 * 50 * pi));
     scene.fills[0].position = Vector3d(0, -0.02, 0);
-    CHECK(report_of(scene).hertz_speed == doctest::Approx(3 + 1e-3 * 50 * pi));
+    CHECK(report_of(scene).hertz_speed == about(3 + 1e-3 * 50 * pi));
 }
 
 TEST_CASE("two fills thrown at each other meet with the difference of their velocities") {
@@ -110,17 +112,17 @@ TEST_CASE("two fills thrown at each other meet with the difference of their velo
     scene.fills = {left, right};
     scene.walls.clear();
     const TimeStepReport report = report_of(scene);
-    CHECK(report.hertz_speed == doctest::Approx(20));
+    CHECK(report.hertz_speed == about(20));
     // Chung and Ooi 2011, test 1, glass: contact lasts 40.34 us; the rounded 2.87 instead of 2.868 adds 0.06 %.
-    CHECK(report.hertz == doctest::Approx(40.34e-6).epsilon(2e-3));
+    CHECK(report.hertz == about(40.34e-6, 2e-3));
     CHECK(report.hertz_of == "body grain on body grain (R* = 5 mm)");
     // Frictionless, undamped: four contacts of stiffness 2 E* sqrt(R* d) on m* = m/2; one alone would overlap by
     // 0.274113 mm (the same test), four share the impact and overlap by 4^-0.4 of it.
     const double mass = 2800 * 4.0 / 3 * pi * 1e-6,
                  stiffness = 2 * 2.5e10 * std::sqrt(0.005 * 2.74113e-4 * std::pow(4, -0.4));
     const double period = 2 * pi * std::sqrt(mass / 2 / (4 * stiffness));
-    CHECK(report.body_period == doctest::Approx(period).epsilon(1e-4));
-    CHECK(report.limit == doctest::Approx(period / pi).epsilon(1e-4));
+    CHECK(report.body_period == about(period, 1e-4));
+    CHECK(report.limit == about(period / pi, 1e-4));
     // 50 steps per contact, as the published test asks for, must be allowed.
     CHECK(40.34e-6 / 50 < report.limit);
 }
@@ -130,7 +132,7 @@ TEST_CASE("friction lets a sphere roll and makes it 3.5 times as easy to move at
     const double smooth = report_of(scene).body_period;
     for (auto& pair : scene.pairs)
         pair.friction = 0.5;
-    CHECK(report_of(scene).body_period == doctest::Approx(smooth / std::sqrt(3.5)).epsilon(1e-9));
+    CHECK(report_of(scene).body_period == about(smooth / std::sqrt(3.5), 1e-9));
 }
 
 TEST_CASE("leapfrog with late damping stays bounded just below the limit and grows just above it") {
@@ -144,10 +146,10 @@ TEST_CASE("leapfrog with late damping stays bounded just below the limit and gro
         const double mass = 1665.71 * 4.0 / 3 * pi * 1.25e-7;
         const double ln_e = std::log(restitution);
         const double damping = 2 * -ln_e / std::sqrt(ln_e * ln_e + pi * pi) * std::sqrt(5e4 * mass);
-        CHECK(report.body_period == doctest::Approx(2 * pi * std::sqrt(mass / 2e5)).epsilon(1e-9));
+        CHECK(report.body_period == about(2 * pi * std::sqrt(mass / 2e5), 1e-9));
         CHECK(largest_swing(5e4, damping, mass, 4, 0.99 * report.limit) < 20);
         CHECK(largest_swing(5e4, damping, mass, 4, 1.01 * report.limit) > 1e6);
-        CHECK(report.linear_period == doctest::Approx(pi * std::sqrt(mass / 5e4)).epsilon(1e-9));
+        CHECK(report.linear_period == about(pi * std::sqrt(mass / 5e4), 1e-9));
         CHECK(report.hertz == 0);
     }
 }
@@ -158,8 +160,8 @@ TEST_CASE("a clump's step is bound by the body's mass, not by its small spheres"
     scene::Scene spiked = plain;
     spiked.bodies[0].spheres.push_back({Vector3d(0.0092, 0, 0), 0.001});
     const TimeStepReport a = report_of(plain), b = report_of(spiked);
-    CHECK(b.rayleigh == doctest::Approx(a.rayleigh / 10).epsilon(1e-9));
-    CHECK(b.limit == doctest::Approx(a.limit).epsilon(0.15));
+    CHECK(b.rayleigh == about(a.rayleigh / 10, 1e-9));
+    CHECK(b.limit == about(a.limit, 0.15));
 }
 
 TEST_CASE("the limit leaves room for the steps in use and refuses what is far too long") {

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "sim3d/sandbox.h"
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
+using tumble::test::about;
 
 namespace {
 
@@ -72,7 +74,7 @@ TEST_CASE("a ball that slides over the edges of coplanar triangles feels no jump
     CHECK(box.body_now(0).position.x() > 0);
     CHECK(lowest > mass * 9.81 * 0.999);
     CHECK(highest < mass * 9.81 * 1.001);
-    CHECK(before.x() == doctest::Approx(u).epsilon(1e-3));
+    CHECK(before.x() == about(u, 1e-3));
 }
 
 TEST_CASE("a ball that rolls over the ridge between two facets keeps the friction that turns it") {
@@ -141,7 +143,7 @@ TEST_CASE("a body rests in the corner of three walls with a third of nothing: ea
     for (int axis = 0; axis < 3; ++axis) {
         const double weight = mass * std::abs(box.scene.gravity[axis]);
         const double sink = std::pow(3 * weight / (4 * E_eff * std::sqrt(r)), 2.0 / 3.0);
-        CHECK(box.body_now(0).position[axis] == doctest::Approx(r - sink).epsilon(1e-9));
+        CHECK(box.body_now(0).position[axis] == about(r - sink, 1e-9));
     }
     CHECK(books_of(*box.world).contacts == 3);
 }
@@ -180,8 +182,8 @@ TEST_CASE("a body over the border of a periodic box touches what stands on the o
     box.start({placed(ball, {0.0165, 0, 0}, {0.5, 0, 0}), placed(ball, {-0.0150, 0, 0}, {-0.5, 0, 0})});
     box.run(4000);
     // Equal masses, head on, elastic: they swap velocities.
-    CHECK(box.body_now(0).velocity.x() == doctest::Approx(-0.5).epsilon(1e-4));
-    CHECK(box.body_now(1).velocity.x() == doctest::Approx(0.5).epsilon(1e-4));
+    CHECK(box.body_now(0).velocity.x() == about(-0.5, 1e-4));
+    CHECK(box.body_now(1).velocity.x() == about(0.5, 1e-4));
     CHECK(books_of(*box.world).contacts == 0);
 }
 
@@ -200,5 +202,5 @@ TEST_CASE("two spheres of a clump that straddle the border rest on a periodic me
     const auto [on_mesh, mesh_contacts] = rest(mesh_floor(0.03, 3), 0.0299);
     CHECK(plane_contacts == 2);
     CHECK(mesh_contacts == 2);
-    CHECK(on_mesh.position.y() == doctest::Approx(on_plane.position.y()).epsilon(1e-9));
+    CHECK(on_mesh.position.y() == about(on_plane.position.y(), 1e-9));
 }

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "base/rng.h"
 #include "sim3d/wall_surface.h"
 
@@ -12,6 +13,7 @@ using namespace tumble;
 using namespace tumble::sim3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+using tumble::test::about;
 
 namespace {
 
@@ -307,8 +309,8 @@ TEST_CASE("a sphere in a square hole touches its four edges") {
     const auto found = touches(plate, Vector3d(0, 0.03, 0), 0.06);
     REQUIRE(found.size() == 4);
     for (const WallTouch& touch : found) {
-        CHECK(touch.gap == doctest::Approx(std::hypot(0.03, 0.05) - 0.06));
-        CHECK(touch.normal.y() == doctest::Approx(0.03 / std::hypot(0.03, 0.05)));
+        CHECK(touch.gap == about(std::hypot(0.03, 0.05) - 0.06));
+        CHECK(touch.normal.y() == about(0.03 / std::hypot(0.03, 0.05)));
     }
 }
 

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "base/rng.h"
 #include "sim3d/wall_surface.h"
 
@@ -9,6 +10,7 @@
 using namespace tumble;
 using namespace tumble::sim3d;
 using Eigen::Vector3d;
+using tumble::test::about;
 
 namespace {
 
@@ -56,7 +58,7 @@ TEST_CASE("a plane pushes to its inside from any depth") {
         CHECK(found[0].feature == 0);
     }
     CHECK(touches(plane, Vector3d(0.1, 0, 0) + 0.0101 * normal, 0.01).empty());
-    CHECK(plane.distance(0, Vector3d(0.1, 0, 0) - 0.2 * normal) == doctest::Approx(-0.2));
+    CHECK(plane.distance(0, Vector3d(0.1, 0, 0) - 0.2 * normal) == about(-0.2));
 }
 
 TEST_CASE("a sphere in a box corner touches three faces, each by its own feature") {
@@ -133,8 +135,8 @@ TEST_CASE("a cylinder is touched from inside, from outside and on its ends") {
     // On the axis a sphere larger than the tube still gets one finite touch.
     found = touches(tube, middle, 0.06);
     REQUIRE(found.size() == 1);
-    CHECK(found[0].gap == doctest::Approx(-0.01));
-    CHECK(found[0].normal.norm() == doctest::Approx(1));
+    CHECK(found[0].gap == about(-0.01));
+    CHECK(found[0].normal.norm() == about(1));
 }
 
 TEST_CASE("a cylinder along a periodic axis has no ends") {

@@ -18,6 +18,9 @@ TouchCounts touch_discs(const Row* rows, const NearPair* pairs, int count, const
                         int* contacts, int* ended);
 void push_discs(PushContext& context, const NearPair* pairs, const int* which, int count, Memory* memory);
 void push_walls(PushContext& context, WallContact* contacts, int count);
+/// The same for pairs whose law is not plain.
+void push_discs_fully(PushContext& context, const NearPair* pairs, const int* which, int count, Memory* memory);
+void push_walls_fully(PushContext& context, WallContact* contacts, int count);
 MotionSums integrate(const IntegrateContext& context);
 
 const Kernels& kernels();

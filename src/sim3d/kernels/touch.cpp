@@ -85,12 +85,14 @@ int near_spheres(const BodyMotion* motion, const SpherePair* pairs, int count, c
     return n;
 }
 
-TouchCounts touch_spheres(const BodyMotion* motion, const NearPair* pairs, int count, const Shift* images,
+TouchCounts touch_spheres(const BodyMotion* motion, const NearPair* pairs, int count, const Shift* images, double hold,
                           std::uint8_t* touching, int* contacts, int* ended) {
     TouchCounts counts{0, 0};
     by_packs(motion, pairs, count, [&](int first, int n) TUMBLE_INLINE_LAMBDA {
-        const unsigned now = closer_than(0, motion, pairs + first, n, images);
         const unsigned was = bits_of_bytes(touching + first, n);
+        unsigned now = closer_than(0, motion, pairs + first, n, images);
+        if (hold > 0)
+            now |= was & closer_than(hold, motion, pairs + first, n, images);
         append(now, first, contacts, counts.contacts);
         for (unsigned parted = was & ~now; parted != 0; parted &= parted - 1)
             ended[counts.ended++] = first + __builtin_ctz(parted);
@@ -127,8 +129,8 @@ struct SeenFrom {
         spheres_b = at.shapes[at.shape[pair.b]].exposed;
     }
 
-    /// A bit for each of eight candidates that touches; lanes from n on repeat the last of them.
-    TUMBLE_INLINE unsigned touching(const SphereCandidate* candidates, int n) const {
+    /// A bit for each of eight candidates whose gap is below `gap`; lanes from n on repeat the last of them.
+    TUMBLE_INLINE unsigned closer_than(double gap, const SphereCandidate* candidates, int n) const {
         const auto lane = [&](int k) TUMBLE_INLINE_LAMBDA { return candidates[k < n ? k : n - 1]; };
         const Columns a = gather([&](int k) TUMBLE_INLINE_LAMBDA { return spheres_a + 4 * lane(k).a; });
         const Columns b = gather([&](int k) TUMBLE_INLINE_LAMBDA { return spheres_b + 4 * lane(k).b; });
@@ -136,7 +138,7 @@ struct SeenFrom {
         const Pack dx = Pack(offset[0]) + a.x - (Pack(r[0]) * b.x + Pack(r[1]) * b.y + Pack(r[2]) * b.z);
         const Pack dy = Pack(offset[1]) + a.y - (Pack(r[3]) * b.x + Pack(r[4]) * b.y + Pack(r[5]) * b.z);
         const Pack dz = Pack(offset[2]) + a.z - (Pack(r[6]) * b.x + Pack(r[7]) * b.y + Pack(r[8]) * b.z);
-        const Pack reach = a.w + b.w;
+        const Pack reach = a.w + b.w + Pack(gap);
         return bits(dx * dx + dy * dy + dz * dz < reach * reach) & ((1U << n) - 1);
     }
 };
@@ -144,7 +146,7 @@ struct SeenFrom {
 } // namespace
 
 TouchCounts touch_clumps(const Placements& at, const BodyPair* pairs, int count, const SphereCandidate* candidates,
-                         std::uint8_t* touching, ClumpTouch* contacts, int* ended) {
+                         double hold, std::uint8_t* touching, ClumpTouch* contacts, int* ended) {
     TouchCounts counts{0, 0};
     for (int p = 0; p < count; ++p) {
         const BodyPair& pair = pairs[p];
@@ -154,8 +156,10 @@ TouchCounts touch_clumps(const Placements& at, const BodyPair* pairs, int count,
         const int end = pair.begin + pair.count;
         for (int first = pair.begin; first < end; first += Pack::lanes) {
             const int n = end - first < Pack::lanes ? end - first : Pack::lanes;
-            const unsigned now = seen.touching(candidates + first, n);
             const unsigned was = bits_of_bytes(touching + first, n);
+            unsigned now = seen.closer_than(0, candidates + first, n);
+            if (hold > 0)
+                now |= was & seen.closer_than(hold, candidates + first, n);
             for (unsigned left = now; left != 0; left &= left - 1)
                 contacts[counts.contacts++] = {p, first + __builtin_ctz(left)};
             for (unsigned changed = now ^ was; changed != 0; changed &= changed - 1) {

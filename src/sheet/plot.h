@@ -1,0 +1,23 @@
+#pragma once
+
+#include "base/problem.h"
+#include "sheet/sheet.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// Figures as files, drawn by gnuplot.
+namespace tumble::sheet {
+
+/// What gnuplot is told to draw the figure to a file; .png and .svg are known.
+std::string gnuplot_script(const Figure& figure, const std::filesystem::path& file);
+
+/// Draws the figure to a file. Problems: gnuplot is not installed, or what it said when it failed.
+Result<Done> draw(const Figure& figure, const std::filesystem::path& file);
+
+/// Draws every figure into a folder, which is made, once per ending (".png"). The files written, or what went wrong.
+Result<std::vector<std::filesystem::path>> draw_all(const Sheet& sheet, const std::filesystem::path& folder,
+                                                    const std::vector<std::string>& endings);
+
+} // namespace tumble::sheet

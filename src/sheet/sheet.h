@@ -1,0 +1,99 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// What a lesson, an experiment or an evaluation shows, as data. Text is UTF-8; whoever shows it breaks its lines.
+namespace tumble::sheet {
+
+struct Heading {
+    std::string text;
+};
+
+struct Paragraph {
+    std::string text;
+};
+
+/// One line of mathematics and where it stands: "(3.11)", "Johnson 1985".
+struct Formula {
+    std::string text;
+    std::string source;
+};
+
+struct Column {
+    std::string head;
+    std::string unit{}; // empty: none
+    int digits = 4;     // significant, of numbers
+};
+using Cell = std::variant<double, std::string>; // numbers in the column's unit
+struct Grid {
+    std::vector<Column> columns;
+    std::vector<std::vector<Cell>> rows{};
+};
+
+struct Axis {
+    std::string label;
+    std::string unit{}; // empty: none
+    bool logarithmic = false;
+    std::optional<std::array<double, 2>> range{};
+};
+enum class Style { line, dashes, points, bars };
+struct Curve {
+    std::string label;
+    Style style = Style::line;
+    std::vector<double> x{}, y{};       // in the axes' units
+    std::optional<std::size_t> color{}; // curves of one number share a colour; else each has its own
+
+    void add(double at, double value) {
+        x.push_back(at);
+        y.push_back(value);
+    }
+};
+struct Figure {
+    std::string name; // of its files, without extension
+    std::string title;
+    Axis x, y;
+    std::vector<Curve> curves{};
+    bool equal_scales = false; // a metre along x is as long as one along y
+};
+
+/// A picture that is drawn elsewhere, NAME.png among the sheet's figures.
+struct Picture {
+    std::string name;
+    std::string title;
+    std::string note; // what else there is of it
+};
+
+using Part = std::variant<Heading, Paragraph, Formula, Grid, Figure, Picture>;
+
+/// A number that the sheet rests on, under a name that stays.
+struct Fact {
+    std::string name;
+    double value = 0;
+    std::string unit; // empty: none
+};
+
+struct Sheet {
+    std::vector<Part> parts{};
+    std::vector<Fact> facts{};
+
+    void head(std::string text) { parts.emplace_back(Heading{std::move(text)}); }
+    void say(std::string text) { parts.emplace_back(Paragraph{std::move(text)}); }
+    void formula(std::string text, std::string source = "") {
+        parts.emplace_back(Formula{std::move(text), std::move(source)});
+    }
+    void fact(std::string name, double value, std::string unit = "") {
+        facts.push_back({std::move(name), value, std::move(unit)});
+    }
+    /// The fact of that name; NaN when there is none.
+    [[nodiscard]] double fact(const std::string& name) const;
+    [[nodiscard]] std::vector<const Figure*> figures() const;
+};
+
+/// The power of ten above a size that is only rounding: "1e-13"; at least 1e-16.
+std::string at_most(double size);
+
+} // namespace tumble::sheet

@@ -1,0 +1,51 @@
+#include "process.h"
+
+#include <nlohmann/json.hpp>
+
+using namespace tumble::test;
+
+TEST_CASE("without a name experiments are listed, with one it is performed, on stdout") {
+    const Folder folder;
+    const Outcome list = tumble_in(folder, {"lab"});
+    CHECK(list.code == 0);
+    CHECK(contains(list.out, "spin-down"));
+    CHECK(nlohmann::json::parse(tumble_in(folder, {"lab", "--json"}).out)[0]["name"] == "drop");
+    const Outcome weighed = tumble_in(folder, {"lab", "weigh", "--json", "--mass_g", "9.4"});
+    CHECK(weighed.code == 0);
+    const auto json = nlohmann::json::parse(weighed.out);
+    CHECK(json["experiment"] == "weigh");
+    CHECK(json["parameters"]["mass_g"] == 9.4);
+    CHECK(json["facts"]["density_cone"]["value"].get<double>() == doctest::Approx(2 * 1870.1).epsilon(1e-4));
+}
+
+TEST_CASE("records are written as CSV that another command takes") {
+    const Folder folder;
+    const Outcome made = tumble_in(folder, {"lab", "sensor", "--duration_s", "1.5", "--out", "made"});
+    CHECK_MESSAGE(made.code == 0, made.err);
+    CHECK(content_of(folder.path / "made" / "sensor-1.csv").starts_with("t_s,ax_m_s2,ay_m_s2,az_m_s2\n"));
+    const Outcome found = tumble_in(folder, {"excitation", "made/sensor-1.csv", "--second", "made/sensor-2.csv",
+                                             "--at_mm", "0,700,-300", "--second_at_mm", "0,700,300", "--json"});
+    CHECK_MESSAGE(found.code == 0, found.err);
+    const auto facts = nlohmann::json::parse(found.out)["facts"];
+    // What the sensor experiment puts in without flags: 1478.2 rpm and 0.5 mrad.
+    CHECK(facts["fundamental"]["value"].get<double>() == doctest::Approx(1478.2 / 60).epsilon(1e-5));
+    CHECK(facts["rocking_angle"]["value"].get<double>() == doctest::Approx(0.5).epsilon(0.02));
+}
+
+TEST_CASE("a record of a testing machine is evaluated, and a wrong name, flag or value gets exit code 2") {
+    const Folder folder;
+    put(folder.path / "t.csv", "force_N,strain,strain_across\n0,0,0\n100,0.001,-0.0003\n200,0.002,-0.0006\n");
+    const Outcome outcome = tumble_in(folder, {"lab", "tension", "--record", "t.csv", "--json"});
+    CHECK_MESSAGE(outcome.code == 0, outcome.err);
+    CHECK(nlohmann::json::parse(outcome.out)["facts"]["poisson_ratio"]["value"].get<double>() == doctest::Approx(0.3));
+    put(folder.path / "w.csv", "weight_N,strain\n0,0\n");
+    const Outcome wrong = tumble_in(folder, {"lab", "tension", "--record", "w.csv"});
+    CHECK(wrong.code == 2);
+    CHECK(contains(wrong.err, "w.csv:1: no column for force"));
+    const Outcome name = tumble_in(folder, {"lab", "dropp"});
+    CHECK(name.code == 2);
+    CHECK(contains(name.err, "did you mean 'drop'?"));
+    const Outcome value = tumble_in(folder, {"lab", "drop", "--restitution", "2"});
+    CHECK(value.code == 2);
+    CHECK(contains(value.err, "--restitution is 2, out of its range"));
+}

@@ -1,0 +1,40 @@
+#include "performed.h"
+
+#include <cmath>
+
+using namespace tumble;
+using namespace tumble::lab;
+using namespace tumble::lab::testing;
+
+TEST_CASE("the tangent of the angle at which a body slides is its friction, both ways") {
+    const Outcome outcome = performed("slide", {{"frictions", "2"}, {"lowest", "0.2"}, {"highest", "0.7"}});
+    CHECK(outcome.sheet.fact("worst_friction") < 0.005);
+    CHECK(std::abs(outcome.sheet.fact("bench_tilt")) < 0.05);
+    CHECK(outcome.recordings.size() == 5);
+}
+
+TEST_CASE("a bench that is off level shows as half the difference of the two ways, and friction stays right") {
+    const Outcome outcome = performed("slide", {{"frictions", "1"}, {"lowest", "0.4"}, {"bench_tilt_deg", "3"}});
+    CHECK(outcome.sheet.fact("worst_friction") < 0.005);
+    CHECK(std::abs(outcome.sheet.fact("bench_tilt")) == doctest::Approx(3).epsilon(0.03));
+}
+
+TEST_CASE("a ball rolls down with 5/7 g sin(slope) and slips beyond tan(slope) = 7/2 friction") {
+    const Outcome outcome = performed("roll", {{"angles", "3"}, {"lowest_deg", "10"}, {"highest_deg", "50"}});
+    CHECK(outcome.sheet.fact("worst_acceleration") < 0.002);
+    const Outcome tilted = performed("roll", {{"angles", "1"}, {"lowest_deg", "20"}, {"bench_tilt_deg", "1"}});
+    CHECK(std::abs(tilted.sheet.fact("bench_tilt")) == doctest::Approx(1).epsilon(0.02));
+}
+
+TEST_CASE("dry friction slows a spinning tripod at a constant rate, and the record says so") {
+    const Outcome outcome = performed("spin-down");
+    CHECK(outcome.sheet.fact("slowing") == doctest::Approx(outcome.sheet.fact("slowing_theory")).epsilon(0.01));
+    CHECK(outcome.sheet.fact("friction") == doctest::Approx(0.3).epsilon(0.01));
+    CHECK(outcome.sheet.fact("dry_is_best") == 1);
+}
+
+TEST_CASE("a heap of triangles is steeper than one of discs, and neither is a formula's") {
+    const Outcome outcome = performed("repose", {{"seeds", "3"}, {"count", "150"}});
+    CHECK(outcome.sheet.fact("angle_discs") > 5);
+    CHECK(outcome.sheet.fact("angle_triangles") > outcome.sheet.fact("angle_discs"));
+}

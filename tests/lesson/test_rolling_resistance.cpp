@@ -1,0 +1,23 @@
+#include "taught.h"
+
+#include <cmath>
+
+using namespace tumble::lesson;
+using namespace tumble::lesson::testing;
+
+TEST_CASE("rolling-resistance: without it a ball keeps its speed, with it it stops after 7 v^2 / (10 mu_r g)") {
+    const Walk walk = taught("rolling-resistance", {{"rolling_friction", "0.1"}, {"speed_m_s", "0.5"}});
+    const double distance = 7 * 0.5 * 0.5 / (10 * 0.1 * 9.81);
+    CHECK(walk.fact("free_speed") == doctest::Approx(0.5).epsilon(1e-3));
+    CHECK(walk.fact("stop_distance_cdt") == doctest::Approx(distance).epsilon(2e-3));
+    CHECK(walk.fact("stop_distance_epsd") == doctest::Approx(walk.fact("stop_distance_theory_epsd")).epsilon(5e-3));
+    CHECK(walk.fact("stop_distance_theory_epsd") == doctest::Approx(distance).epsilon(0.05));
+    CHECK(walk.fact("stop_distance_small") == doctest::Approx(distance).epsilon(2e-3));
+}
+
+TEST_CASE("rolling-resistance: at rest the constant torque goes to and fro at its limit, the spring's fades") {
+    const Walk walk = taught("rolling-resistance");
+    CHECK(walk.fact("torque_at_rest_cdt") == doctest::Approx(1).epsilon(0.02));
+    CHECK(walk.fact("torque_at_rest_epsd") < 1e-3);
+    CHECK(walk.fact("worst_acceleration") < 0.02); // of mu_r g
+}

@@ -36,7 +36,7 @@ std::string contents_page() {
         "--pages docs/lessons`).\n\n| lesson | title |\n| --- | --- |\n";
     for (const Lesson& lesson : all_lessons())
         page += fmt::format("| [{0}]({0}.md) | {1} |\n", lesson.name, escaped(lesson.title));
-    return page + "\nThere is no lesson on rolling resistance: no law for it exists yet.\n";
+    return page;
 }
 
 nlohmann::ordered_json to_json(const Lesson& lesson, const Values& values, const Walk& walk) {

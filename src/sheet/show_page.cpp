@@ -67,12 +67,6 @@ struct PageWriter {
                wrapped(prose(picture.title + "; " + picture.note + "."), 120);
     }
 };
-`tumble lesson {
-    1
-} --out DIR` makes the video.\n", film.title,
-                           folder, film.name);
-}
-};
 
 } // namespace
 

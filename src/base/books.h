@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/carried.h"
+
 #include <cstdint>
 
 namespace tumble {
@@ -36,6 +38,18 @@ struct Books {
     double speed_max = 0;           // m/s
     double angular_speed_max = 0;   // rad/s
 };
+
+/// For checkpoints, base/archive.h.
+template <class Archive, As<Books> B> void carry(Archive& archive, B& books) {
+    auto& [time, step, bodies, contacts, kinetic_translation, kinetic_rotation, gravity, stored_normal,
+           stored_tangential, stored_rolling, lost_normal_damping, lost_tangential_damping, lost_sliding, lost_rolling,
+           lost_history, lost_global_damping, lost_air_drag, lost_adhesion, splits_losses, lost_in_sum, wall_work,
+           inserted, closure, overlap_max, overlap_ratio_max, overlap_ratio_peak, speed_max, angular_speed_max] = books;
+    archive(time, step, bodies, contacts, kinetic_translation, kinetic_rotation, gravity, stored_normal,
+            stored_tangential, stored_rolling, lost_normal_damping, lost_tangential_damping, lost_sliding, lost_rolling,
+            lost_history, lost_global_damping, lost_air_drag, lost_adhesion, splits_losses, lost_in_sum, wall_work,
+            inserted, closure, overlap_max, overlap_ratio_max, overlap_ratio_peak, speed_max, angular_speed_max);
+}
 
 /// Energy lost so far, J.
 inline double lost_of(const Books& b) {

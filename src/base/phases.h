@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/carried.h"
 #include "base/parallel_for.h"
 
 #include <atomic>
@@ -16,6 +17,11 @@ struct PhaseTime {
     std::string name;
     double seconds = 0;
 };
+
+template <class Archive, As<PhaseTime> P> void carry(Archive& archive, P& phase) {
+    auto& [name, seconds] = phase;
+    archive(name, seconds);
+}
 
 /// Adds the wall time from its making to its end to a number of seconds.
 class Stopwatch {

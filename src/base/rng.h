@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/carried.h"
+
 #include <cstdint>
 
 namespace tumble {
@@ -35,6 +37,8 @@ public:
 
     /// Uniform in [lo, hi).
     double uniform(double lo, double hi) { return lo + (hi - lo) * uniform(); }
+
+    template <class Archive, As<Rng> R> friend void carry(Archive& archive, R& rng) { archive(rng.state_); }
 
 private:
     static std::uint64_t rotate_left(std::uint64_t x, int k) { return (x << k) | (x >> (64 - k)); }

@@ -49,8 +49,17 @@ ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(stderr_is_term
 }
 
 void ProgressLine::started(const std::filesystem::path& folder, const run::Progress& now) {
+    if (quiet_)
+        return;
+    end();
+    const std::string from = now.step > 0 ? fmt::format(", on from t = {:.6g} s", now.time) : "";
+    note(fmt::format("running {:.4g} s in {} steps into {}{}", now.duration, now.steps, folder.string(), from));
+}
+
+void ProgressLine::brought_back(std::int64_t done, std::int64_t all) {
     if (!quiet_)
-        note(fmt::format("running {:.4g} s in {} steps into {}", now.duration, now.steps, folder.string()));
+        show(static_cast<double>(done) / static_cast<double>(std::max<std::int64_t>(all, 1)),
+             fmt::format("frame {} of {} of before, drawn and written anew", done, all), done >= all);
 }
 
 void ProgressLine::progressed(const run::Progress& now) {

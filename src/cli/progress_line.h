@@ -16,6 +16,7 @@ public:
     void started(const std::filesystem::path& folder, const run::Progress& now) override;
     void progressed(const run::Progress& now) override;
     void warned(const std::string& sentence) override;
+    void brought_back(std::int64_t frames, std::int64_t of) override;
 
     /// The same for work counted in frames.
     void frames(std::int64_t done, std::int64_t all);

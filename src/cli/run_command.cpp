@@ -22,6 +22,23 @@ struct RunArguments {
     bool json = false;
 };
 
+void add_resume_flags(CLI::App& command, run::RunOptions& options, CLI::Option& force) {
+    CLI::Option* resume = command.add_flag(
+        "--resume", options.resume,
+        "Go on where a run in the folder ended (Ctrl-C, a kill, its duration), by the bits of a run that never did; "
+        "with the outputs it had. Begins where there is none");
+    resume->excludes(&force);
+    command
+        .add_flag("--accept-changes", options.accept_changes,
+                  "Go on although the scene's materials, laws, gravity or motions were changed since")
+        ->needs(resume);
+    command
+        .add_option("--checkpoint-every", options.checkpoint_every,
+                    "Wall time between checkpoints in state/, which --resume needs; 0: none; 60 without it")
+        ->type_name("S")
+        ->check(CLI::Range(0.0, 1e6));
+}
+
 int run_it(RunArguments& arguments) {
     const Result<scene::Scene> scene = arguments.scene.load();
     if (!scene)
@@ -55,7 +72,8 @@ void add_run_command(CLI::App& program, Action& action) {
     command->add_option("--threads", options.threads, "Threads that step; changes the time taken, never the result")
         ->type_name("N")
         ->check(CLI::Range(1, 256));
-    command->add_flag("--force", options.overwrite, "Replace an earlier run in the folder");
+    CLI::Option* force = command->add_flag("--force", options.overwrite, "Replace an earlier run in the folder");
+    add_resume_flags(*command, options, *force);
     command->add_flag("--quiet", arguments->quiet, "No progress, no warnings on stderr");
     command->add_flag("--json", arguments->json, "Print the result as JSON (the content of run.json)");
     command->callback([arguments, &action] { action = [arguments] { return run_it(*arguments); }; });

@@ -30,6 +30,8 @@ std::string sentences(const run::RunSummary& summary) {
     if (summary.video && summary.frames > 0)
         text += ", " + name_of_video(summary) + " (" + video_pace(summary.video_slowdown) + ")";
     text += "\n";
+    if (summary.state != "finished" && !summary.checkpoint.empty())
+        text += "  " + summary.checkpoint.string() + " is there: the same command with --resume goes on from it\n";
     if (summary.stepping_s > 0)
         text += fmt::format("  took {}: {:.3g} steps/s, {:.3g} body-steps/s on {}\n", duration(summary.wall_s),
                             static_cast<double>(summary.steps) / summary.stepping_s,

@@ -5,6 +5,7 @@
 #include <box2d/b2_collision.h>
 #include <box2d/b2_fixture.h>
 #include <cmath>
+#include <limits>
 
 namespace tumble::hard2d {
 
@@ -54,6 +55,7 @@ Books account_of(const World& world) {
     books.inserted = world.inserted;
     books.wall_work = world.contacts.wall_work() / (world.units.mass * world.units.length * world.units.length);
     books.splits_losses = false;
+    books.closure = std::numeric_limits<double>::quiet_NaN(); // the sum of losses is what closes it
     books.lost_in_sum =
         books.inserted + books.wall_work - books.kinetic_translation - books.kinetic_rotation - books.gravity;
     return books;

@@ -35,7 +35,7 @@ double sunk(double force, double radius) {
 }
 
 struct Ride {
-    std::vector<double> time, place, speed; // s, m, m/s downhill
+    std::vector<double> time, place, speed, spin; // s, m, m/s downhill, rad/s
     /// When and where it first stands still; the end, if it never does.
     [[nodiscard]] std::size_t stop() const {
         const auto still = std::find_if(speed.begin(), speed.end(), [](double v) { return v <= 0; });
@@ -75,6 +75,7 @@ Result<Ride> ride(const Resistance& resistance, double radius, double slope, dou
         seen.time.push_back(sim3d::time_of(**world));
         seen.place.push_back(now.position.x());
         seen.speed.push_back(now.velocity.x());
+        seen.spin.push_back(now.angular_velocity.z());
         if (const auto problem = k < looks ? sim3d::advance(**world, look) : std::nullopt)
             return *problem;
     }
@@ -168,16 +169,6 @@ std::optional<Problem> stopping(Walk& walk, const Resistance& cdt, const Resista
     return std::nullopt;
 }
 
-/// The torque about the contact at each of the ride's inner instants, over mu_r R m g: from the ball's place alone.
-std::vector<double> torque_share(const Ride& seen, double mu) {
-    std::vector<double> torque;
-    for (std::size_t k = 1; k + 1 < seen.place.size(); ++k) {
-        const double acceleration = (seen.place[k + 1] - 2 * seen.place[k] + seen.place[k - 1]) / (dt * dt);
-        torque.push_back(1.4 * acceleration / (mu * g));
-    }
-    return torque;
-}
-
 std::optional<Problem> at_rest(Walk& walk, const Resistance& cdt, const Resistance& epsd) {
     const double mu = cdt.friction;
     const double period = 2 * std::numbers::pi / Spring(mu).frequency;
@@ -203,19 +194,18 @@ std::optional<Problem> at_rest(Walk& walk, const Resistance& cdt, const Resistan
             swing.curves[k].add(seen->time[i], 1e3 * seen->place[i]);
         ++k;
     }
-    Figure shaking{.name = "torque-at-rest",
-                   .title = "Torque on a ball that has come to rest",
+    Figure shaking{.name = "spin-at-rest",
+                   .title = "A ball that has come to rest",
                    .x = {"step"},
-                   .y = {"torque over its limit"},
+                   .y = {"spin", "rad/s"},
                    .curves = {{"cdt", Style::points}, {"epsd", Style::points}}};
     double most[2] = {0, 0};
     for (std::size_t k = 0; const Resistance& resistance : {cdt, epsd}) {
         const Result<Ride> seen = ride(resistance, usual_radius, 0, speed, 12 * period, 1);
         if (!seen)
             return seen.problems().front();
-        const std::vector<double> torque = torque_share(*seen, mu);
         for (std::size_t i = 0; i < 40; ++i) {
-            const double now = torque[torque.size() - 40 + i];
+            const double now = seen->spin[seen->spin.size() - 40 + i];
             shaking.curves[k].add(static_cast<double>(i + 1), now);
             most[k] = std::max(most[k], std::abs(now));
         }
@@ -223,13 +213,15 @@ std::optional<Problem> at_rest(Walk& walk, const Resistance& cdt, const Resistan
     }
     walk.parts.emplace_back(swing);
     walk.parts.emplace_back(shaking);
+    const double turned = mu * g * dt / (0.4 * usual_radius);
     walk.say(fmt::format(
-        "After twelve periods the constant torque still goes to and fro with {:.3g} of its limit, the spring's is "
-        "{:.1g}. "
-        "The constant torque is enough for what rolls all the time; for heaps, which are to stand, it is not.",
-        most[0], most[1]));
-    walk.fact("torque_at_rest_cdt", most[0]);
-    walk.fact("torque_at_rest_epsd", most[1]);
+        "After twelve periods the constant torque still turns the ball to and fro with {:.2g} rad/s; in one step it "
+        "gives M dt / (2/5 m R²) = {:.2g} rad/s. The spring leaves {:.1g} rad/s. The constant torque is enough for "
+        "what "
+        "rolls all the time; for heaps, which are to stand, it is not.",
+        most[0], turned, most[1]));
+    walk.fact("spin_at_rest_cdt", most[0] / turned);
+    walk.fact("spin_at_rest_epsd", most[1] / turned);
     walk.fact("period", period, "s");
     return std::nullopt;
 }

@@ -3,6 +3,8 @@
 #include "base/text.h"
 #include "observe/checksum.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
 #include <fmt/format.h>
@@ -18,10 +20,29 @@ constexpr std::uint32_t version = 1;
 constexpr std::size_t preamble = 16; // magic, version, length of the head
 constexpr std::size_t trailer = 4;   // checksum
 
+/// What files and problems call a type, and bytes per number.
+struct TypeName {
+    ArrayType type;
+    const char* code; // as numpy has it
+    const char* word;
+    std::size_t size;
+};
+constexpr std::array<TypeName, 3> type_names{
+    {{ArrayType::real, "<f8", "real", 8}, {ArrayType::whole, "<i8", "whole", 8}, {ArrayType::byte, "|u1", "byte", 1}}};
+
+const TypeName& name_of(ArrayType type) {
+    return type_names[static_cast<std::size_t>(type)];
+}
+
 std::string_view bytes_of(const Array& array) {
-    if (array.whole)
+    switch (array.type) {
+    case ArrayType::real:
+        return {reinterpret_cast<const char*>(array.reals.data()), array.reals.size() * sizeof(double)};
+    case ArrayType::whole:
         return {reinterpret_cast<const char*>(array.integers.data()), array.integers.size() * sizeof(std::int64_t)};
-    return {reinterpret_cast<const char*>(array.reals.data()), array.reals.size() * sizeof(double)};
+    default:
+        return array.bytes;
+    }
 }
 
 std::string four_bytes(std::uint32_t number) {
@@ -39,7 +60,7 @@ std::uint32_t number_at(const std::string& bytes, std::size_t offset) {
 /// What the head says about one array, checked against the bytes that follow the head.
 struct Entry {
     std::string name;
-    std::string type;
+    TypeName type;
     std::size_t rows = 0;
     std::size_t width = 0;
     std::size_t offset = 0;
@@ -56,35 +77,48 @@ std::optional<Entry> entry_of(const nlohmann::json& json, std::size_t available)
     for (const nlohmann::json& number : {json["shape"][0], json["shape"][1], json["offset"]})
         if (!number.is_number_unsigned())
             return std::nullopt;
-    const Entry entry{json["name"], json["type"], json["shape"][0], json["shape"][1], json["offset"]};
-    const bool known = entry.type == "<f8" || entry.type == "<i8";
+    const auto type = std::find_if(type_names.begin(), type_names.end(),
+                                   [&](const TypeName& known) { return json["type"] == known.code; });
+    if (type == type_names.end())
+        return std::nullopt;
+    const Entry entry{json["name"], *type, json["shape"][0], json["shape"][1], json["offset"]};
     const bool sane = entry.width > 0 && entry.width <= 16 && entry.offset <= available &&
-                      entry.rows <= (available - entry.offset) / (8 * entry.width);
-    return known && sane ? std::optional(entry) : std::nullopt;
+                      entry.rows <= (available - entry.offset) / (type->size * entry.width);
+    return sane ? std::optional(entry) : std::nullopt;
 }
 
 Array array_of(const Entry& entry, const char* data) {
-    Array array{.name = entry.name, .width = entry.width, .reals = {}, .integers = {}, .whole = entry.type == "<i8"};
+    Array array{.name = entry.name, .width = entry.width, .type = entry.type.type};
     const std::size_t count = entry.rows * entry.width;
-    if (array.whole) {
-        array.integers.resize(count);
-        std::memcpy(array.integers.data(), data + entry.offset, count * 8);
-    } else {
+    switch (array.type) {
+    case ArrayType::real:
         array.reals.resize(count);
-        std::memcpy(array.reals.data(), data + entry.offset, count * 8);
+        std::memcpy(array.reals.data(), data + entry.offset, count * sizeof(double));
+        break;
+    case ArrayType::whole:
+        array.integers.resize(count);
+        std::memcpy(array.integers.data(), data + entry.offset, count * sizeof(std::int64_t));
+        break;
+    case ArrayType::byte:
+        array.bytes.assign(data + entry.offset, count);
+        break;
     }
     return array;
 }
 
 } // namespace
 
-Result<const Array*> ArrayFile::find(const std::string& name, std::size_t width, bool whole) const {
+std::size_t Array::rows() const {
+    return bytes_of(*this).size() / name_of(type).size / width;
+}
+
+Result<const Array*> ArrayFile::find(const std::string& name, std::size_t width, ArrayType type) const {
     for (const Array& array : arrays)
         if (array.name == name) {
-            if (array.width == width && array.whole == whole)
+            if (array.width == width && array.type == type)
                 return &array;
             return Problem{.what = fmt::format("array '{}' has {} {} numbers a row, expected {} {}", name, array.width,
-                                               array.whole ? "whole" : "real", width, whole ? "whole" : "real")};
+                                               name_of(array.type).word, width, name_of(type).word)};
         }
     return Problem{.what = fmt::format("has no array '{}'", name)};
 }
@@ -96,7 +130,7 @@ std::string to_bytes(const ArrayFile& content) {
     std::size_t offset = 0;
     for (const Array& array : content.arrays) {
         head["arrays"].push_back({{"name", array.name},
-                                  {"type", array.whole ? "<i8" : "<f8"},
+                                  {"type", name_of(array.type).code},
                                   {"shape", {array.rows(), array.width}},
                                   {"offset", offset}});
         offset += bytes_of(array).size();

@@ -11,24 +11,28 @@
 /// Files of named arrays that other tools can read: docs/run-folder.md describes every byte.
 namespace tumble::observe {
 
-/// Rows of `width` numbers, either doubles or 64-bit integers.
+/// What the rows of an array are made of: doubles, 64-bit integers or bytes.
+enum class ArrayType { real, whole, byte };
+
+/// Rows of `width` numbers; one of the three holds the content.
 struct Array {
     std::string name; // unit included
     std::size_t width = 1;
-    std::vector<double> reals;
-    std::vector<std::int64_t> integers;
-    bool whole = false; // integers hold the content
+    ArrayType type = ArrayType::real;
+    std::vector<double> reals{};
+    std::vector<std::int64_t> integers{};
+    std::string bytes{};
 
-    [[nodiscard]] std::size_t rows() const { return (whole ? integers.size() : reals.size()) / width; }
+    [[nodiscard]] std::size_t rows() const;
 };
 
 struct ArrayFile {
-    std::string kind;    // "frame", "layout"
+    std::string kind;    // "frame", "layout", "checkpoint"
     nlohmann::json head; // further plain facts
     std::vector<Array> arrays;
 
-    /// The array with this name, real or whole as asked, width as asked, or a problem that says what is there instead.
-    [[nodiscard]] Result<const Array*> find(const std::string& name, std::size_t width, bool whole) const;
+    /// The array with this name, type and width as asked, or a problem that says what is there instead.
+    [[nodiscard]] Result<const Array*> find(const std::string& name, std::size_t width, ArrayType type) const;
 };
 
 /// The bytes of the file.

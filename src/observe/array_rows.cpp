@@ -8,11 +8,11 @@ namespace tumble::observe {
 using Eigen::Vector3d;
 
 Array reals(const char* name, std::size_t width) {
-    return {.name = name, .width = width, .reals = {}, .integers = {}, .whole = false};
+    return {.name = name, .width = width};
 }
 
 Array whole(const char* name, std::size_t width) {
-    return {.name = name, .width = width, .reals = {}, .integers = {}, .whole = true};
+    return {.name = name, .width = width, .type = ArrayType::whole};
 }
 
 void push(Array& array, const Vector3d& vector) {
@@ -39,7 +39,7 @@ std::vector<Vector3d> vectors_of(const Array& array) {
 
 const Array& Taker::take(const char* name, std::size_t width, bool is_whole) {
     static const Array none;
-    const Result<const Array*> found = content_.find(name, width, is_whole);
+    const Result<const Array*> found = content_.find(name, width, is_whole ? ArrayType::whole : ArrayType::real);
     if (found)
         return **found;
     const Problems more = found.problems();

@@ -1,15 +1,18 @@
 #include "observe/series.h"
 
 #include "base/text.h"
+#include "base/write_all.h"
 
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fstream>
 #include <limits>
 #include <sstream>
 #include <unistd.h>
+#include <utility>
 
 namespace tumble::observe {
 
@@ -58,29 +61,67 @@ void Series::append(const std::vector<double>& row) {
         values[i].push_back(row[i]);
 }
 
+SeriesWriter::SeriesWriter(SeriesWriter&& other) noexcept {
+    *this = std::move(other);
+}
+
+SeriesWriter& SeriesWriter::operator=(SeriesWriter&& other) noexcept {
+    std::swap(file_, other.file_);
+    std::swap(columns_, other.columns_);
+    std::swap(size_, other.size_);
+    std::swap(opened_, other.opened_);
+    return *this;
+}
+
+SeriesWriter::~SeriesWriter() {
+    if (opened_ >= 0)
+        ::close(opened_);
+}
+
 Result<SeriesWriter> SeriesWriter::create(const std::filesystem::path& file, const std::vector<std::string>& columns) {
     SeriesWriter writer;
     writer.file_ = file;
     writer.columns_ = columns.size();
-    writer.stream_.reset(std::fopen(file.c_str(), "wb"));
-    if (!writer.stream_)
+    writer.opened_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (writer.opened_ < 0)
         return cannot_write(file, errno);
-    std::setvbuf(writer.stream_.get(), nullptr, _IONBF, 0);
     if (const auto written = writer.write_line(joined(columns)); !written)
         return written.problems();
     return writer;
 }
 
+Result<SeriesWriter> SeriesWriter::go_on(const std::filesystem::path& file, const std::vector<std::string>& columns,
+                                         std::uintmax_t size) {
+    const Problem other{.file = file.string(),
+                        .what = "is not what the run wrote so far: it is shorter, or has other columns",
+                        .fix = "put it back as the run left it, or run the scene again"};
+    const std::string head = joined(columns);
+    std::string start(head.size(), '\0');
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(start.data(), static_cast<std::streamsize>(start.size()));
+    std::error_code error;
+    if (!stream || start != head || size < head.size() || std::filesystem::file_size(file, error) < size || error)
+        return other;
+    SeriesWriter writer;
+    writer.file_ = file;
+    writer.columns_ = columns.size();
+    writer.size_ = size;
+    writer.opened_ = ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
+    const auto end = static_cast<off_t>(size);
+    if (writer.opened_ < 0 || ::ftruncate(writer.opened_, end) != 0 || ::lseek(writer.opened_, end, SEEK_SET) != end)
+        return cannot_write(file, errno);
+    return writer;
+}
+
 Result<Done> SeriesWriter::write_line(const std::string& line) {
-    const long before = std::ftell(stream_.get());
-    errno = 0;
-    const std::size_t written = std::fwrite(line.data(), 1, line.size(), stream_.get());
-    if (written == line.size())
+    const int error = write_all(opened_, line);
+    if (error == 0) {
+        size_ += line.size();
         return Done{};
-    const int error = errno;
-    std::clearerr(stream_.get());
-    if (before >= 0 && ftruncate(fileno(stream_.get()), before) == 0)
-        std::fseek(stream_.get(), before, SEEK_SET);
+    }
+    const auto end = static_cast<off_t>(size_);
+    if (::ftruncate(opened_, end) == 0)
+        ::lseek(opened_, end, SEEK_SET);
     return cannot_write(file_, error);
 }
 

@@ -2,9 +2,8 @@
 
 #include "base/problem.h"
 
-#include <cstdio>
+#include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,17 +27,29 @@ public:
     /// Creates the file with its head. Problems: it cannot be created or written.
     static Result<SeriesWriter> create(const std::filesystem::path& file, const std::vector<std::string>& columns);
 
+    /// Opens a file whose first `size` bytes are whole rows under the head of these columns, and goes on behind them;
+    /// what stands there is cut off. Problems: it is shorter than that, has another head, cannot be opened.
+    static Result<SeriesWriter> go_on(const std::filesystem::path& file, const std::vector<std::string>& columns,
+                                      std::uintmax_t size);
+
+    SeriesWriter(SeriesWriter&& other) noexcept;
+    SeriesWriter& operator=(SeriesWriter&& other) noexcept;
+    ~SeriesWriter();
+
     /// One number per column, in the shortest form that reads back to the same bits; "nan" where there is none.
     /// Problems: wrong length, the disk is full.
     Result<Done> write(const std::vector<double>& row);
 
+    /// Bytes of all whole rows so far and of the head.
+    [[nodiscard]] std::uintmax_t size() const { return size_; }
+
 private:
-    struct Close {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
+    SeriesWriter() = default;
+
     std::filesystem::path file_;
     std::size_t columns_ = 0;
-    std::unique_ptr<std::FILE, Close> stream_;
+    std::uintmax_t size_ = 0;
+    int opened_ = -1;
 
     Result<Done> write_line(const std::string& line);
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/carried.h"
 #include "observe/frame.h"
 
 #include <Eigen/Core>
@@ -32,10 +33,20 @@ public:
     /// Parallel to columns(); NaN while there is no such body, and for accelerations in its first row.
     std::vector<double> row(const Frame& frame);
 
+    /// The row before, for checkpoints; whom it follows is the scene's.
+    template <class Archive, As<TracerReader> R> friend void carry(Archive& archive, R& reader) {
+        bool seen = reader.before_.has_value();
+        Moment moment = reader.before_.value_or(Moment{});
+        auto& [time, centre, point] = moment;
+        archive(seen, time, centre, point);
+        if constexpr (!std::is_const_v<R>)
+            reader.before_ = seen ? std::optional(moment) : std::nullopt;
+    }
+
 private:
     struct Moment {
         double time = 0;
-        Eigen::Vector3d centre, point; // m/s, velocities
+        Eigen::Vector3d centre = Eigen::Vector3d::Zero(), point = Eigen::Vector3d::Zero(); // m/s, velocities
     };
     Tracer tracer_;
     std::optional<Moment> before_;

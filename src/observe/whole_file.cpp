@@ -1,10 +1,14 @@
 #include "observe/whole_file.h"
 
+#include "base/write_all.h"
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <memory>
+#include <unistd.h>
 
 namespace tumble::observe {
 
@@ -21,21 +25,51 @@ Problem failed(const std::filesystem::path& file, const char* verb, int error) {
             .fix = error == ENOSPC ? "free some space, or write to another disk" : ""};
 }
 
+/// Some kinds of disks cannot be waited for, which they call an invalid request.
+int sync(int file) {
+    return ::fsync(file) == 0 || errno == EINVAL ? 0 : errno;
+}
+
+/// 0 or errno.
+int write_new(const std::filesystem::path& file, std::string_view content, Writing writing) {
+    const int opened = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (opened < 0)
+        return errno;
+    int error = write_all(opened, content);
+    if (error == 0 && writing == Writing::lasting)
+        error = sync(opened);
+    if (::close(opened) != 0 && error == 0)
+        error = errno;
+    return error;
+}
+
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+    return file.has_parent_path() ? file.parent_path() : ".";
+}
+
 } // namespace
 
-Result<Done> write_whole(const std::filesystem::path& file, std::string_view content) {
+Result<Done> write_whole(const std::filesystem::path& file, std::string_view content, Writing writing) {
     const std::filesystem::path unfinished = file.string() + ".part";
-    Stream stream(std::fopen(unfinished.c_str(), "wb"));
-    if (!stream)
-        return failed(file, "written", errno);
-    errno = 0;
-    const bool written = std::fwrite(content.data(), 1, content.size(), stream.get()) == content.size();
-    const bool closed = std::fclose(stream.release()) == 0;
-    if (written && closed && std::rename(unfinished.c_str(), file.c_str()) == 0)
-        return Done{};
-    const int error = errno;
-    std::remove(unfinished.c_str());
-    return failed(file, "written", error);
+    int error = write_new(unfinished, content, writing);
+    if (error == 0 && std::rename(unfinished.c_str(), file.c_str()) != 0)
+        error = errno;
+    if (error != 0) {
+        std::remove(unfinished.c_str());
+        return failed(file, "written", error);
+    }
+    return writing == Writing::lasting ? wait_for_disk(folder_of(file)) : Done{};
+}
+
+Result<Done> wait_for_disk(const std::filesystem::path& place) {
+    const int opened = ::open(place.c_str(), O_RDONLY | O_CLOEXEC);
+    if (opened < 0)
+        return failed(place, "written", errno);
+    const int error = sync(opened);
+    ::close(opened);
+    if (error != 0)
+        return failed(place, "written", error);
+    return Done{};
 }
 
 Result<std::string> read_whole(const std::filesystem::path& file, std::uintmax_t limit) {

@@ -79,6 +79,7 @@ struct Painter::Inside {
     void arrange();
     void enclose(const observe::Frame& frame);
     std::vector<std::uint32_t> colors_of(const observe::Frame& frame, Legend& legend);
+    std::vector<std::uint32_t> take_in(const observe::Frame& frame, Legend& legend);
     void draw_bodies(const observe::Frame& frame, const std::vector<std::uint32_t>& colors);
     void draw_spheres(std::vector<SphereMark> marks);
     void draw_discs(const observe::Frame& frame, const std::vector<std::uint32_t>& colors);
@@ -323,18 +324,32 @@ void Painter::Inside::write(const observe::Frame& frame, const PlotLine& plot, c
     legend_bar = drawers->overlay->draw(content, arrangement, settings.width, settings.height);
 }
 
+/// What a frame changes for those after it: the depth that the camera sees, the range of the colours.
+std::vector<std::uint32_t> Painter::Inside::take_in(const observe::Frame& frame, Legend& legend) {
+    if (!arranged) {
+        arrange();
+    }
+    enclose(frame);
+    return colors_of(frame, legend);
+}
+
+void Painter::pass_over(const observe::Frame& frame) {
+    const GlContext::Current current(inside_->context);
+    if (inside_->fitted.isEmpty()) {
+        fit(bounds_of(frame));
+    }
+    Legend legend;
+    (void)inside_->take_in(frame, legend);
+}
+
 Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
     Inside& in = *inside_;
     const GlContext::Current current(in.context);
     if (in.fitted.isEmpty()) {
         fit(bounds_of(frame));
     }
-    if (!in.arranged) {
-        in.arrange();
-    }
-    in.enclose(frame);
     Legend legend;
-    const std::vector<std::uint32_t> colors = in.colors_of(frame, legend);
+    const std::vector<std::uint32_t> colors = in.take_in(frame, legend);
 
     const Canvas& canvas = in.drawers->canvas;
     glViewport(0, 0, canvas.width, canvas.height);

@@ -43,6 +43,9 @@ public:
     /// shows its walls.
     Picture draw(const observe::Frame& frame, const PlotLine& plot = {});
 
+    /// In place of draw() for a frame whose picture is there already: those after it are drawn as if draw() had been.
+    void pass_over(const observe::Frame& frame);
+
     /// How the last picture was made: its camera, arrangement, colour bar (pixels) and the colours' range (SI unit).
     [[nodiscard]] const Camera& camera() const;
     [[nodiscard]] const Layout& layout() const;

@@ -42,12 +42,17 @@ void FrameQueue::serve() {
         const Shot shot = std::move(waiting_.front());
         waiting_.pop_front();
         const bool well = problems_.empty();
+        at_work_ = true;
         lock.unlock();
         changed_.notify_all();
         const Clock::time_point begun = Clock::now();
         if (well)
             hand_on(shot);
         add_work(since(begun));
+        lock.lock();
+        at_work_ = false;
+        lock.unlock();
+        changed_.notify_all();
     }
     const Clock::time_point begun = Clock::now();
     for (const auto& sink : sinks_)
@@ -56,13 +61,14 @@ void FrameQueue::serve() {
 }
 
 void FrameQueue::hand_on(const Shot& shot) {
-    for (const auto& sink : sinks_)
+    for (const auto& sink : sinks_) {
         if (const Problems problems = problems_of([&] { return sink->take(shot); }); !problems.empty()) {
             remember(problems);
             return;
         }
+    }
     const std::lock_guard lock(mutex_);
-    ++taken_;
+    taken_ += shot.again ? 0 : 1;
 }
 
 void FrameQueue::remember(const Problems& more) {
@@ -93,6 +99,13 @@ void FrameQueue::push(Shot shot) {
     waiting_.push_back(std::move(shot));
     lock.unlock();
     changed_.notify_all();
+}
+
+void FrameQueue::settle() {
+    const Clock::time_point begun = Clock::now();
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return waiting_.empty() && !at_work_; });
+    waited_s_ += since(begun);
 }
 
 Problems FrameQueue::problems() {

@@ -21,13 +21,16 @@ public:
     /// After a problem in a sink further frames are dropped.
     void push(Shot shot);
 
+    /// Waits until every sink has taken all that was pushed.
+    void settle();
+
     /// What went wrong so far; empty while all is well.
     [[nodiscard]] Problems problems();
 
     /// Works off what waits, finishes the sinks, ends the thread. Problems: all there were.
     Problems close();
 
-    /// Frames that every sink took.
+    /// Frames that every sink took for the first time.
     [[nodiscard]] std::int64_t taken();
 
     /// s of wall time that the sinks worked, and that push and close waited for them.
@@ -49,6 +52,7 @@ private:
     double worked_s_ = 0;
     double waited_s_ = 0; // touched by the caller only
     bool closing_ = false;
+    bool at_work_ = false;
     std::jthread thread_;
 };
 

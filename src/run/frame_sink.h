@@ -15,6 +15,7 @@ struct Shot {
     observe::Frame frame;
     std::int64_t number = 0; // from 0, without gaps
     render::PlotLine plot;   // the live plot's measure so far
+    bool again = false;      // read from frames/, where the run that is resumed kept it
 };
 
 /// Keeps frames in one form. All calls come from one thread, frames in order.

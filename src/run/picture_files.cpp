@@ -24,13 +24,23 @@ Result<PictureFiles> PictureFiles::open(const scene::Render& settings, const Pic
     return files;
 }
 
-Result<Done> PictureFiles::add(render::Picture picture, std::int64_t number) {
+Result<Done> PictureFiles::add(render::Picture picture, std::int64_t number, bool again) {
     if (video_)
         if (Result<Done> added = video_->add(picture); !added)
             return added;
-    if (png_)
-        return png_->add(folder_ / fmt::format("frame_{:06}.png", number), std::move(picture));
+    if (png_ && !(again && is_drawn(number)))
+        return png_->add(file_of(number), std::move(picture));
     return Done{};
+}
+
+std::filesystem::path PictureFiles::file_of(std::int64_t number) const {
+    return folder_ / fmt::format("frame_{:06}.png", number);
+}
+
+bool PictureFiles::is_drawn(std::int64_t number) const {
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(file_of(number), error);
+    return !error && size > 0; // a power cut leaves empty files
 }
 
 Result<Done> PictureFiles::finish() {

@@ -22,11 +22,17 @@ public:
     /// Problems: a folder or video that cannot be made.
     static Result<PictureFiles> open(const scene::Render& settings, const PictureTargets& targets);
 
-    Result<Done> add(render::Picture picture, std::int64_t number);
+    /// Whether the picture of that number is to be drawn. `again`: for a run that goes on; what it left is not drawn
+    /// twice, unless for a video, which cannot be added to and begins anew.
+    [[nodiscard]] bool wants(std::int64_t number, bool again) const { return !again || video_ || !is_drawn(number); }
+    Result<Done> add(render::Picture picture, std::int64_t number, bool again = false);
     /// Waits until all is written.
     Result<Done> finish();
 
 private:
+    [[nodiscard]] std::filesystem::path file_of(std::int64_t number) const;
+    [[nodiscard]] bool is_drawn(std::int64_t number) const;
+
     std::filesystem::path folder_;
     std::optional<render::PngWriter> png_;
     std::optional<render::VideoWriter> video_;

@@ -11,7 +11,11 @@ public:
     PictureSink(render::Painter painter, PictureFiles files) : painter_(std::move(painter)), files_(std::move(files)) {}
 
     Result<Done> take(const Shot& shot) override {
-        return files_.add(painter_.draw(shot.frame, shot.plot), shot.number);
+        if (!files_.wants(shot.number, shot.again)) {
+            painter_.pass_over(shot.frame);
+            return Done{};
+        }
+        return files_.add(painter_.draw(shot.frame, shot.plot), shot.number, shot.again);
     }
     Result<Done> finish() override { return files_.finish(); }
 

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
 #include <utility>
@@ -49,11 +50,8 @@ struct FilledFolder {
 };
 
 std::vector<FilledFolder> folders_of(const RunFolder& run) {
-    return {{run.frames(), {".tumble"}},
-            {run.pictures(), {".png"}},
-            {run.redrawn(), {".png"}},
-            {run.paraview(), {".vtp", ".pvd"}},
-            {run.meshes(), {".stl"}}};
+    return {{run.frames(), {".tumble"}},        {run.pictures(), {".png"}}, {run.redrawn(), {".png"}},
+            {run.paraview(), {".vtp", ".pvd"}}, {run.meshes(), {".stl"}},   {run.checkpoints(), {".ckpt"}}};
 }
 
 /// Everything that a run writes or a redrawing adds, files that were left half-written among it, and nothing else.
@@ -134,7 +132,8 @@ std::optional<Problem> check_place(const fs::path& root, bool overwrite) {
         return wrong(root, "cannot be read: " + error.message(), elsewhere);
     if (!empty && !overwrite)
         return wrong(root, "already holds something, and nothing is overwritten",
-                     "--force replaces an earlier run there, --out DIR writes elsewhere");
+                     "`tumble run --resume` goes on with a run that ended early there, --force replaces it, --out DIR "
+                     "writes elsewhere");
     return std::nullopt;
 }
 
@@ -188,9 +187,11 @@ std::optional<Problem> reserve_space(const fs::path& root) {
 
 FolderInWork::FolderInWork(FolderInWork&& other) noexcept
     : paths_(std::move(other.paths_)), made_from_(std::move(other.made_from_)), kept_(other.kept_),
-      alive_(std::exchange(other.alive_, false)) {}
+      alive_(std::exchange(other.alive_, false)), lock_(std::exchange(other.lock_, -1)) {}
 
 FolderInWork::~FolderInWork() {
+    if (lock_ >= 0)
+        ::close(lock_);
     if (!alive_)
         return;
     release_reserve();
@@ -202,6 +203,14 @@ FolderInWork::~FolderInWork() {
     if (!made_from_.empty())
         for (fs::path at = fs::absolute(paths_.root).lexically_normal(); fs::remove(at, ignored) && at != made_from_;)
             at = at.parent_path();
+}
+
+std::optional<Problem> FolderInWork::lock() {
+    lock_ = ::open(paths_.root.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    // Disks of some networks know no locks; there the user must take care.
+    if (lock_ < 0 || ::flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
+        return std::nullopt;
+    return wrong(paths_.root, "another run is going on in this folder", "wait for it, or stop it first");
 }
 
 void FolderInWork::keep() {
@@ -231,6 +240,10 @@ Result<FolderInWork> FolderInWork::open(const fs::path& root, bool overwrite, st
         folder.alive_ = !folder.made_from_.empty();
         return wrong(root, fmt::format("cannot be written: {}", std::strerror(errno)), elsewhere);
     }
+    if (const auto problem = folder.lock()) {
+        folder.alive_ = false;
+        return *problem;
+    }
     if (overwrite)
         error = set_aside(folder.paths_);
     if (error) {
@@ -246,9 +259,34 @@ Result<FolderInWork> FolderInWork::open(const fs::path& root, bool overwrite, st
     return folder;
 }
 
-std::string folder_name(const std::filesystem::path& folder) {
-    const std::filesystem::path path = folder.lexically_normal();
+std::string folder_name(const fs::path& folder) {
+    const fs::path path = folder.lexically_normal();
     return (path.has_filename() ? path : path.parent_path()).filename().string();
+}
+
+Result<FolderInWork> FolderInWork::go_on(const fs::path& root) {
+    FolderInWork folder(RunFolder{root});
+    folder.alive_ = false; // nothing of it may be taken away
+    if (::access(root.c_str(), W_OK) != 0)
+        return wrong(root, fmt::format("cannot be written: {}", std::strerror(errno)), elsewhere);
+    if (const auto problem = folder.lock())
+        return *problem;
+    folder.release_reserve(); // of the run that was killed
+    if (const auto problem = reserve_space(root))
+        return *problem;
+    folder.alive_ = folder.kept_ = true;
+    return folder;
+}
+
+bool holds_only_a_run(const fs::path& root) {
+    std::vector<fs::path> own = parts_of(RunFolder{root});
+    own.push_back(reserve_of(root));
+    own.push_back(set_aside_in(root));
+    std::error_code error;
+    for (fs::directory_iterator entry(root, error), end; !error && entry != end; entry.increment(error))
+        if (std::find(own.begin(), own.end(), entry->path()) == own.end())
+            return false;
+    return !error;
 }
 
 Result<RunFolder> find_run(const fs::path& root) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace tumble::run {
@@ -22,6 +23,7 @@ struct RunFolder {
     [[nodiscard]] std::filesystem::path meshes() const { return root / "meshes"; }
     [[nodiscard]] std::filesystem::path paraview() const { return root / "paraview"; }
     [[nodiscard]] std::filesystem::path text_dump() const { return root / "spheres.dump"; }
+    [[nodiscard]] std::filesystem::path checkpoints() const { return root / "state"; }
 };
 
 /// A folder being filled. Keeps a little space in reserve so that run.json can be written on a disk that ran full;
@@ -30,8 +32,12 @@ class FolderInWork {
 public:
     /// Makes the folder, or takes an empty one; with `overwrite` keep() will remove what an earlier run and its
     /// redrawings left there, and only that. `bytes` is what the run will write at least. Problems: it holds something,
-    /// cannot be made or written, too little space.
+    /// cannot be made or written, too little space, another run is going on in it.
     static Result<FolderInWork> open(const std::filesystem::path& root, bool overwrite, std::uintmax_t bytes);
+
+    /// Takes the folder of a run that is to go on and keeps it, whatever happens. Problems: cannot be written, another
+    /// run is going on in it.
+    static Result<FolderInWork> go_on(const std::filesystem::path& root);
 
     FolderInWork(FolderInWork&& other) noexcept;
     FolderInWork& operator=(FolderInWork&&) = delete;
@@ -50,10 +56,16 @@ private:
     std::filesystem::path made_from_; // topmost folder that was not there before, or empty
     bool kept_ = false;
     bool alive_ = true;
+    int lock_ = -1; // the folder, held against other runs; the system lets go of it however the program ends
+
+    std::optional<Problem> lock();
 };
 
 /// Its own name, without the way to it: "a" of "out/a" and of "out/a/".
 std::string folder_name(const std::filesystem::path& folder);
+
+/// Whether all that lies in the folder is of the kinds that a run puts there.
+bool holds_only_a_run(const std::filesystem::path& root);
 
 /// Whether the folder holds what a run leaves (scene and frames). Problems name what is missing.
 Result<RunFolder> find_run(const std::filesystem::path& root);

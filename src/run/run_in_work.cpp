@@ -6,6 +6,8 @@
 #include "run/measure_names.h"
 #include "run/picture_sink.h"
 #include "run/run_report.h"
+#include "run/run_verdict.h"
+#include "run/scene_changes.h"
 #include "run/scene_check.h"
 #include "run/state_sinks.h"
 #include "run/tracers.h"
@@ -15,32 +17,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
-#include <limits>
 
 namespace tumble::run {
 
 namespace {
 
-// A percent of energy is more than the step should cost.
-constexpr double closure_worth_a_word = 0.01;
-
 constexpr double refresh_every = 1; // s of wall time between versions of run.json
-
-std::filesystem::path folder_for(const scene::Scene& scene, const RunOptions& options) {
-    return options.folder.empty() ? std::filesystem::path("out") / scene.file.stem() : options.folder;
-}
-
-double turned_over(const Books& books) {
-    return books.kinetic_translation + books.kinetic_rotation + books.stored_normal + books.stored_tangential +
-           books.stored_rolling + lost_of(books);
-}
-
-/// What the sums of the books may miss by rounding alone: n terms, n roundings.
-double rounding_of(const Books& books) {
-    return std::numeric_limits<double>::epsilon() * static_cast<double>(books.bodies) *
-           (std::abs(books.gravity) + std::abs(books.inserted));
-}
 
 /// A frame with numbers that are none could not be read again.
 bool finite(const observe::Frame& frame) {
@@ -58,10 +40,12 @@ std::int64_t count_pictures(const std::filesystem::path& folder) {
     return count;
 }
 
-Problems in_scene(Problems problems, const scene::Scene& scene) {
-    for (Problem& problem : problems)
-        problem = scene::placed(scene, std::move(problem));
-    return problems;
+/// What the frames of the whole run will take at least.
+std::uintmax_t bytes_of_frames(const scene::Scene& scene, const Simulation& simulation) {
+    const auto bodies = static_cast<std::size_t>(all_bodies_wanted(scene, simulation.bodies()));
+    const std::int64_t last = std::llround(scene.duration / scene.step());
+    const auto count = static_cast<std::size_t>(Schedule(scene.render.every, scene.step()).count_with_last(last));
+    return count * observe::frame_bytes(bodies, scene.walls.size());
 }
 
 void append(Problems& all, const Problems& more) {
@@ -70,24 +54,28 @@ void append(Problems& all, const Problems& more) {
 
 } // namespace
 
-RunInWork::RunInWork(const scene::Scene& scene, const RunOptions& options, RunListener& listener,
-                     SimulationPtr simulation, FolderInWork folder)
-    : scene_(scene), options_(options), listener_(listener), simulation_(std::move(simulation)),
-      folder_(std::move(folder)), layout_(simulation_->layout()), rows_(scene.observe.every, scene.step()),
-      frames_(scene.render.every, scene.step()), all_steps_(std::llround(scene.duration / scene.step())) {
-    summary_.state = "running";
-    summary_.folder = folder_.paths().root;
-    summary_.scene = scene.file;
-    summary_.title = scene.title;
-    summary_.duration = scene.duration;
-    summary_.solver = scene.solver;
-    summary_.time_step = scene.step();
-    summary_.seed = scene.seed;
-    summary_.threads = options.threads;
-    summary_.video = options.video;
-    summary_.video_slowdown = scene.render.slowdown();
-    summary_.video_file = video_file();
+std::filesystem::path folder_for(const scene::Scene& scene, const RunOptions& options) {
+    return options.folder.empty() ? std::filesystem::path("out") / scene.file.stem() : options.folder;
 }
+
+std::string resolved(scene::Scene scene, const std::vector<MeshCopy>& meshes) {
+    if (scene.observe.measures.empty())
+        scene.observe.measures = observe::usual_measures();
+    return scene::to_toml(scene, names_of(meshes));
+}
+
+Problems in_scene(Problems problems, const scene::Scene& scene) {
+    for (Problem& problem : problems)
+        problem = scene::placed(scene, std::move(problem));
+    return problems;
+}
+
+RunInWork::RunInWork(const scene::Scene& scene, const RunOptions& options, RunListener& listener,
+                     SimulationPtr simulation, FolderInWork folder, std::string toml)
+    : scene_(scene), options_(options), listener_(listener), simulation_(std::move(simulation)),
+      folder_(std::move(folder)), toml_(std::move(toml)), layout_(simulation_->layout()),
+      rows_(scene.observe.every, scene.step()), frames_(scene.render.every, scene.step()),
+      all_steps_(std::llround(scene.duration / scene.step())) {}
 
 Result<std::unique_ptr<RunInWork>> RunInWork::prepare(const scene::Scene& scene, const RunOptions& options,
                                                       RunListener& listener) {
@@ -96,27 +84,56 @@ Result<std::unique_ptr<RunInWork>> RunInWork::prepare(const scene::Scene& scene,
     const Result<std::vector<MeshCopy>> meshes = read_meshes(scene);
     if (!meshes)
         return meshes.problems();
+    if (!options.resume)
+        return begin(scene, options, listener, *meshes);
+    const Found found = look_into(folder_for(scene, options));
+    if (found == Found::run)
+        return go_on(scene, options, listener, *meshes);
+    RunOptions anew = options;
+    anew.overwrite = anew.overwrite || found == Found::beginning;
+    return begin(scene, anew, listener, *meshes);
+}
+
+Result<std::unique_ptr<RunInWork>> RunInWork::begin(const scene::Scene& scene, const RunOptions& options,
+                                                    RunListener& listener, const std::vector<MeshCopy>& meshes) {
     Result<SimulationPtr> simulation = simulate(scene, options.threads);
     if (!simulation)
         return simulation.problems();
-    const auto bodies = static_cast<std::size_t>(all_bodies_wanted(scene, (*simulation)->bodies()));
-    const std::int64_t last = std::llround(scene.duration / scene.step());
-    const auto count = static_cast<std::size_t>(Schedule(scene.render.every, scene.step()).count_with_last(last));
-    Result<FolderInWork> folder = FolderInWork::open(folder_for(scene, options), options.overwrite,
-                                                     count * observe::frame_bytes(bodies, scene.walls.size()));
+    Result<FolderInWork> folder =
+        FolderInWork::open(folder_for(scene, options), options.overwrite, bytes_of_frames(scene, **simulation));
     if (!folder)
         return folder.problems();
-    std::unique_ptr<RunInWork> run(new RunInWork(scene, options, listener, std::move(*simulation), std::move(*folder)));
-    if (const Result<Done> chosen = run->choose_what_to_see(); !chosen)
-        return in_scene(chosen.problems(), scene);
-    if (const Result<Done> written = run->write_beginnings(*meshes); !written)
-        return in_scene(written.problems(), scene);
-    Result<FrameSinks> sinks = run->open_sinks();
-    if (!sinks)
-        return in_scene(sinks.problems(), scene);
-    run->queue_ = std::make_unique<FrameQueue>(std::move(*sinks));
+    std::unique_ptr<RunInWork> run(
+        new RunInWork(scene, options, listener, std::move(*simulation), std::move(*folder), resolved(scene, meshes)));
+    if (const Result<Done> opened = run->open_all(meshes); !opened)
+        return in_scene(opened.problems(), scene);
     run->folder_.keep();
     return run;
+}
+
+Result<Done> RunInWork::open_all(const std::vector<MeshCopy>& meshes) {
+    summary_.state = "running";
+    summary_.folder = folder_.paths().root;
+    summary_.scene = scene_.file;
+    summary_.title = scene_.title;
+    summary_.duration = scene_.duration;
+    summary_.solver = scene_.solver;
+    summary_.time_step = scene_.step();
+    summary_.seed = scene_.seed;
+    summary_.threads = options_.threads;
+    summary_.video = options_.video;
+    summary_.video_slowdown = scene_.render.slowdown();
+    summary_.video_file = video_file();
+    meshes_ = marks_of(meshes);
+    if (Result<Done> chosen = choose_what_to_see(); !chosen)
+        return chosen;
+    Result<FrameSinks> sinks = open_sinks();
+    if (!sinks)
+        return sinks.problems();
+    if (Result<Done> written = write_beginnings(meshes); !written)
+        return written;
+    queue_ = std::make_unique<FrameQueue>(std::move(*sinks));
+    return Done{};
 }
 
 Result<Done> RunInWork::choose_what_to_see() {
@@ -128,6 +145,9 @@ Result<Done> RunInWork::choose_what_to_see() {
     if (!tracers)
         return tracers.problems();
     tracers_ = std::move(*tracers);
+    if (resumed_)
+        if (Result<Done> recalled = recall_tracers(); !recalled)
+            return recalled;
     const auto plotted = observe::choose_measures({scene_.render.plot_measure});
     if (plotted && plotted->size() == 1) {
         plotted_ = plotted->front();
@@ -140,9 +160,6 @@ Result<Done> RunInWork::choose_what_to_see() {
 
 Result<Done> RunInWork::write_beginnings(const std::vector<MeshCopy>& meshes) {
     const RunFolder& paths = folder_.paths();
-    scene::Scene resolved = scene_;
-    if (resolved.observe.measures.empty())
-        resolved.observe.measures = observe::usual_measures();
     std::vector<std::string> heads{"time_s"};
     for (const observe::Measure& measure : measures_)
         heads.push_back(measure.column());
@@ -151,10 +168,11 @@ Result<Done> RunInWork::write_beginnings(const std::vector<MeshCopy>& meshes) {
             heads.push_back(std::move(head));
     Problems problems;
     append(problems, write_meshes(meshes, paths).problems());
-    append(problems, observe::write_whole(paths.scene(), scene::to_toml(resolved, names_of(meshes))).problems());
+    append(problems, observe::write_whole(paths.scene(), toml_).problems());
     append(problems, observe::write_layout(observe::layout_path(paths.frames()), *layout_).problems());
     append(problems, observe::write_whole(paths.summary(), to_json(summary_).dump(2) + "\n").problems());
-    auto series = observe::SeriesWriter::create(paths.series(), heads);
+    auto series = resumed_ ? observe::SeriesWriter::go_on(paths.series(), heads, resumed_->series_size)
+                           : observe::SeriesWriter::create(paths.series(), heads);
     append(problems, series.problems());
     if (!problems.empty())
         return problems;
@@ -177,7 +195,7 @@ Result<FrameSinks> RunInWork::open_sinks() {
         if (sink)
             sinks.push_back(std::move(*sink));
     };
-    sinks.push_back(keep_states(paths.frames()));
+    sinks.push_back(keep_states(paths.frames())); // first: what is drawn of a frame can be drawn again from it
     if (options_.pictures || options_.video)
         add(keep_pictures(scene_.render, layout_,
                           {.folder = options_.pictures ? paths.pictures() : "", .video = video_file()},
@@ -199,7 +217,10 @@ void RunInWork::step_to_the_end() {
     listener_.started(summary_.folder, progress());
     for (std::string& sentence : check_built(scene_, *simulation_).warnings)
         warn(std::move(sentence));
-    observe_now();
+    if (!resumed_) {
+        observe_now();
+        keep_checkpoint();
+    }
     while (summary_.state == "running") {
         const std::int64_t step = simulation_->steps();
         if (step >= all_steps_) {
@@ -220,9 +241,13 @@ void RunInWork::step_to_the_end() {
             fail({*problem});
         else
             observe_now();
+        if (summary_.state == "running" && pace_.since_made() >= kept_at_ + options_.checkpoint_every)
+            keep_checkpoint();
         refresh_summary();
         listener_.progressed(progress());
     }
+    if (summary_.state != "failed")
+        keep_checkpoint();
     keep_last_state();
 }
 
@@ -290,7 +315,9 @@ void RunInWork::fail(const Problems& problems) {
 
 void RunInWork::warn(std::string sentence) {
     listener_.warned(sentence);
-    summary_.warnings.push_back(std::move(sentence));
+    // A run that is resumed has told some of it before.
+    if (std::find(summary_.warnings.begin(), summary_.warnings.end(), sentence) == summary_.warnings.end())
+        summary_.warnings.push_back(std::move(sentence));
 }
 
 Progress RunInWork::progress() const {
@@ -312,28 +339,17 @@ void RunInWork::take_stock() {
     summary_.steps = simulation_->steps();
     summary_.books = simulation_->books();
     summary_.bodies = summary_.books.bodies;
+    const RunSummary before = resumed_ ? resumed_->summary : RunSummary{};
     summary_.phases = simulation_->phase_times();
-    summary_.stepping_s = pace_.seconds();
-    summary_.wall_s = pace_.since_made();
-    summary_.frames_s = queue_->worked_s();
-    summary_.waited_s = queue_->waited_s();
-    summary_.frames = queue_->taken();
+    for (std::size_t k = 0; k < std::min(summary_.phases.size(), before.phases.size()); ++k)
+        summary_.phases[k].seconds += before.phases[k].seconds;
+    summary_.stepping_s = before.stepping_s + pace_.seconds();
+    summary_.wall_s = before.wall_s + pace_.since_made();
+    summary_.frames_s = before.frames_s + queue_->worked_s();
+    summary_.waited_s = before.waited_s + queue_->waited_s();
+    summary_.frames = queue_->taken() + (resumed_ ? resumed_->shots : 0);
     summary_.pictures = options_.pictures ? summary_.frames : 0;
     summary_.energy_turnover = std::max(summary_.energy_turnover, turned_over(summary_.books));
-}
-
-void RunInWork::judge() {
-    summary_.unfilled = simulation_->unfilled();
-    for (const std::string& sentence : summary_.unfilled)
-        warn("not all bodies found room: " + sentence);
-    if (summary_.overlap_ratio_max > scene_.contact.accepted_overlap)
-        warn(fmt::format("bodies overlapped by up to {:.1f} % of the smaller sphere's radius, and the scene expects at "
-                         "most {:.3g} %: take stiffer materials or slower impacts, or say contact.accepted_overlap",
-                         100 * summary_.overlap_ratio_max, 100 * scene_.contact.accepted_overlap));
-    const double missed = std::abs(summary_.books.closure);
-    if (missed > closure_worth_a_word * summary_.energy_turnover && missed > rounding_of(summary_.books))
-        warn(fmt::format("the energy balance misses {:.3g} J of {:.3g} J: try a smaller time step", missed,
-                         summary_.energy_turnover));
 }
 
 RunSummary RunInWork::finish() {
@@ -343,7 +359,9 @@ RunSummary RunInWork::finish() {
     // A sink that failed may have kept a frame that others did not.
     summary_.frames = static_cast<std::int64_t>(observe::list_frames(folder_.paths().frames()).size());
     summary_.pictures = count_pictures(folder_.paths().pictures());
-    judge();
+    summary_.unfilled = simulation_->unfilled();
+    for (std::string& sentence : verdict(summary_, scene_))
+        warn(std::move(sentence));
     folder_.release_reserve();
     const auto written = observe::write_whole(folder_.paths().summary(), to_json(summary_).dump(2) + "\n");
     if (!written)

@@ -3,9 +3,11 @@
 #include "observe/measures.h"
 #include "observe/series.h"
 #include "observe/tracer.h"
+#include "run/checkpoint.h"
 #include "run/frame_queue.h"
 #include "run/mesh_copies.h"
 #include "run/pace.h"
+#include "run/resume.h"
 #include "run/run_folder.h"
 #include "run/run_scene.h"
 #include "run/schedule.h"
@@ -16,11 +18,20 @@
 
 namespace tumble::run {
 
+/// options.folder, or out/<name of the scene file>.
+std::filesystem::path folder_for(const scene::Scene& scene, const RunOptions& options);
+
+/// The scene as TOML with every default filled in and meshes by their names in the folder.
+std::string resolved(scene::Scene scene, const std::vector<MeshCopy>& meshes);
+
+/// Problems with the places at which their keys were written.
+Problems in_scene(Problems problems, const scene::Scene& scene);
+
 /// A run between its first and its last step: where a simulation and its observers meet.
 class RunInWork {
 public:
-    /// Builds the world, opens the folder and writes all that can be known before the first step. Problems as those of
-    /// run_scene; nothing is left behind then.
+    /// Builds the world, opens the folder and writes all that can be known before the first step; or takes all this up
+    /// again where a run in the folder ended. Problems as those of run_scene; nothing is left behind then.
     static Result<std::unique_ptr<RunInWork>> prepare(const scene::Scene& scene, const RunOptions& options,
                                                       RunListener& listener);
 
@@ -33,28 +44,41 @@ public:
 
 private:
     RunInWork(const scene::Scene& scene, const RunOptions& options, RunListener& listener, SimulationPtr simulation,
-              FolderInWork folder);
+              FolderInWork folder, std::string toml);
 
+    static Result<std::unique_ptr<RunInWork>> begin(const scene::Scene& scene, const RunOptions& options,
+                                                    RunListener& listener, const std::vector<MeshCopy>& meshes);
+    static Result<std::unique_ptr<RunInWork>> go_on(const scene::Scene& scene, const RunOptions& options,
+                                                    RunListener& listener, const std::vector<MeshCopy>& meshes);
+
+    void take_up(Resumable& found);
+    Result<Done> recall_tracers();
     Result<Done> choose_what_to_see();
+    Result<Done> open_all(const std::vector<MeshCopy>& meshes);
     Result<FrameSinks> open_sinks();
     Result<Done> write_beginnings(const std::vector<MeshCopy>& meshes);
     [[nodiscard]] std::filesystem::path video_file() const;
+    void bring_back_frames();
     void observe_now();
+    void keep_checkpoint();
+    [[nodiscard]] Checkpoint checkpoint_now() const;
+    Result<Done> wait_for_outputs();
     void keep_last_state();
     void refresh_summary();
     Result<Done> add_row(const observe::Frame& frame, const Books& books);
     void fail(const Problems& problems);
     void warn(std::string sentence);
     void take_stock();
-    void judge();
     [[nodiscard]] Progress progress() const;
     [[nodiscard]] bool stop_wanted() const;
 
     const scene::Scene& scene_;
-    const RunOptions& options_;
+    RunOptions options_;
     RunListener& listener_;
     SimulationPtr simulation_;
     FolderInWork folder_;
+    std::string toml_; // of the scene, resolved
+    std::vector<MeshMark> meshes_;
     std::shared_ptr<const observe::FrameLayout> layout_;
     std::vector<observe::Measure> measures_;
     std::vector<observe::TracerReader> tracers_;
@@ -69,6 +93,11 @@ private:
     std::int64_t shots_ = 0;
     std::int64_t last_shot_ = -1; // step
     double refreshed_ = 0;        // s of wall time since the run was made
+    std::int64_t kept_step_ = -1; // of the last checkpoint
+    double kept_at_ = 0;          // s of wall time since the run was made
+    std::int64_t lasting_ = 0;    // frames that the disk is known to have
+    bool checkpoint_failed_ = false;
+    std::optional<Checkpoint> resumed_; // from where; what was added up before goes on from its summary
     RunSummary summary_;
 };
 

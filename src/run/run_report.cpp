@@ -85,6 +85,16 @@ nlohmann::ordered_json to_json(const RunSummary& summary) {
     json["overlap_ratio_max"] = number(summary.overlap_ratio_max);
     json["unfilled"] = summary.unfilled;
     json["warnings"] = summary.warnings;
+    json["checkpoint"] = summary.checkpoint.string();
+    json["checkpoints"] = summary.checkpoints;
+    json["checkpoint_bytes"] = summary.checkpoint_bytes;
+    json["checkpoints_s"] = number(summary.checkpoints_s);
+    json["resumed"] = nlohmann::ordered_json::array();
+    for (const Resumption& resumption : summary.resumed)
+        json["resumed"].push_back({{"checkpoint", resumption.checkpoint},
+                                   {"step", resumption.step},
+                                   {"time_s", number(resumption.time)},
+                                   {"changes", resumption.changes}});
     return json;
 }
 

@@ -17,6 +17,9 @@ struct RunOptions {
     std::filesystem::path folder;            // empty: out/<name of the scene file>
     int threads = 1;                         // changes the time taken, never the result
     bool overwrite = false;                  // replace what a run left in the folder
+    bool resume = false;                     // go on where a run in the folder ended, or begin where there is none
+    bool accept_changes = false;             // even when the scene was changed since
+    double checkpoint_every = 60;            // s of wall time; 0: no checkpoints at all
     bool pictures = false;                   // PNG frames
     bool video = false;                      // MP4, through ffmpeg
     std::filesystem::path video_file;        // empty: video.mp4 in the folder
@@ -44,6 +47,16 @@ public:
     virtual void started(const std::filesystem::path& /*folder*/, const Progress&) {}
     virtual void progressed(const Progress&) {}
     virtual void warned(const std::string& /*sentence*/) {}
+    /// Before a run that is resumed goes on: so many of the frames that it has are drawn and written anew.
+    virtual void brought_back(std::int64_t /*frames*/, std::int64_t /*of*/) {}
+};
+
+/// From where a run was resumed.
+struct Resumption {
+    std::string checkpoint; // in the folder of the run
+    std::int64_t step = 0;
+    double time = 0;                  // s
+    std::vector<std::string> changes; // of the scene since then, a sentence each
 };
 
 /// What run.json says; docs/run-folder.md explains each value.
@@ -78,11 +91,17 @@ struct RunSummary {
     double overlap_ratio_max = 0; // over all steps
     std::vector<std::string> unfilled;
     std::vector<std::string> warnings;
+    std::filesystem::path checkpoint;  // the last one written, in the folder; empty: none
+    std::int64_t checkpoints = 0;      // written
+    std::int64_t checkpoint_bytes = 0; // of the last
+    double checkpoints_s = 0;          // s, in which the steps stood still for all of them
+    std::vector<Resumption> resumed{}; // in order
 };
 
 /// Runs a scene and leaves its folder as docs/run-folder.md says. A value comes back once a folder stands: finished,
 /// stopped or failed. Problems: nothing was started and nothing left behind (scene that cannot be built, unknown
-/// measure, folder that holds something or cannot be written, too little space, ffmpeg missing).
+/// measure, folder that holds something or cannot be written or is another run's at this moment, too little space,
+/// ffmpeg missing; no checkpoint that can be resumed, a scene that was changed since).
 Result<RunSummary> run_scene(const scene::Scene& scene, const RunOptions& options, RunListener& listener);
 
 } // namespace tumble::run

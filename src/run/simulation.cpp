@@ -5,7 +5,15 @@ namespace tumble::run {
 Result<SimulationPtr> simulate(const scene::Scene& scene, int threads) {
     if (scene.solver == scene::Solver::box2d)
         return simulate_hard(scene);
-    return scene.dimension == 2 ? simulate_in_2d(scene, threads) : simulate_in_3d(scene, threads);
+    return scene.dimension == 2 ? simulate_in_2d(scene, threads, nullptr) : simulate_in_3d(scene, threads, nullptr);
+}
+
+Result<SimulationPtr> restore(const scene::Scene& scene, int threads, const std::string& state) {
+    if (scene.solver == scene::Solver::box2d)
+        return Problem{.key = "solver",
+                       .what = "a run of Box2D cannot go on: what it remembers of its contacts cannot be kept",
+                       .fix = "run it again from the start"};
+    return scene.dimension == 2 ? simulate_in_2d(scene, threads, &state) : simulate_in_3d(scene, threads, &state);
 }
 
 } // namespace tumble::run

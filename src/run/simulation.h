@@ -49,6 +49,9 @@ public:
     /// What fills still owe, a sentence each.
     [[nodiscard]] virtual std::vector<std::string> unfilled() const = 0;
     [[nodiscard]] virtual std::vector<PhaseTime> phase_times() const = 0;
+    /// All that the steps to come depend on beside the scene; restore() goes on from it by the same
+    /// bits. Empty where the solver cannot (Box2D).
+    [[nodiscard]] virtual std::string state() const = 0;
 };
 
 using SimulationPtr = std::unique_ptr<Simulation>;
@@ -57,9 +60,12 @@ using SimulationPtr = std::unique_ptr<Simulation>;
 /// Problems: those of the solver's build_world.
 Result<SimulationPtr> simulate(const scene::Scene& scene, int threads);
 
-/// The solvers that simulate() chooses from, one file each.
-Result<SimulationPtr> simulate_in_2d(const scene::Scene& scene, int threads);
+/// The same in a state that state() gave. Problems: those of the solver's restore_world; a scene of Box2D.
+Result<SimulationPtr> restore(const scene::Scene& scene, int threads, const std::string& state);
+
+/// The solvers to choose from, one file each. Without a state they begin at t = 0.
+Result<SimulationPtr> simulate_in_2d(const scene::Scene& scene, int threads, const std::string* state);
 Result<SimulationPtr> simulate_hard(const scene::Scene& scene); // discs with hard contacts
-Result<SimulationPtr> simulate_in_3d(const scene::Scene& scene, int threads);
+Result<SimulationPtr> simulate_in_3d(const scene::Scene& scene, int threads, const std::string* state);
 
 } // namespace tumble::run

@@ -68,6 +68,15 @@ scene::TimeStepReport report_of(const hard2d::World& /*world*/, const scene::Sce
     return hard2d::time_step_report(scene);
 }
 
+std::string whole_state(const sim2d::World& world) {
+    return sim2d::state_of(world);
+}
+
+/// What Box2D remembers of its contacts is its own.
+std::string whole_state(const hard2d::World& /*world*/) {
+    return "";
+}
+
 /// A world of discs; its functions are found by its type, in sim2d or in hard2d.
 template <class WorldPtr> class Simulation2d final : public Simulation {
 public:
@@ -90,6 +99,7 @@ public:
         using hard2d::phase_times, sim2d::phase_times;
         return phase_times(*world_);
     }
+    [[nodiscard]] std::string state() const override { return whole_state(*world_); }
     [[nodiscard]] scene::TimeStepReport time_step() const override { return report_of(*world_, scene_); }
 
     [[nodiscard]] observe::Frame frame() const override {
@@ -132,8 +142,9 @@ template <class WorldPtr> Result<SimulationPtr> simulation_of(const scene::Scene
 
 } // namespace
 
-Result<SimulationPtr> simulate_in_2d(const scene::Scene& scene, int threads) {
-    return simulation_of(scene, sim2d::build_world(scene, threads));
+Result<SimulationPtr> simulate_in_2d(const scene::Scene& scene, int threads, const std::string* state) {
+    return simulation_of(scene,
+                         state ? sim2d::restore_world(scene, threads, *state) : sim2d::build_world(scene, threads));
 }
 
 Result<SimulationPtr> simulate_hard(const scene::Scene& scene) {

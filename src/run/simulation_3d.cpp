@@ -40,6 +40,7 @@ public:
     [[nodiscard]] std::shared_ptr<const observe::FrameLayout> layout() const override { return layout_; }
     [[nodiscard]] std::vector<std::string> unfilled() const override { return sim3d::unfilled(*world_); }
     [[nodiscard]] std::vector<PhaseTime> phase_times() const override { return sim3d::phase_times(*world_); }
+    [[nodiscard]] std::string state() const override { return sim3d::state_of(*world_); }
     [[nodiscard]] scene::TimeStepReport time_step() const override {
         return sim3d::time_step_report(scene_, sim3d::shapes_of(*world_));
     }
@@ -78,8 +79,9 @@ private:
 
 } // namespace
 
-Result<SimulationPtr> simulate_in_3d(const scene::Scene& scene, int threads) {
-    Result<sim3d::WorldPtr> world = sim3d::build_world(scene, threads);
+Result<SimulationPtr> simulate_in_3d(const scene::Scene& scene, int threads, const std::string* state) {
+    Result<sim3d::WorldPtr> world =
+        state ? sim3d::restore_world(scene, threads, *state) : sim3d::build_world(scene, threads);
     if (!world)
         return world.problems();
     return SimulationPtr(std::make_unique<Simulation3d>(scene, std::move(*world)));

@@ -16,7 +16,7 @@ class StateSink final : public FrameSink {
 public:
     explicit StateSink(std::filesystem::path folder) : folder_(std::move(folder)) {}
     Result<Done> take(const Shot& shot) override {
-        return observe::write_frame(observe::frame_path(folder_, shot.number), shot.frame);
+        return shot.again ? Done{} : observe::write_frame(observe::frame_path(folder_, shot.number), shot.frame);
     }
 
 private:

@@ -63,6 +63,24 @@ void KeptMemory::take(const World& world) {
     group(unsorted_walls_, walls_, walls_begin_, next_, tags, [](const KeptWall& kept) { return kept.disc; });
 }
 
+void KeptMemory::forget() {
+    pairs_.clear();
+    pairs_begin_.clear();
+    walls_.clear();
+    walls_begin_.clear();
+    further_.clear();
+}
+
+bool KeptMemory::sound() const {
+    const auto inside = [](const std::vector<int>& begin, std::size_t entries) {
+        return begin.empty() || (begin.front() == 0 && std::is_sorted(begin.begin(), begin.end()) &&
+                                 static_cast<std::size_t>(begin.back()) == entries);
+    };
+    const auto known = [&](const auto& kept) { return kept.further < static_cast<int>(further_.size()); };
+    return inside(pairs_begin_, pairs_.size()) && inside(walls_begin_, walls_.size()) &&
+           std::all_of(pairs_.begin(), pairs_.end(), known) && std::all_of(walls_.begin(), walls_.end(), known);
+}
+
 const KeptPair* KeptMemory::of_pair(int a, int b) const {
     const auto [first, second] = std::minmax(a, b);
     for (const KeptPair& old : of_key(pairs_, pairs_begin_, first))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/carried.h"
 #include "sim2d/kernels.h"
 #include "sim2d/wall_line.h"
 
@@ -31,6 +32,7 @@ struct KeptWall {
 class KeptMemory {
 public:
     void take(const World& world);
+    void forget();
 
     /// What the discs of these tags remember of each other, or null.
     [[nodiscard]] const KeptPair* of_pair(int a, int b) const;
@@ -38,6 +40,13 @@ public:
     /// What an entry of that index remembers beside its spring.
     [[nodiscard]] FurtherMemory further(int index) const {
         return index < 0 ? FurtherMemory{} : further_[static_cast<std::size_t>(index)];
+    }
+
+    /// Of one that was read: whether each disc's part lies inside the whole.
+    [[nodiscard]] bool sound() const;
+    template <class Archive, As<KeptMemory> K> friend void carry(Archive& archive, K& kept) {
+        archive(kept.pairs_, kept.pairs_begin_, kept.walls_, kept.walls_begin_,
+                kept.further_); // the others are room for take()
     }
 
 private:

@@ -253,6 +253,7 @@ void rebuild_lists(World& world) {
         });
     });
     find_partners(world);
+    world.kept.forget();
     world.stale = false;
     ++world.rebuilds;
 }

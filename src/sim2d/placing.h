@@ -12,7 +12,7 @@ namespace tumble::sim2d {
 
 struct FillState {
     scene::Fill fill;
-    Rng rng;
+    Rng rng{0};
     std::int64_t asked = 0;
     std::int64_t placed = 0;
     std::int64_t next_step = 0;

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// The 2D solver as the layers above see it; src/sim2d/step.cpp is what it does. The twin of src/sim3d.
@@ -26,6 +27,14 @@ using WorldPtr = std::unique_ptr<World, WorldDeleter>;
 /// Ready to step at t = 0, fills that are due at 0 inserted. `threads` >= 1 changes the time taken, never a bit of the
 /// result. Problems: a fill that cannot fit at once, a time step above the stable limit, a period too short.
 Result<WorldPtr> build_world(const scene::Scene& scene, int threads);
+
+/// Everything that the steps to come depend on and that the scene does not say, as bytes.
+std::string state_of(const World& world);
+
+/// The world of a scene as state_of kept it: steps taken from it give the same bits as if it had never been kept,
+/// whatever the number of threads before and now. Problems: those of the scene that build_world finds without placing
+/// bodies; bytes that are damaged, of another layout, or of a scene with other bodies, walls or fills.
+Result<WorldPtr> restore_world(const scene::Scene& scene, int threads, std::string_view state);
 
 /// Takes `steps` steps, inserting fills when they are due. A state that stopped being sane ends it early with a problem
 /// naming body, time and reason; the world then stays at the last step taken.

@@ -199,8 +199,8 @@ struct World {
     double smallest_radius = 0; // m
     double largest_radius = 0;  // m
     bool stale = true;          // the lists must be made anew
-    KeptMemory kept;            // room for rebuilds, as are the next two
-    Cells cells;
+    KeptMemory kept;            // from the insertion of bodies, or within a rebuild, to the end of the rebuild
+    Cells cells;                // room for rebuilds, as is the next
     std::vector<Eigen::Vector2d> centres; // m
     std::int64_t rebuilds = 0;
 

@@ -3,6 +3,7 @@
 #include "sim3d/body_list.h"
 #include "sim3d/body_shape.h"
 #include "sim3d/fill.h"
+#include "sim3d/state.h"
 #include "sim3d/time_step.h"
 #include "sim3d/world.h"
 
@@ -213,9 +214,8 @@ void append(Problems& all, const Problems& more) {
     all.insert(all.end(), more.begin(), more.end());
 }
 
-} // namespace
-
-Result<WorldPtr> build_world(const scene::Scene& scene, int threads) {
+/// All of the world but its bodies.
+Result<WorldPtr> prepare_world(const scene::Scene& scene, int threads) {
     WorldPtr world(new World(std::max(threads, 1)));
     world->scene = scene;
     world->dt = scene.time_step;
@@ -235,8 +235,24 @@ Result<WorldPtr> build_world(const scene::Scene& scene, int threads) {
     append(problems, prepare_fills(*world));
     if (!problems.empty())
         return problems;
-    if (auto problem = insert_due_fills(*world))
-        return *problem;
+    return world;
+}
+
+} // namespace
+
+Result<WorldPtr> build_world(const scene::Scene& scene, int threads) {
+    Result<WorldPtr> world = prepare_world(scene, threads);
+    if (world)
+        if (auto problem = insert_due_fills(**world))
+            return *problem;
+    return world;
+}
+
+Result<WorldPtr> restore_world(const scene::Scene& scene, int threads, std::string_view state) {
+    Result<WorldPtr> world = prepare_world(scene, threads);
+    if (world)
+        if (auto problem = restore(**world, state))
+            return *problem;
     return world;
 }
 

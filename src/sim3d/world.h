@@ -198,7 +198,7 @@ scene::WallPose pose_of(const WallState& wall, double time);
 
 struct FillState {
     scene::Fill fill;
-    Rng rng;
+    Rng rng{0};
     std::int64_t asked = 0;
     std::int64_t placed = 0;
     std::int64_t next_step = 0;

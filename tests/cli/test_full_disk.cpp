@@ -21,6 +21,9 @@ public:
         if (mounted_)
             umount(place_.c_str());
     }
+    void grow(const std::string& size) const {
+        REQUIRE(mount("tmpfs", place_.c_str(), "tmpfs", MS_REMOUNT, ("size=" + size).c_str()) == 0);
+    }
     explicit operator bool() const {
         if (!mounted_)
             MESSAGE("skipped: mounting a small disk needs root");
@@ -70,6 +73,29 @@ TEST_CASE("a disk that runs full ends the run with code 1, whole files and the r
     CHECK(summary["pictures"] == files_in(folder.path / "disk/run/pictures"));
     const Outcome drawn = tumble_in(folder, {"render", "disk/run", "--out", "drawn", "--time", "0:0.01", "--quiet"});
     CHECK_MESSAGE(drawn.code == 0, drawn.err);
+}
+
+TEST_CASE("a run that a full disk ended goes on where there is room again, to the same bits") {
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(1));
+    REQUIRE(tumble_in(folder, {"run", "ball.toml", "--out", "whole", "--quiet"}).code == 0);
+    for (const char* size : {"120k", "200k", "280k"}) {
+        const SmallDisk disk(folder.path / "disk", size);
+        if (!disk)
+            return;
+        // A row is some 200 bytes; 101 frames of some 600 take a page of 4 KiB each.
+        const std::vector<std::string> words{"run", "ball.toml", "--out", "disk/run", "--checkpoint-every", "1e-3"};
+        CHECK(tumble_in(folder, words).code == 1);
+        disk.grow("4m");
+        std::vector<std::string> again = words;
+        again.emplace_back("--resume");
+        const Outcome outcome = tumble_in(folder, again);
+        CHECK_MESSAGE(outcome.code == 0, outcome.err);
+        CHECK(content_of(folder.path / "disk/run/series.csv") == content_of(folder.path / "whole/series.csv"));
+        CHECK(files_in(folder.path / "disk/run/frames") == files_in(folder.path / "whole/frames"));
+        for (const auto& entry : fs::directory_iterator(folder.path / "whole/frames"))
+            CHECK(content_of(entry.path()) == content_of(folder.path / "disk/run/frames" / entry.path().filename()));
+    }
 }
 
 TEST_CASE("a disk that runs full while a run is redrawn or exported has code 1, and advice that the command can take") {

@@ -48,7 +48,8 @@ TEST_CASE("a run leaves its folder: scene, summary, series at exact times, frame
     CHECK(summary.steps == 2000);
     CHECK(summary.rows == 21);
     CHECK(summary.frames == 5);
-    CHECK(entries(options.folder) == std::vector<std::string>{"frames", "run.json", "scene.toml", "series.csv"});
+    CHECK(entries(options.folder) ==
+          std::vector<std::string>{"frames", "run.json", "scene.toml", "series.csv", "state"});
 
     const auto series = observe::read_series(options.folder / "series.csv");
     REQUIRE(series.ok());
@@ -131,7 +132,7 @@ TEST_CASE("force takes away all that the earlier run, its redrawings and a kill 
     options.overwrite = true;
     CHECK(ran(scene, options).state == "finished");
     CHECK(entries(folder.path) == std::vector<std::string>{"frames", "mine.mp4", "pictures", "redrawn", "run.json",
-                                                           "scene.toml", "series.csv"});
+                                                           "scene.toml", "series.csv", "state"});
     CHECK(entries(folder.path / "pictures") == std::vector<std::string>{"choice.txt"});
     CHECK(entries(folder.path / "redrawn" / "side_vy") == std::vector<std::string>{"best.svg"});
 }
@@ -233,7 +234,8 @@ TEST_CASE("a run that cannot start costs the one that it was to replace nothing"
     options.video = true;
     options.video_file = folder.path / "nowhere" / "a.mp4"; // refused where ffmpeg is missing, too
     CHECK_FALSE(refused(loaded(falling_ball), options).empty());
-    CHECK(entries(options.folder) == std::vector<std::string>{"frames", "run.json", "scene.toml", "series.csv"});
+    CHECK(entries(options.folder) ==
+          std::vector<std::string>{"frames", "run.json", "scene.toml", "series.csv", "state"});
     CHECK(content_of(options.folder / "series.csv") == series);
     CHECK(content_of(options.folder / "run.json") == summary);
     CHECK(observe::list_frames(options.folder / "frames").size() == 2);

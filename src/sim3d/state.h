@@ -1,0 +1,14 @@
+#pragma once
+
+#include "base/problem.h"
+#include "sim3d/world.h"
+
+#include <optional>
+#include <string_view>
+
+namespace tumble::sim3d {
+
+/// Puts a saved state into a prepared world that has no bodies yet. After a problem the world is of no use.
+std::optional<Problem> restore(World& world, std::string_view state);
+
+} // namespace tumble::sim3d

@@ -1,0 +1,164 @@
+#include "process.h"
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <random>
+
+using namespace tumble::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Balls that bounce in a crowd, for some 10,000 steps.
+const std::string crowd = R"(
+title = "A crowd"
+claim = "none"
+duration_s = 0.2
+time_step_s = 2e-5
+[domain]
+lo_m = [-0.02, -0.01, -0.02]
+hi_m = [0.02, 0.12, 0.02]
+periodic = ["x", "z"]
+[material.glass]
+density_kg_m3 = 2500
+youngs_modulus_Pa = 5e6
+poisson_ratio = 0.25
+[pair.glass-glass]
+restitution = 0.9
+friction = 0.4
+[body.ball]
+radius_mm = 3
+material = "glass"
+[[fill]]
+body = "ball"
+count = 150
+region_lo_m = [-0.02, 0.005, -0.02]
+region_hi_m = [0.02, 0.08, 0.02]
+velocity_m_s = [0, -1, 0]
+until_s = 1
+every_s = 0.0101
+[[wall]]
+name = "floor"
+shape = "plane"
+point_m = [0, 0, 0]
+normal = [0, 1, 0]
+material = "glass"
+[[wall.motion]]
+kind = "harmonic"
+axis = "y"
+amplitude_m = 0.001
+frequency_Hz = 50
+[observe]
+every_s = 0.0005
+[render]
+every_s = 0.002
+width_px = 96
+height_px = 72
+)";
+
+/// Every file of a run by its name, but for those that hold wall times.
+std::map<std::string, std::string> content_of_run(const fs::path& run) {
+    std::map<std::string, std::string> content;
+    for (const auto& entry : fs::recursive_directory_iterator(run))
+        if (entry.is_regular_file() && entry.path().extension() != ".ckpt" && entry.path().filename() != "run.json")
+            content[entry.path().lexically_relative(run).string()] = content_of(entry.path());
+    return content;
+}
+
+void check_same(const std::map<std::string, std::string>& whole, const fs::path& run) {
+    const auto now = content_of_run(run);
+    CHECK(now.size() == whole.size());
+    for (const auto& [name, content] : whole)
+        CHECK_MESSAGE((now.contains(name) && now.at(name) == content), name);
+}
+
+nlohmann::json summary_in(const fs::path& run) {
+    return nlohmann::json::parse(content_of(run / "run.json"));
+}
+
+int kills_wanted() {
+    const char* given = std::getenv("TUMBLE_KILLS");
+    return given ? std::atoi(given) : 12;
+}
+
+} // namespace
+
+TEST_CASE("a run that is killed at random moments ends in the bits of one that never was") {
+    const Folder folder;
+    put(folder.path / "crowd.toml", crowd);
+    REQUIRE(tumble_in(folder, {"run", "crowd.toml", "--threads", "1", "--out", "whole", "--dump", "--quiet"}).code ==
+            0);
+    const auto whole = content_of_run(folder.path / "whole");
+    const auto end = summary_in(folder.path / "whole");
+    std::mt19937 random(7);
+    int kills = 0, finished = 0;
+    while (kills < kills_wanted()) {
+        // Also during the start of the program, and while it takes up what the last one left.
+        const auto wait = std::chrono::milliseconds(random() % 250);
+        const std::string threads = std::to_string(1 + random() % 2);
+        Process process(folder.path, {"run", "crowd.toml", "--out", "parts", "--dump", "--resume", "--checkpoint-every",
+                                      "0.02", "--threads", threads, "--quiet"});
+        std::this_thread::sleep_for(wait);
+        process.send(SIGKILL);
+        const int code = process.wait().code;
+        REQUIRE((code == 137 || code == 0)); // killed, or quicker than that
+        kills += code == 137 ? 1 : 0;
+        if (code == 0 || kills == kills_wanted()) {
+            const Outcome last = tumble_in(
+                folder, {"run", "crowd.toml", "--out", "parts", "--dump", "--resume", "--threads", threads, "--quiet"});
+            REQUIRE_MESSAGE(last.code == 0, last.err);
+            check_same(whole, folder.path / "parts");
+            for (const char* key : {"rows", "frames", "steps", "energy_closure_J", "energy_turnover_J"})
+                CHECK(summary_in(folder.path / "parts")[key] == end[key]);
+            fs::remove_all(folder.path / "parts");
+            ++finished;
+        }
+    }
+    MESSAGE(kills << " kills in " << finished << " runs");
+}
+
+TEST_CASE("Ctrl-C leaves a checkpoint, from which the same command with --resume goes on") {
+    const Folder folder;
+    put(folder.path / "crowd.toml", crowd);
+    REQUIRE(tumble_in(folder, {"run", "crowd.toml", "--out", "whole", "--frames", "--quiet"}).code == 0);
+    Process process(folder.path, {"run", "crowd.toml", "--frames"});
+    REQUIRE(eventually([&] { return fs::exists(folder.path / "out/crowd/frames/frame_000002.tumble"); }));
+    process.send(SIGINT);
+    const Outcome stopped = process.wait();
+    CHECK(stopped.code == 130);
+    const std::string checkpoint = summary_in(folder.path / "out/crowd")["checkpoint"];
+    CHECK(contains(stopped.out, checkpoint + " is there: the same command with --resume goes on from it"));
+    CHECK(contains(tumble_in(folder, {"run", "crowd.toml"}).err,
+                   "`tumble run --resume` goes on with a run that ended early there"));
+    const Outcome resumed = tumble_in(folder, {"run", "crowd.toml", "--resume"}); // with --frames, as it was begun
+    CHECK_MESSAGE(resumed.code == 0, resumed.err);
+    CHECK(contains(resumed.err, ", on from t = "));
+    check_same(content_of_run(folder.path / "whole"), folder.path / "out/crowd");
+    CHECK(summary_in(folder.path / "out/crowd")["resumed"][0]["checkpoint"] == checkpoint);
+}
+
+TEST_CASE("the video of a resumed run is whole") {
+    if (std::system("ffmpeg -version > /dev/null 2>&1") != 0) {
+        MESSAGE("skipped: ffmpeg is not installed");
+        return;
+    }
+    const Folder folder;
+    put(folder.path / "crowd.toml", crowd);
+    REQUIRE(tumble_in(folder, {"run", "crowd.toml", "--out", "whole", "--video", "--quiet"}).code == 0);
+    Process process(folder.path, {"run", "crowd.toml", "--video", "--checkpoint-every", "0.05", "--quiet"});
+    REQUIRE(eventually([&] { return fs::exists(folder.path / "out/crowd/frames/frame_000030.tumble"); }));
+    process.send_to_all(SIGKILL);
+    process.wait();
+    const Outcome resumed = tumble_in(folder, {"run", "crowd.toml", "--resume", "--quiet"});
+    CHECK_MESSAGE(resumed.code == 0, resumed.err);
+    check_same(content_of_run(folder.path / "whole"), folder.path / "out/crowd");
+}
+
+TEST_CASE("flags that contradict each other are refused") {
+    const Folder folder;
+    put(folder.path / "crowd.toml", crowd);
+    CHECK(tumble_in(folder, {"run", "crowd.toml", "--resume", "--force"}).code == 2);
+    CHECK(tumble_in(folder, {"run", "crowd.toml", "--accept-changes"}).code == 2);
+    CHECK(tumble_in(folder, {"run", "crowd.toml", "--checkpoint-every", "-1"}).code == 2);
+    CHECK_FALSE(fs::exists(folder.path / "out"));
+}

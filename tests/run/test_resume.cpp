@@ -1,0 +1,459 @@
+#include "../folder.h"
+#include "base/write_all.h"
+#include "observe/array_file.h"
+#include "observe/frame_file.h"
+#include "run/checkpoint_files.h"
+#include "run/run_scene.h"
+#include "scenes.h"
+
+#include <cerrno>
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <map>
+#include <nlohmann/json.hpp>
+
+using namespace tumble;
+using namespace tumble::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Stops its run as soon as it has come to a step, and hears what it says.
+struct Stopper : run::RunListener {
+    explicit Stopper(std::int64_t step) : at(step) {}
+    void started(const fs::path&, const run::Progress& now) override { progressed(now); }
+    void progressed(const run::Progress& now) override {
+        if (now.step >= at)
+            stop = true;
+    }
+    void warned(const std::string& sentence) override { heard.push_back(sentence); }
+
+    std::int64_t at;
+    std::atomic<bool> stop{false};
+    std::vector<std::string> heard;
+};
+
+constexpr std::int64_t never = 1'000'000'000;
+
+struct Outcome {
+    Problems problems;
+    run::RunSummary summary;
+    std::vector<std::string> heard;
+};
+
+Outcome ran(const scene::Scene& scene, run::RunOptions options, std::int64_t stop_at = never) {
+    Stopper stopper(stop_at);
+    options.stop = &stopper.stop;
+    const auto summary = run::run_scene(scene, options, stopper);
+    return {summary.problems(), summary ? *summary : run::RunSummary{}, stopper.heard};
+}
+
+run::RunOptions in(const fs::path& folder, int threads = 1) {
+    run::RunOptions options;
+    options.folder = folder;
+    options.threads = threads;
+    return options;
+}
+
+run::RunOptions going_on_in(const fs::path& folder, int threads = 1) {
+    run::RunOptions options = in(folder, threads);
+    options.resume = true;
+    return options;
+}
+
+fs::path newest(const fs::path& folder) {
+    const auto files = run::list_checkpoints(folder / "state");
+    REQUIRE_FALSE(files.empty());
+    return files.front();
+}
+
+/// Every file of a run's folder by its name, but for what tells wall times; of the last checkpoint the state.
+std::map<std::string, std::string> content_of_run(const fs::path& folder) {
+    std::map<std::string, std::string> content;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file() && entry.path().extension() != ".ckpt" && entry.path().filename() != "run.json")
+            content[entry.path().lexically_relative(folder).string()] = content_of(entry.path());
+    const fs::path last = newest(folder);
+    const auto checkpoint = run::checkpoint_from(content_of(last), last);
+    REQUIRE_MESSAGE(checkpoint.ok(), to_string(checkpoint.problems()));
+    content["the state"] = checkpoint->world;
+    return content;
+}
+
+void check_same_run(const fs::path& a, const fs::path& b) {
+    const auto of_a = content_of_run(a), of_b = content_of_run(b);
+    CHECK(of_a.size() == of_b.size());
+    for (const auto& [name, content] : of_a)
+        CHECK_MESSAGE((of_b.contains(name) && of_b.at(name) == content), name);
+}
+
+nlohmann::json summary_in(const fs::path& folder) {
+    return nlohmann::json::parse(content_of(folder / "run.json"));
+}
+
+} // namespace
+
+TEST_CASE("a run that is stopped and resumed, however often, leaves the folder of one that never was") {
+    for (const auto& [text, tracer] : {std::pair{pouring, "tracer:pair"}, std::pair{raining, "tracer:disc"}}) {
+        const Folder folder;
+        const scene::Scene scene = loaded(text, {fmt::format("observe.measures=[\"kinetic\", \"{}\"]", tracer)});
+        run::RunOptions whole = in(folder.path / "whole"), parts = in(folder.path / "parts", 2);
+        whole.pictures = whole.paraview = whole.text_dump = true;
+        parts.pictures = parts.paraview = parts.text_dump = true;
+        const Outcome once = ran(scene, whole);
+        REQUIRE(once.summary.state == "finished");
+        REQUIRE(once.summary.books.contacts > 20);
+
+        CHECK(ran(scene, parts, 0).summary.state == "stopped"); // before the first step
+        int resumed = 0;
+        // From the first step, from one between two rows, and from where rows and frames are due.
+        for (const std::int64_t step : {1, 3, 300, 1111, 1901, 2000}) {
+            const Outcome more = ran(scene, going_on_in(parts.folder, 1 + ++resumed % 2), step);
+            CHECK_MESSAGE(more.problems.empty(), to_string(more.problems));
+            CHECK(more.summary.state == (step < 2000 ? "stopped" : "finished"));
+        }
+        check_same_run(whole.folder, parts.folder);
+        CHECK(fs::exists(parts.folder / "pictures" / "frame_000007.png"));
+        const auto json = summary_in(parts.folder), of_whole = summary_in(whole.folder);
+        for (const char* key : {"rows", "frames", "pictures", "steps", "bodies", "energy_closure_J",
+                                "energy_turnover_J", "overlap_ratio_max", "warnings"})
+            CHECK_MESSAGE(json[key] == of_whole[key], key);
+        REQUIRE(json["resumed"].size() == 6);
+        CHECK(json["resumed"][0]["checkpoint"] == "state/step_000000000000.ckpt");
+        CHECK(json["resumed"][3]["step"] >= 300);
+        CHECK(of_whole["resumed"].empty());
+    }
+}
+
+TEST_CASE("checkpoints at every turn change nothing of a run, and two of them are kept") {
+    const Folder folder;
+    const scene::Scene scene = loaded(pouring);
+    run::RunOptions often = in(folder.path / "often", 2), seldom = in(folder.path / "seldom"),
+                    none = in(folder.path / "none");
+    often.checkpoint_every = 1e-9;
+    none.checkpoint_every = 0;
+    CHECK(ran(scene, often).summary.checkpoints > 40);
+    CHECK(ran(scene, seldom).summary.checkpoints == 2); // at the start and at the end
+    CHECK(ran(scene, none).summary.checkpoints == 0);
+    check_same_run(often.folder, seldom.folder);
+    CHECK(run::list_checkpoints(often.folder / "state").size() == 2);
+    CHECK_FALSE(fs::exists(none.folder / "state"));
+    CHECK(content_of(none.folder / "series.csv") == content_of(seldom.folder / "series.csv"));
+}
+
+TEST_CASE("a finished run goes on to a longer end, and to the same end without a change") {
+    const Folder folder;
+    const scene::Scene shorter = loaded(pouring, {"duration_s=0.0203"}), longer = loaded(pouring);
+    REQUIRE(ran(longer, in(folder.path / "whole")).summary.state == "finished");
+    REQUIRE(ran(shorter, in(folder.path / "parts")).summary.frames == 5); // the last between two multiples
+    const auto before = content_of_run(folder.path / "parts");
+    CHECK(ran(shorter, going_on_in(folder.path / "parts")).summary.state == "finished");
+    CHECK(content_of_run(folder.path / "parts") == before);
+    CHECK(ran(longer, going_on_in(folder.path / "parts")).summary.state == "finished");
+    check_same_run(folder.path / "whole", folder.path / "parts");
+
+    // An end at which a frame is due anyway gets no second one.
+    const scene::Scene even = loaded(pouring, {"duration_s=0.012"});
+    REQUIRE(ran(even, in(folder.path / "even")).summary.frames == 3);
+    CHECK(ran(even, going_on_in(folder.path / "even")).summary.frames == 3);
+}
+
+TEST_CASE("pictures that are missing or stand beyond the checkpoint are put right") {
+    const Folder folder;
+    const scene::Scene scene = loaded(pouring);
+    run::RunOptions whole = in(folder.path / "whole"), parts = in(folder.path / "parts");
+    whole.pictures = parts.pictures = true;
+    REQUIRE(ran(scene, whole).problems.empty());
+    REQUIRE(ran(scene, parts, 700).problems.empty());
+    fs::remove(parts.folder / "pictures" / "frame_000001.png");
+    for (const char* name : {"pictures/frame_000005.png", "pictures/frame_000006.png.part",
+                             "frames/frame_000006.tumble", "frames/frame_000009.tumble.part", "state/x.ckpt.part"})
+        put(parts.folder / name, "of a run that was killed");
+    put(parts.folder / "series.csv", content_of(parts.folder / "series.csv") + "0.9,1,2\n0.99,");
+    CHECK(ran(scene, going_on_in(parts.folder)).problems.empty());
+    check_same_run(whole.folder, parts.folder);
+}
+
+TEST_CASE("of two checkpoints the older is taken when the newer is damaged, with a word") {
+    const Folder folder;
+    const scene::Scene scene = loaded(pouring);
+    REQUIRE(ran(scene, in(folder.path / "whole")).problems.empty());
+    const fs::path parts = folder.path / "parts";
+    REQUIRE(ran(scene, in(parts), 1000).problems.empty());
+    REQUIRE(run::list_checkpoints(parts / "state").size() == 2);
+    const fs::path file = newest(parts);
+    const std::string good = content_of(file);
+    std::string bad = good, said;
+    SUBCASE("cut off") {
+        bad.resize(good.size() / 2);
+        said = "is cut off or was changed: its checksum does not fit";
+    }
+    SUBCASE("empty") {
+        bad.clear();
+        said = "is no tumble file (its first eight bytes differ)";
+    }
+    SUBCASE("one bit changed") {
+        bad[good.size() / 2] = static_cast<char>(bad[good.size() / 2] ^ 4);
+        said = "is cut off or was changed: its checksum does not fit";
+    }
+    SUBCASE("of another version of the format") {
+        bad[8] = 2;
+        said = "has version 2 of the format, this program reads version 1";
+    }
+    SUBCASE("something else") {
+        bad = content_of(parts / "frames" / "frame_000000.tumble");
+        said = "holds a 'frame', not a 'checkpoint'";
+    }
+    put(file, bad);
+    const Outcome outcome = ran(scene, going_on_in(parts));
+    CHECK(outcome.summary.state == "finished");
+    REQUIRE_FALSE(outcome.heard.empty());
+    CHECK(outcome.heard[0] == "a newer checkpoint was left out: " + file.filename().string() + ": " + said);
+    check_same_run(folder.path / "whole", parts);
+}
+
+TEST_CASE("without a checkpoint that can be used a resume is refused, and the folder stays as it is") {
+    const Folder folder;
+    const scene::Scene scene = loaded(pouring);
+    const fs::path place = folder.path / "pour";
+    REQUIRE(ran(scene, in(place), 1000).problems.empty());
+    const std::string series = content_of(place / "series.csv");
+    SUBCASE("both damaged") {
+        for (const fs::path& file : run::list_checkpoints(place / "state"))
+            put(file, "x");
+        CHECK(ran(scene, going_on_in(place)).problems.size() == 2);
+    }
+    SUBCASE("of a program that keeps other things") {
+        for (const fs::path& file : run::list_checkpoints(place / "state")) {
+            auto content = observe::from_bytes(content_of(file), "checkpoint", file);
+            REQUIRE(content.ok());
+            content->head["layout"] = "0";
+            content->head["version"] = "9.9";
+            put(file, observe::to_bytes(*content));
+        }
+        const Problems problems = ran(scene, going_on_in(place)).problems;
+        REQUIRE(problems.size() == 2);
+        CHECK(problems[0].what.starts_with("was written by version '9.9' of the program, this is version '"));
+        CHECK(problems[0].fix == "go on with the program that wrote it, or run the scene again");
+    }
+    SUBCASE("none at all") {
+        fs::remove_all(place / "state");
+        const Problems problems = ran(scene, going_on_in(place)).problems;
+        REQUIRE(problems.size() == 1);
+        CHECK(problems[0].what == "holds no checkpoint to go on from");
+    }
+    SUBCASE("of the other solver") {
+        const Problems problems = ran(loaded(raining), going_on_in(place)).problems;
+        REQUIRE_FALSE(problems.empty());
+        CHECK(to_string(problems).find("dimension was 3 and is now 2") != std::string::npos);
+    }
+    SUBCASE("rows of the series are gone") {
+        put(place / "series.csv", series.substr(0, 100));
+        for (const fs::path& file : run::list_checkpoints(place / "state"))
+            if (file != newest(place))
+                fs::remove(file);
+        const Problems problems = ran(scene, going_on_in(place)).problems;
+        REQUIRE(problems.size() == 1);
+        CHECK(problems[0].what == "counts on rows of series.csv that are not there");
+        put(place / "series.csv", series);
+    }
+    CHECK(content_of(place / "series.csv") == series);
+    CHECK_FALSE(fs::exists(place / ".reserve"));
+}
+
+TEST_CASE("a scene that was changed is refused with what changed, unless told to go on") {
+    const Folder folder;
+    const fs::path place = folder.path / "pour";
+    REQUIRE(ran(loaded(pouring), in(place), 500).problems.empty());
+    const auto refused = [&](const std::string& set) {
+        const Outcome outcome = ran(loaded(pouring, {set}), going_on_in(place));
+        REQUIRE(outcome.problems.size() == 1);
+        return outcome.problems[0];
+    };
+    const Problem friction = refused("pair.glass-glass.friction=0.2");
+    CHECK(friction.what.starts_with("the scene was changed after t = "));
+    CHECK(friction.what.ends_with("s: pair.glass-glass.friction was 0.4 and is now 0.2"));
+    CHECK(friction.fix == "put it back, or say --accept-changes to go on with it as it is now");
+    for (const char* set : {"time_step_s=1e-5", "material.glass.density_kg_m3=2400", "fill.0.count=50",
+                            "observe.measures=[\"kinetic\"]", "seed=6", "wall.left.point_m=[0, 0, -0.019]"})
+        CHECK(refused(set).fix ==
+              "put it back: this cannot change in the midst of a run; --out DIR runs the new scene elsewhere");
+
+    run::RunOptions told = going_on_in(place);
+    told.accept_changes = true;
+    const scene::Scene changed = loaded(pouring, {"pair.glass-glass.friction=0.2", "title=\"Other\""});
+    CHECK(ran(loaded(pouring, {"seed=6"}), told).problems.size() == 1);
+    CHECK(ran(changed, told).summary.state == "finished");
+    CHECK(summary_in(place)["resumed"][0]["changes"] ==
+          nlohmann::json::array({"pair.glass-glass.friction was 0.4 and is now 0.2"}));
+    CHECK(content_of(place / "scene.toml").find("friction = 0.2") != std::string::npos);
+}
+
+TEST_CASE("how long a run is and what is drawn may change freely") {
+    const Folder folder;
+    const fs::path place = folder.path / "pour";
+    REQUIRE(ran(loaded(pouring), in(place), 500).problems.empty());
+    const scene::Scene other = loaded(
+        pouring, {"render.every_s=0.002", "render.background=\"white\"", "duration_s=0.03", "observe.every_s=0.0005"});
+    const Outcome outcome = ran(other, going_on_in(place));
+    CHECK_MESSAGE(outcome.summary.state == "finished", to_string(outcome.problems));
+    CHECK(outcome.summary.steps == 1500);
+    const auto layout = observe::read_layout(observe::layout_path(place / "frames"));
+    REQUIRE(layout.ok());
+    double last = -1;
+    for (const fs::path& file : observe::list_frames(place / "frames")) {
+        const auto frame = observe::read_frame(file, *layout);
+        REQUIRE(frame.ok());
+        CHECK(frame->time > last);
+        last = frame->time;
+    }
+}
+
+TEST_CASE("a resume begins where there is no run, or one that was killed before its first checkpoint") {
+    const Folder folder;
+    const scene::Scene scene = loaded(pouring);
+    REQUIRE(ran(scene, in(folder.path / "whole")).problems.empty());
+    CHECK(ran(scene, going_on_in(folder.path / "fresh")).summary.state == "finished");
+    check_same_run(folder.path / "whole", folder.path / "fresh");
+
+    const fs::path killed = folder.path / "killed";
+    REQUIRE(ran(scene, in(killed), 0).problems.empty());
+    fs::remove_all(killed / "state");
+    put(killed / ".reserve", "");
+    CHECK(ran(scene, going_on_in(killed)).summary.state == "finished");
+    check_same_run(folder.path / "whole", killed);
+
+    fs::create_directory(folder.path / "mine");
+    put(folder.path / "mine" / "notes.txt", "mine");
+    CHECK(ran(scene, going_on_in(folder.path / "mine")).problems.size() == 1);
+    CHECK(content_of(folder.path / "mine" / "notes.txt") == "mine");
+}
+
+TEST_CASE("a folder in which a run is going on is refused to a second one") {
+    const Folder folder;
+    const scene::Scene scene = loaded(pouring);
+    struct Second : run::RunListener {
+        const scene::Scene* scene = nullptr;
+        fs::path place;
+        Problems resumed, forced;
+        void progressed(const run::Progress& now) override {
+            if (now.step < 1000 || !resumed.empty())
+                return;
+            run::RunListener silent;
+            run::RunOptions options = going_on_in(place);
+            resumed = run::run_scene(*scene, options, silent).problems();
+            options.resume = false;
+            options.overwrite = true;
+            forced = run::run_scene(*scene, options, silent).problems();
+        }
+    } second;
+    second.scene = &scene;
+    second.place = folder.path / "pour";
+    const auto first = run::run_scene(scene, in(second.place), second);
+    REQUIRE(first.ok());
+    CHECK(first->state == "finished");
+    for (const Problems& problems : {second.resumed, second.forced}) {
+        REQUIRE(problems.size() == 1);
+        CHECK(problems[0].what == "another run is going on in this folder");
+    }
+    REQUIRE(ran(scene, in(folder.path / "alone")).problems.empty());
+    check_same_run(folder.path / "alone", second.place);
+}
+
+namespace {
+
+std::atomic<int> writes{0};
+std::atomic<int> first_failure{0};
+std::atomic<int> error_given{0};
+
+/// Works as write(2) up to a call, and from then on puts down half of what it is given, and then nothing.
+ssize_t failing_write(int file, const void* bytes, std::size_t count) {
+    const int number = writes++;
+    if (number < first_failure)
+        return ::write(file, bytes, count);
+    if (number == first_failure && count > 1)
+        return ::write(file, bytes, count / 2);
+    errno = error_given;
+    return -1;
+}
+
+ssize_t short_write(int file, const void* bytes, std::size_t count) {
+    return ::write(file, bytes, std::min<std::size_t>(count, 1000));
+}
+
+/// For as long as it lives.
+struct Through {
+    explicit Through(WriteCall call) { write_through(call); }
+    Through(const Through&) = delete;
+    Through& operator=(const Through&) = delete;
+    ~Through() { write_through(nullptr); }
+};
+
+} // namespace
+
+TEST_CASE("whichever write fails first, the run is resumed later to the same bits") {
+    const Folder folder;
+    const scene::Scene scene = loaded(pouring);
+    run::RunOptions options = in(folder.path / "whole");
+    options.checkpoint_every = 1e-9;
+    first_failure = never;
+    writes = 0;
+    {
+        const Through counted(failing_write);
+        REQUIRE(ran(scene, options).summary.state == "finished");
+    }
+    const int all = writes;
+    REQUIRE(all > 60);
+    for (int k = 0; k < 24; ++k) {
+        const fs::path place = folder.path / std::to_string(k);
+        options.folder = place;
+        error_given = k % 2 == 0 ? ENOSPC : EIO;
+        first_failure = k < 12 ? k : all * (k - 11) / 13; // each of the first, and some of all the others
+        writes = 0;
+        {
+            const Through broken(failing_write);
+            (void)ran(scene, options); // refused, failed, or finished with a warning
+        }
+        const Outcome outcome = ran(scene, going_on_in(place));
+        CHECK_MESSAGE(outcome.summary.state == "finished", k << ": " << to_string(outcome.problems));
+        check_same_run(folder.path / "whole", place);
+        fs::remove_all(place);
+    }
+}
+
+TEST_CASE("writes that the system cuts short change nothing") {
+    const Folder folder;
+    const scene::Scene scene = loaded(pouring);
+    REQUIRE(ran(scene, in(folder.path / "whole")).problems.empty());
+    {
+        const Through pieces(short_write);
+        REQUIRE(ran(scene, in(folder.path / "pieces"), 1000).problems.empty());
+        REQUIRE(ran(scene, going_on_in(folder.path / "pieces")).problems.empty());
+    }
+    check_same_run(folder.path / "whole", folder.path / "pieces");
+}
+
+TEST_CASE("a checkpoint that cannot be written is told of once, and the run goes on") {
+    const Folder folder;
+    const scene::Scene scene = loaded(pouring);
+    run::RunOptions options = in(folder.path / "pour");
+    options.checkpoint_every = 1e-9;
+    struct Spoiler : Stopper {
+        Spoiler() : Stopper(never) {}
+        fs::path place;
+        void progressed(const run::Progress& now) override {
+            if (now.step < 1000 || fs::is_regular_file(place / "state"))
+                return;
+            fs::rename(place / "state", place / "kept");
+            put(place / "state", "in the way");
+        }
+    } spoiler;
+    spoiler.place = options.folder;
+    const auto summary = run::run_scene(scene, options, spoiler);
+    REQUIRE(summary.ok());
+    CHECK(summary->state == "finished");
+    const std::string told = "no checkpoint could be written at t = 0.02";
+    CHECK(std::count_if(spoiler.heard.begin(), spoiler.heard.end(),
+                        [&](const std::string& sentence) { return sentence.starts_with(told); }) == 1);
+    CHECK(summary->warnings == spoiler.heard);
+}

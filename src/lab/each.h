@@ -9,6 +9,7 @@ Experiment drop();
 Experiment oblique();
 Experiment slide();
 Experiment roll();
+Experiment roll_out();
 Experiment spin_down();
 Experiment plate();
 Experiment press();

@@ -15,8 +15,9 @@ std::string Recording::csv() const {
 }
 
 const std::vector<Experiment>& all_experiments() {
-    static const std::vector<Experiment> experiments{drop(),  oblique(), slide(), roll(),   spin_down(), plate(),
-                                                     press(), tension(), weigh(), repose(), sensor(),    thesis()};
+    static const std::vector<Experiment> experiments{drop(),      oblique(), slide(), roll(),    roll_out(),
+                                                     spin_down(), plate(),   press(), tension(), weigh(),
+                                                     repose(),    sensor(),  thesis()};
     return experiments;
 }
 

@@ -24,6 +24,13 @@ TEST_CASE("rebound heights give the restitution that the contact law was given, 
     CHECK(two.recordings[1].rows[100][1] == doctest::Approx(0.8 - 9.81 / 2 * 0.01).epsilon(0.001));
 }
 
+TEST_CASE("air takes what the closed form says, much from a light ball, and one height would call it restitution") {
+    const Outcome outcome =
+        performed("drop", {{"heights", "2"}, {"bounces", "1"}, {"density_kg_m3", "30"}, {"air_density_kg_m3", "1.2"}});
+    CHECK(outcome.sheet.fact("worst_height") < 0.01);
+    CHECK(outcome.sheet.fact("worst_restitution") > 0.02);
+}
+
 TEST_CASE("where an oblique impact slides, friction takes what Coulomb says, whatever the angle") {
     const Outcome outcome = performed("oblique", {{"angles", "3"}, {"lowest_deg", "60"}, {"restitution", "0.98"}});
     CHECK(outcome.sheet.fact("worst_sliding") < 0.002);

@@ -26,6 +26,13 @@ TEST_CASE("a ball rolls down with 5/7 g sin(slope) and slips beyond tan(slope) =
     CHECK(std::abs(tilted.sheet.fact("bench_tilt")) == doctest::Approx(1).epsilon(0.02));
 }
 
+TEST_CASE("a ball that rolls out gives its rolling resistance, and a bench that is off level apart from it") {
+    const Outcome outcome = performed("roll-out", {{"bench_tilt_deg", "0.2"}});
+    CHECK(outcome.sheet.fact("rolling_friction") / 0.02 == doctest::Approx(1).epsilon(0.01));
+    CHECK(std::abs(outcome.sheet.fact("bench_tilt")) / 0.2 == doctest::Approx(1).epsilon(0.02));
+    CHECK(outcome.sheet.fact("dry_is_best") == 1);
+}
+
 TEST_CASE("dry friction slows a spinning tripod at a constant rate, and the record says so") {
     const Outcome outcome = performed("spin-down");
     CHECK(outcome.sheet.fact("slowing") == doctest::Approx(outcome.sheet.fact("slowing_theory")).epsilon(0.01));

@@ -68,3 +68,20 @@ TEST_CASE("a full disk, a missing folder and a wrong row are problems") {
     CHECK(full.problems()[0].what == "cannot be written: No space left on device");
     CHECK_FALSE(observe::read_series(folder.path / "none.csv").ok());
 }
+
+TEST_CASE("a series goes on behind the rows that it is said to have, and only under its own head") {
+    const Folder folder;
+    const auto file = folder.path / "s.csv";
+    put(file, "time_s,x_m\n0,1\n0.1,2\n0.2,3\n0.3,");
+    {
+        auto writer = observe::SeriesWriter::go_on(file, {"time_s", "x_m"}, 21);
+        REQUIRE(writer.ok());
+        REQUIRE(writer->write({0.5, 7}).ok());
+        CHECK(writer->size() == 27);
+    }
+    CHECK(content_of(file) == "time_s,x_m\n0,1\n0.1,2\n0.5,7\n");
+    CHECK_FALSE(observe::SeriesWriter::go_on(file, {"time_s", "x_m"}, 100).ok()); // shorter than that
+    CHECK_FALSE(observe::SeriesWriter::go_on(file, {"time_s", "y_m"}, 15).ok());
+    CHECK_FALSE(observe::SeriesWriter::go_on(folder.path / "none.csv", {"time_s"}, 7).ok());
+    CHECK(content_of(file).size() == 27);
+}

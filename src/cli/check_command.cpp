@@ -56,13 +56,11 @@ std::string step_text(const scene::TimeStepReport& report) {
         return scale > 0 ? fmt::format("{:.1f} %", 100 * report.step / scale) : "-";
     };
     std::vector<std::vector<std::string>> rows{{"time step", format_si(report.step, "s", 4), "", ""}};
-    if (std::isfinite(report.limit))
+    if (report.body_period > 0) { // something can touch
         rows.push_back({"stable limit", format_si(report.limit, "s", 4), share(report.limit), ""});
-    else
-        rows.push_back({"stable limit", "none", "", ""});
-    if (report.body_period > 0)
         rows.push_back(
             {"body on contact", format_si(report.body_period, "s", 4), share(report.body_period), report.body_of});
+    }
     if (report.rayleigh > 0)
         rows.push_back(
             {"Rayleigh time", format_si(report.rayleigh, "s", 4), share(report.rayleigh), report.rayleigh_of});

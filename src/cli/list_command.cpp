@@ -1,6 +1,7 @@
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "diagnose/cause.h"
 #include "observe/measures.h"
 #include "scene/keys.h"
 #include "scene/load.h"
@@ -107,15 +108,30 @@ int list_keys(const ListArguments& arguments) {
     return show(items, {"table", "key", "default", "sentence"}, arguments.json);
 }
 
+int list_causes(const ListArguments& arguments) {
+    Json items = Json::array();
+    for (const diagnose::Cause& cause : diagnose::all_causes())
+        items.push_back({{"id", cause.id},
+                         {"family", cause.family},
+                         {"parameter", cause.symbol},
+                         {"unit", cause.unit},
+                         {"range", fmt::format("{:g} to {:g}", cause.lo, cause.hi)},
+                         {"sets", cause.keys},
+                         {"name", cause.name},
+                         {"fingerprint", cause.look}});
+    return show(items, {"id", "family", "name", "fingerprint"}, arguments.json);
+}
+
 } // namespace
 
 void add_list_command(CLI::App& program, Action& action) {
-    CLI::App* command = program.add_subcommand("list", "Example: tumble list measures\n\n"
-                                                       "Lists what can be named: scenes, laws, measures, keys.");
+    CLI::App* command =
+        program.add_subcommand("list", "Example: tumble list measures\n\n"
+                                       "Lists what can be named: scenes, laws, measures, causes, keys.");
     const auto arguments = std::make_shared<ListArguments>();
-    command->add_option("WHAT", arguments->what, "scenes, laws, measures or keys")
+    command->add_option("WHAT", arguments->what, "scenes, laws, measures, causes or keys")
         ->required()
-        ->check(CLI::IsMember({"scenes", "laws", "measures", "keys"}));
+        ->check(CLI::IsMember({"scenes", "laws", "measures", "causes", "keys"}));
     command->add_option("DIR", arguments->folder, "Folder with scenes; scenes/ without it");
     command->add_flag("--json", arguments->json, "Print the list as JSON");
     command->callback([arguments, &action] {
@@ -124,6 +140,7 @@ void add_list_command(CLI::App& program, Action& action) {
             return what == "scenes"     ? list_scenes(*arguments)
                    : what == "laws"     ? list_laws(*arguments)
                    : what == "measures" ? list_measures(*arguments)
+                   : what == "causes"   ? list_causes(*arguments)
                                         : list_keys(*arguments);
         };
     });

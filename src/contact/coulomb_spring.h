@@ -33,18 +33,18 @@ TUMBLE_INLINE TangentialPush<Real> limited_spring(const Vec3<Real>& normal, cons
     const Vec3<Real> rate_now = rate + push.force * half_kick;
     push.lost_damping = c * dot(rate, rate_now) * dt;
     const Real after = cut * stretch;
-    push.lost_sliding = stiffness * after * (stretch - after);
+    // What is cut off slid under the mean of the forces before and after: second order also where the limit moves.
+    push.lost_sliding = Real(0.5) * stiffness * (dot(kept, trial) + after * stretch) * (Real(1.0) - cut);
     push.memory.energy = Real(0.5) * stiffness * after * after;
     push.lost_history = memory.energy - Real(0.5) * stiffness * dot(kept, kept);
     return push;
 }
 
-/// Tangential spring and dashpot under Coulomb's limit (N, friction * |normal force|). A sphere shows tangentially 2/7
-/// of m*.
+/// Tangential spring and dashpot under Coulomb's limit (N, friction * |normal force|).
 template <class Real>
 TUMBLE_INLINE TangentialPush<Real> coulomb_spring(const Touch<Real>& touch, const Vec3<Real>& slip_rate, Real limit,
                                                   Real stiffness, Real damping, const Memory<Real>& memory, Real dt) {
-    const Real half_kick = Real(0.5 * 7.0 / 2.0) * (dt / touch.mass);
+    const Real half_kick = Real(0.5) * touch.slip_mobility * (dt / touch.mass);
     return limited_spring(touch.normal, slip_rate, limit, stiffness, damping, memory, half_kick, dt);
 }
 

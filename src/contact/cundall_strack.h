@@ -96,10 +96,10 @@ private:
         const Real viscous = c * touch.shear_rate;
         push.shear = held + viscous;
         push.memory.shear = held;
-        const Real after = larger(held, -held);
         const Real compliance = Real(1.0) / k;
-        push.memory.energy = Real(0.5) * after * after * compliance;
-        push.lost_sliding = after * (size - after) * compliance;
+        push.memory.energy = Real(0.5) * held * held * compliance;
+        // What is cut off slid under the mean of the forces before and after: second order also where the limit moves.
+        push.lost_sliding = Real(0.5) * (memory.shear + held) * (trial - held) * compliance;
         push.lost_shear_damping = viscous * (touch.shear_rate - Real(3.0) * half_kick * push.shear) * dt;
     }
 

@@ -7,8 +7,8 @@
 
 namespace tumble::contact {
 
-/// The laws of spheres, Hertz with Mindlin or without friction, for spheres of the discs' radii that stay in a plane:
-/// the same functions as in three dimensions, asked along e and t.
+/// The laws of spheres, Hertz with Mindlin or without friction, between discs: overlaps answer as those of spheres of
+/// the discs' radii, mass and inertia stay the discs'. The same functions as in three dimensions, asked along e and t.
 template <class Tangential> class HertzDiscs {
 public:
     HertzDiscs(const PairConstants& pair, bool limit_force) : pair_(pair), limit_force_(limit_force) {}
@@ -25,7 +25,7 @@ public:
                                       Real share, Real dt) const {
         const Real none(0.0);
         const Vec3<Real> across{none, Real(1.0), none};
-        const Touch<Real> seen{touch.overlap, across, {none, none, none}, touch.radius, touch.mass, share};
+        const Touch<Real> seen{touch.overlap, across, {none, none, none}, touch.radius, touch.mass, share, Real(3.0)};
         const NormalPush<Real> normal = Hertz::push(seen, -touch.normal_rate, pair_);
         const Real sum = normal.elastic + normal.viscous;
         DiscPush<Real> push;

@@ -6,8 +6,8 @@
 
 namespace tumble::contact {
 
-/// Linear spring-dashpot (Cundall and Strack 1979): F = k d - c v with c = 2 |beta| sqrt(k m*), so that restitution is
-/// the given one at every speed.
+/// Linear spring-dashpot: F = k d - c v. Cundall and Strack 1979 take c in proportion to k; here c = 2 |beta| sqrt(k
+/// m*), the damped oscillator's, so that restitution is the given one at every speed.
 struct LinearNormal {
     template <class Real>
     TUMBLE_INLINE static NormalPush<Real> push(const Touch<Real>& touch, Real normal_rate, const PairConstants& pair) {

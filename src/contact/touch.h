@@ -12,6 +12,8 @@ template <class Real> struct Touch {
     Real radius;         // m, R* = Ra Rb / (Ra + Rb); a wall leaves Ra
     Real mass;           // kg, m* of the two bodies; a wall leaves a's
     Real damping_share;  // -, 1, or 1/sqrt(n) where n contacts of one body pair share the damping
+    // m* times how fast a force along the surfaces speeds up their slip: 1 + m R^2 / I of spheres, 3 of discs.
+    Real slip_mobility = Real(3.5);
 };
 
 /// What a contact remembers from step to step.

@@ -1,4 +1,5 @@
 #include "hard2d/step.h"
+#include "scene/written.h"
 
 #include <box2d/b2_circle_shape.h>
 #include <box2d/b2_fixture.h>
@@ -10,10 +11,6 @@ namespace tumble::hard2d {
 namespace {
 
 using Eigen::Vector2d;
-
-Problem scene_problem(const scene::Scene& scene, std::string key, std::string what, std::string fix) {
-    return {scene.file.string(), 0, 0, std::move(key), std::move(what), std::move(fix)};
-}
 
 void open_box(World& world) {
     const scene::Scene& scene = world.scene;
@@ -28,8 +25,8 @@ void open_box(World& world) {
 Problems check_sides(const scene::Scene& scene) {
     for (int k = 0; k < 2; ++k)
         if (scene.domain.periodic[static_cast<std::size_t>(k)])
-            return {scene_problem(scene, "domain.periodic", "solver = \"box2d\" knows no periodic sides",
-                                  "close the sides with walls, or write solver = \"soft\"")};
+            return {scene::problem_about(scene, "domain.periodic", "solver = \"box2d\" knows no periodic sides",
+                                         "close the sides with walls, or write solver = \"soft\"")};
     return {};
 }
 
@@ -42,12 +39,12 @@ Problems check_walls(const World& world) {
         const double speed = scene::speed_bound(wall.motion, {middle.x(), middle.y(), 0}, reach);
         const double most = b2_maxTranslation / (world.units.length * world.dt);
         if (speed > most)
-            return {
-                scene_problem(scene, "wall." + wall.name,
-                              fmt::format("wall '{}' moves at up to {:.4g} m/s, and Box2D moves nothing further than "
-                                          "twice the smallest radius in a step: {:.4g} m/s",
-                                          wall.name, speed, most),
-                              "shorten box2d.time_step_s")};
+            return {scene::problem_about(
+                scene, "wall." + wall.name,
+                fmt::format("wall '{}' moves at up to {:.4g} m/s, and Box2D moves nothing further than "
+                            "twice the smallest radius in a step: {:.4g} m/s",
+                            wall.name, speed, most),
+                "shorten box2d.time_step_s")};
     }
     return {};
 }
@@ -71,7 +68,7 @@ std::optional<Problem> insert_due_fills(World& world) {
 
 std::optional<Problem> refuse(const World& world, const BodyState& state, std::size_t number) {
     const auto problem = [&](const std::string& what, const std::string& fix) {
-        return scene_problem(world.scene, "", fmt::format("body {} to insert {}", number + 1, what), fix);
+        return scene::problem_about(world.scene, "", fmt::format("body {} to insert {}", number + 1, what), fix);
     };
     if (state.shape < 0 || state.shape >= static_cast<int>(world.shapes.size()))
         return problem(fmt::format("names shape {}, of {}", state.shape, world.shapes.size()), "give an index from 0");

@@ -3,8 +3,10 @@
 #include "lesson/each.h"
 #include "lesson/rig.h"
 
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 
 namespace tumble::lesson {
 
@@ -92,17 +94,42 @@ void press(Walk& walk, const Setup& s) {
 }
 
 /// The first point where the shear force stays behind its spring, m.
-double yield_of(const Trace& trace, double stiffness) {
+std::optional<double> yield_of(const Trace& trace, double stiffness) {
     for (std::size_t k = steps; k < trace.place.size(); ++k)
         if (stiffness * trace.place[k].shear - trace.shear[k] > 1e-9 * stiffness * trace.place[k].shear)
             return trace.place[k].shear;
-    return trace.place.back().shear;
+    return std::nullopt;
+}
+
+/// Drawn along once, in steps short enough for the spring to be seen before it gives.
+void first_draw(Walk& walk, const Setup& s, double limit, double yield) {
+    const double way = yield > 0 ? std::min(s.width, 1.25 * yield) : s.width;
+    const Trace first = s.drag_hertz({{0, 0}, {s.depth, 0}, {s.depth, way}});
+    const double slope = first.shear[steps] / first.place[steps].shear;
+    const std::optional<double> slides = yield_of(first, s.shear_stiffness);
+    Grid grid{{{""}, {"rig"}, {"closed form"}, {"unit"}, {"formula"}}, {}};
+    if (yield > 0)
+        grid.rows.push_back({"slope before the cut", slope, s.shear_stiffness, "N/m", "8 G* √(R* δ)"});
+    grid.rows.push_back({"largest shear force", first.shear.back(), std::min(limit, s.shear_stiffness * s.width), "N",
+                         slides ? "μ F_n" : "κ_s s"});
+    if (slides && yield > 0)
+        grid.rows.push_back({"slides from", *slides / micro, yield / micro, "um", "μ F_n / κ_s"});
+    else
+        grid.rows.push_back(
+            {"slides from", slides ? "the start" : "does not slide", yield / micro, "um", "μ F_n / κ_s"});
+    walk.parts.emplace_back(grid);
+    walk.fact("shear_slope", slope, "N/m");
+    walk.fact("shear_limit", first.shear.back(), "N");
+    if (slides)
+        walk.fact("yield", *slides, "m");
 }
 
 void rub(Walk& walk, const Setup& s) {
-    const std::vector<Place> there{{0, 0}, {s.depth, 0}, {s.depth, s.width}};
-    const std::vector<Place> loop{{0, 0}, {s.depth, 0}, {s.depth, s.width}, {s.depth, -s.width}, {s.depth, s.width}};
-    const Trace first = s.drag_hertz(there), hertz = s.drag_hertz(loop), linear = s.drag_linear(loop);
+    const auto loop_at = [&](double depth) -> std::vector<Place> {
+        return {{0, 0}, {depth, 0}, {depth, s.width}, {depth, -s.width}, {depth, s.width}};
+    };
+    const Trace hertz = s.drag_hertz(loop_at(s.depth));
+    const Trace half_hertz = s.drag_hertz(loop_at(s.depth / 2)), half_linear = s.drag_linear(loop_at(s.depth / 2));
     const double limit = s.friction * s.force, yield = limit / s.shear_stiffness;
     walk.head("Draw one along the other, and back");
     walk.say("Pressed in and held there, one grain is now drawn along the other, back past the middle, and forth "
@@ -112,22 +139,23 @@ void rub(Walk& walk, const Setup& s) {
     walk.say("But no contact bears more than Coulomb's limit. What the sum exceeds it by is cut off, and the cut is "
              "what we call sliding:");
     walk.formula("|F_s| ≤ μ F_n", "Cundall and Strack 1979");
-    walk.parts.emplace_back(
-        Grid{{{""}, {"rig"}, {"closed form"}, {"unit"}, {"formula"}},
-             {{"slope before the cut", first.shear[steps] / first.place[steps].shear, s.shear_stiffness, "N/m",
-               "8 G* √(R* δ)"},
-              {"largest shear force", first.shear.back(), std::min(limit, s.shear_stiffness * s.width), "N", "μ F_n"},
-              {"slides from", yield_of(first, s.shear_stiffness) / micro, yield / micro, "um", "μ F_n / κ_s"}}});
+    first_draw(walk, s, limit, yield);
     Figure figure{.name = "shear",
                   .title = "Drawn to and fro under constant load",
                   .x = {"shear displacement", "um"},
                   .y = {"shear force", "N"},
-                  .curves = {{"Hertz and Mindlin", Style::line, {}, {}}, {"linear", Style::dashes, {}, {}}}};
-    for (std::size_t k = steps - 1; k < hertz.place.size(); ++k) {
-        figure.curves[0].add(hertz.place[k].shear / micro, hertz.shear[k]);
-        figure.curves[1].add(linear.place[k].shear / micro, linear.shear[k]);
-    }
+                  .curves = {{fmt::format("both laws, overlap {:.4g} um", s.depth / micro)},
+                             {fmt::format("Hertz and Mindlin, {:.4g} um", s.depth / 2 / micro)},
+                             {fmt::format("linear, {:.4g} um", s.depth / 2 / micro), Style::dashes}}};
+    const std::array<const Trace*, 3> traces{&hertz, &half_hertz, &half_linear};
+    for (std::size_t c = 0; c < traces.size(); ++c)
+        for (std::size_t k = steps - 1; k < traces[c]->place.size(); ++k)
+            figure.curves[c].add(traces[c]->place[k].shear / micro, traces[c]->shear[k]);
     walk.parts.emplace_back(figure);
+    walk.say(
+        "The linear spring is as stiff as Mindlin's at the full overlap, so there both laws draw one loop. Pressed "
+        "half as deep they part: the linear one is as stiff as before and bears half, Mindlin's is softer by √2 "
+        "and bears a part of 1/√8, as the normal force does.");
     // Slid over: width - yield on the first way, twice that on each of the two ways across.
     const double lost = 5 * limit * std::max(0.0, s.width - yield);
     walk.say("Each corner is a change between sticking and sliding. After a reversal the spring must first be "
@@ -138,9 +166,6 @@ void rub(Walk& walk, const Setup& s) {
                                   {"lost to sliding, the law's account", hertz.lost_sliding * micro_J},
                                   {"still in the shear spring", hertz.stored_shear * micro_J},
                                   {"closed form of the loss, 5 μ F_n (s − μ F_n / κ_s)", lost * micro_J}}});
-    walk.fact("shear_slope", first.shear[steps] / first.place[steps].shear, "N/m");
-    walk.fact("shear_limit", first.shear.back(), "N");
-    walk.fact("yield", yield_of(first, s.shear_stiffness), "m");
     walk.fact("loop_loss", hertz.lost_sliding, "J");
     walk.fact("loop_work", hertz.work_shear - hertz.stored_shear, "J");
 }
@@ -152,18 +177,24 @@ void unload(Walk& walk, const Setup& s) {
              "moving back. The limit comes down with the load and takes the shear force along: in the plane of the two "
              "forces a contact lives between two straight lines, and slides when it touches one.");
     Figure figure{.name = "cone",
-                  .title = "Load, shear, unload: never outside the lines",
+                  .title = "Press, draw, let go: never outside the two lines",
                   .x = {"normal force", "N"},
                   .y = {"shear force", "N"},
-                  .curves = {{"linear law", Style::points, {}, {}}, {"μ F_n", Style::dashes, {}, {}}}};
+                  .curves = {{"1 pressed in", Style::points},
+                             {"2 drawn along", Style::points},
+                             {"3 let go", Style::points},
+                             {"μ F_n", Style::dashes, {}, {}, 3},
+                             {"−μ F_n", Style::dashes, {}, {}, 3}}};
     double beyond = 0;
     for (std::size_t k = 0; k < out.place.size(); ++k) {
         if (k % 10 == 0)
-            figure.curves[0].add(out.normal[k], out.shear[k]);
+            figure.curves[k / steps].add(out.normal[k], out.shear[k]);
         beyond = std::max(beyond, std::abs(out.shear[k]) - s.friction * out.normal[k]);
     }
-    figure.curves[1].add(0, 0);
-    figure.curves[1].add(s.force, s.friction * s.force);
+    for (const std::size_t side : {3, 4}) {
+        figure.curves[side].add(0, 0);
+        figure.curves[side].add(s.force, (side == 3 ? 1 : -1) * s.friction * s.force);
+    }
     walk.parts.emplace_back(figure);
     walk.fact("beyond_limit", beyond, "N");
 }

@@ -111,6 +111,8 @@ std::optional<Problem> inclines(Walk& walk, double mu) {
             {slope * degrees, share, block_seen, block_theory(slope, mu), disc_seen, disc_theory(slope, mu)});
         figure.curves[1].add(slope * degrees, block_seen);
         figure.curves[3].add(slope * degrees, disc_seen);
+        walk.fact(fmt::format("block_at_{}", share), block_seen, "m/s2");
+        walk.fact(fmt::format("disc_at_{}", share), disc_seen, "m/s2");
         worst = std::max({worst, std::abs(block_seen - block_theory(slope, mu)) / g,
                           std::abs(disc_seen - disc_theory(slope, mu)) / g});
     }
@@ -124,7 +126,6 @@ std::optional<Problem> inclines(Walk& walk, double mu) {
     walk.say(fmt::format("Theory and solver differ by at most {:.1g} of g. The thesis finds the coefficients of its "
                          "media in the same way, by tilting a plane until a particle begins to slide (figure 4.7).",
                          worst));
-    walk.fact("worst_acceleration", worst);
     return std::nullopt;
 }
 
@@ -169,10 +170,12 @@ std::optional<Problem> slip_to_roll(Walk& walk, double mu, double speed) {
                          "rolls, and friction is not needed any more:",
                          speed));
     walk.formula("m v' = −μ m g,   m R²/2 ω' = −μ m g R   →   rolls from t = v₀ / (3 μ g) on with 2/3 v₀");
+    // Looked at once a millisecond: the last two looks while it slips say when the lowest point comes to rest.
     double rolls_from = seen->time.back();
-    for (std::size_t k = 0; k < seen->time.size(); ++k)
+    for (std::size_t k = 2; k < seen->time.size(); ++k)
         if (seen->surface[k] < 1e-3 * speed) {
-            rolls_from = seen->time[k];
+            const double lost = (seen->surface[k - 2] - seen->surface[k - 1]) / (seen->time[k - 1] - seen->time[k - 2]);
+            rolls_from = seen->time[k - 1] + seen->surface[k - 1] / lost;
             break;
         }
     walk.parts.emplace_back(

@@ -2,6 +2,7 @@
 #include "lesson/stage.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -114,12 +115,12 @@ void first_steps(Walk& walk, const Setup& s, const Path& seen) {
     walk.parts.emplace_back(Grid{columns,
                                  {{"overlap at A", "(3.10)", n_1, seen.n_a(1), "m"},
                                   {"overlap at C", "(3.10)", n_1, seen.n_c(1), "m"},
-                                  {"force on X", "(3.12)", f_x, s.m_x * x_seen / dt, "N"},
-                                  {"force on Y", "(3.12)", f_y, s.m_y * y_seen / dt, "N"},
-                                  {"acceleration of X", "(3.13)", f_x / s.m_x, x_seen / dt, "m/s2"},
-                                  {"acceleration of Y", "(3.13)", f_y / s.m_y, y_seen / dt, "m/s2"},
-                                  {"velocity of X", "(3.14)", x_1, x_seen, "m/s"},
-                                  {"velocity of Y", "(3.14)", y_1, y_seen, "m/s"}}});
+                                  {"force on X at t1", "(3.12)", f_x, s.m_x * x_seen / dt, "N"},
+                                  {"force on Y at t1", "(3.12)", f_y, s.m_y * y_seen / dt, "N"},
+                                  {"acceleration of X at t1", "(3.13)", f_x / s.m_x, x_seen / dt, "m/s2"},
+                                  {"acceleration of Y at t1", "(3.13)", f_y / s.m_y, y_seen / dt, "m/s2"},
+                                  {"velocity of X, t1 to t2", "(3.14)", x_1, x_seen, "m/s"},
+                                  {"velocity of Y, t1 to t2", "(3.14)", y_1, y_seen, "m/s"}}});
     walk.say("The solver's column is read off its positions: overlaps as differences of places, velocities as "
              "differences over a step, forces as mass times acceleration.");
 
@@ -131,15 +132,15 @@ void first_steps(Walk& walk, const Setup& s, const Path& seen) {
                                   {"growth at B", "(3.16)", n_b, seen.n_b(2) - seen.n_b(1), "m"},
                                   {"growth at C", "(3.17)", n_c, seen.n_c(2) - seen.n_c(1), "m"}}});
 
-    walk.head("t3: increments add up");
-    walk.say(
-        "Forces are sums of all increments so far (3.27), and each disc now feels two contacts, one from either side:");
+    walk.head("t2 to t3: increments add up");
+    walk.say("Forces are sums of all increments so far (3.27). At t2 each disc feels two contacts, one from either "
+             "side, and what they say holds for the velocity until t3:");
     const double f_x2 = s.k * (n_1 + n_a - n_b), f_y2 = s.k * (n_b - n_1 - n_c);
     walk.parts.emplace_back(Grid{columns,
-                                 {{"force on X", "(3.27)", f_x2, s.m_x * (rate(seen.x, 2) - x_seen) / dt, "N"},
-                                  {"force on Y", "(3.27)", f_y2, s.m_y * (rate(seen.y, 2) - y_seen) / dt, "N"},
-                                  {"velocity of X", "", x_1 + f_x2 / s.m_x * dt, rate(seen.x, 2), "m/s"},
-                                  {"velocity of Y", "", y_1 + f_y2 / s.m_y * dt, rate(seen.y, 2), "m/s"}}});
+                                 {{"force on X at t2", "(3.27)", f_x2, s.m_x * (rate(seen.x, 2) - x_seen) / dt, "N"},
+                                  {"force on Y at t2", "(3.27)", f_y2, s.m_y * (rate(seen.y, 2) - y_seen) / dt, "N"},
+                                  {"velocity of X, t2 to t3", "", x_1 + f_x2 / s.m_x * dt, rate(seen.x, 2), "m/s"},
+                                  {"velocity of Y, t2 to t3", "", y_1 + f_y2 / s.m_y * dt, rate(seen.y, 2), "m/s"}}});
     walk.fact("overlap_a_t1", seen.n_a(1), "m");
     walk.fact("velocity_x_t1", x_seen, "m/s");
     walk.fact("growth_a_t2", seen.n_a(2) - seen.n_a(1), "m");
@@ -148,30 +149,36 @@ void first_steps(Walk& walk, const Setup& s, const Path& seen) {
     walk.fact("force_x_t2", s.m_x * (rate(seen.x, 2) - x_seen) / dt, "N");
 }
 
-Figure force_figure(const Setup& s, const Path& seen, const Path& fine, int finer) {
-    Figure figure{.name = "forces",
-                  .title = "Forces of the three contacts",
-                  .x = {"time", "s"},
-                  .y = {"force", "N"},
-                  .curves = {}};
+/// Forces of the three contacts, and by how much they differ from those of a step `finer` times shorter.
+std::array<Figure, 2> force_figures(const Setup& s, const Path& seen, const Path& fine, std::size_t finer) {
+    const Axis time{"time", "s"};
+    Figure forces{.name = "forces", .title = "Forces of the three contacts", .x = time, .y = {"force", "N"}};
+    Figure error{.name = "error",
+                 .title = fmt::format("What a step {} times shorter changes", finer),
+                 .x = time,
+                 .y = {"force, less that of the short step", "N"}};
     using Overlap = double (Path::*)(std::size_t) const;
     const std::vector<std::pair<const char*, Overlap>> contacts{
         {"A", &Path::n_a}, {"B", &Path::n_b}, {"C", &Path::n_c}};
     for (const auto& [name, overlap] : contacts) {
-        Curve curve{fmt::format("{}, solver", name), Style::points};
-        curve.color = figure.curves.size();
-        for (std::size_t k = 0; k < seen.x.size(); ++k)
-            curve.add(static_cast<double>(k) * s.dt, s.k * std::max((seen.*overlap)(k), 0.0));
-        figure.curves.push_back(std::move(curve));
+        const auto force = [&](const Path& path, std::size_t k) { return s.k * std::max((path.*overlap)(k), 0.0); };
+        Curve curve{name}, difference{name};
+        for (std::size_t k = 0; k < seen.x.size(); ++k) {
+            curve.add(static_cast<double>(k) * s.dt, force(seen, k));
+            difference.add(static_cast<double>(k) * s.dt, force(seen, k) - force(fine, k * finer));
+        }
+        forces.curves.push_back(std::move(curve));
+        error.curves.push_back(std::move(difference));
     }
-    for (const auto& [name, overlap] : contacts) {
-        Curve curve{fmt::format("{}, step Δt/{}", name, finer)};
-        curve.color = figure.curves.size() - contacts.size();
-        for (std::size_t k = 0; k < fine.x.size(); k += 5)
-            curve.add(static_cast<double>(k) * s.dt / finer, s.k * std::max((fine.*overlap)(k), 0.0));
-        figure.curves.push_back(std::move(curve));
-    }
-    return figure;
+    return {forces, error};
+}
+
+double largest(const Figure& figure) {
+    double size = 0;
+    for (const Curve& curve : figure.curves)
+        for (const double y : curve.y)
+            size = std::max(size, std::abs(y));
+    return size;
 }
 
 Figure path_figure(const Setup& s, const Path& seen) {
@@ -219,20 +226,23 @@ Result<Walk> teach(const Values& values) {
     first_steps(walk, setup, *seen);
 
     walk.head("And so on");
-    constexpr int finer = 100;
+    constexpr std::size_t finer = 100;
     const Path hand = by_hand(setup, setup.dt, cycles);
-    const Path fine = by_hand(setup, setup.dt / finer, cycles * finer);
+    const Path fine = by_hand(setup, setup.dt / static_cast<double>(finer), cycles * static_cast<int>(finer));
     walk.say(fmt::format("The cycle never changes: overlaps give forces, forces give accelerations, accelerations give "
                          "velocities and places, places give overlaps. Written out as a loop of eight lines and taken "
                          "{} times, it differs from the solver by less than {} of the walls' path, which is rounding.",
                          cycles, at_most(worst_difference(*seen, hand))));
     walk.parts.emplace_back(path_figure(setup, *seen));
-    walk.parts.emplace_back(force_figure(setup, *seen, fine, finer));
+    const auto [forces, error] = force_figures(setup, *seen, fine, finer);
+    walk.parts.emplace_back(forces);
     walk.say(fmt::format(
-        "In the second figure the lines were made with a step a hundred times shorter. The contact in the middle "
-        "answers later than those at the walls, because the push has to travel; and the step of {:.3g} s, {:.0f} % of "
-        "the longest stable one (2/ω = {:.4g} s), follows the true course without being on it.",
-        setup.dt, 100 * setup.dt / critical, critical));
+        "The contact in the middle answers later than those at the walls, because the push has to travel. The step of "
+        "{:.3g} s is {:.0f} % of the longest stable one (2/ω = {:.4g} s). Taken again with a step {} times shorter the "
+        "forces differ by up to {:.2g} N, {:.2g} % of the largest: the cycle follows the true course without being on "
+        "it.",
+        setup.dt, 100 * setup.dt / critical, critical, finer, largest(error), 100 * largest(error) / largest(forces)));
+    walk.parts.emplace_back(error);
     walk.fact("loop_difference", worst_difference(*seen, hand));
     walk.fact("critical_step", critical, "s");
     const double whole = seen->n_b(2), eighth = halved->n_b(2);
@@ -242,7 +252,8 @@ Result<Walk> teach(const Values& values) {
     walk.answer = fmt::format(
         "By {:.4g}: {:.4g} m became {:.4g} m. (3.16) with (3.10) to (3.14) put in says κ v Δt³ (1/m_x + 1/m_y): the "
         "walls' path, the velocity it leads to and the discs' path each carry one Δt. It is no error, t2 = 2 Δt is "
-        "simply an earlier moment. At equal times the two runs differ by far less, as the second figure shows.",
+        "simply an earlier moment. At equal times runs of different steps differ by far less, as the last figure "
+        "shows.",
         whole / eighth, whole, eighth);
     return walk;
 }

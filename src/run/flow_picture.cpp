@@ -1,24 +1,12 @@
-#include "base/child_process.h"
 #include "run/flow_report.h"
+#include "sheet/gnuplot.h"
 
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <fmt/format.h>
 
 namespace tumble::run {
 
 namespace {
-
-constexpr std::chrono::seconds patience{60};
-
-/// In single quotes gnuplot takes every letter as it stands, but for the quote itself.
-std::string quoted(const std::string& text) {
-    std::string safe = "'";
-    for (const char c : text)
-        safe += c == '\'' ? std::string("''") : std::string(1, c);
-    return safe + "'";
-}
 
 /// Cells as boxes "left right low high colour", then arrows "x y dx dy", then the surface.
 std::string data_of(const observe::FlowField& field, double per_speed) {
@@ -69,9 +57,10 @@ std::string script_of(const FlowReport& report, const std::filesystem::path& fil
     std::string script = svg ? "set terminal svg size 900,640 font 'DejaVu Sans,13' background 'white' noenhanced\n"
                              : "set terminal pngcairo size 1350,960 font 'DejaVu Sans,15' background 'white' "
                                "noenhanced\n";
-    script += fmt::format("set output {}\nset title {}\n", quoted(file.string()),
-                          quoted(fmt::format("Mean flow from {:.4g} to {:.4g} s; an arrow of {:.0f} mm is {:.3g} m/s",
-                                             report.replayed.first, report.replayed.last, length, speed)));
+    script += fmt::format(
+        "set output {}\nset title {}\n", sheet::in_gnuplots_quotes(file.string()),
+        sheet::in_gnuplots_quotes(fmt::format("Mean flow from {:.4g} to {:.4g} s; an arrow of {:.0f} mm is {:.3g} m/s",
+                                              report.replayed.first, report.replayed.last, length, speed)));
     script += data_of(report.field, length / speed);
     script += fmt::format("set xrange [0:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\nset size ratio -1\n", 1e3 * grid.radius,
                           1e3 * grid.lo, 1e3 * grid.hi);
@@ -88,17 +77,7 @@ std::string script_of(const FlowReport& report, const std::filesystem::path& fil
 } // namespace
 
 Result<Done> draw_flow(const FlowReport& report, const std::filesystem::path& file) {
-    ChildProcess gnuplot({"gnuplot"});
-    if (gnuplot.error() == ENOENT)
-        return Problem{.what = "gnuplot, which draws the field, is not installed",
-                       .fix = "apt install gnuplot-nox, or leave --picture away: the tables need no gnuplot"};
-    if (gnuplot.error() != 0)
-        return Problem{.what = fmt::format("gnuplot cannot be started: {}", std::strerror(gnuplot.error()))};
-    const std::string script = script_of(report, file);
-    gnuplot.feed({reinterpret_cast<const std::uint8_t*>(script.data()), script.size()});
-    if (gnuplot.wait(patience) != 0)
-        return Problem{.file = file.string(), .what = "gnuplot failed: " + gnuplot.printed()};
-    return Done{};
+    return sheet::run_gnuplot(script_of(report, file), file, "leave --picture away: the tables need no gnuplot");
 }
 
 } // namespace tumble::run

@@ -100,7 +100,7 @@ void look_for_oddities(const scene::Scene& scene, SceneCheck& check) {
         say("observe.every_s is longer than the run: only its first instant gets a row");
 }
 
-/// JSON has no infinity: null where a wall does not end.
+/// JSON has no infinity: null where a wall does not end, or any step will do.
 nlohmann::ordered_json end(double size) {
     return std::isfinite(size) ? nlohmann::ordered_json(size) : nlohmann::ordered_json(nullptr);
 }

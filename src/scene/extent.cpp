@@ -21,12 +21,13 @@ struct Extent {
     Box operator()(const PlaneShape&) const { return {Vector3d::Constant(-endless), Vector3d::Constant(endless)}; }
     Box operator()(const BoxShape& shape) const { return shape.box; }
     Box operator()(const CylinderShape& shape) const {
-        const Vector3d end = shape.base + shape.axis * shape.length;
-        const Vector3d reach = circle_reach(shape.axis, shape.radius);
+        const Vector3d axis = shape.axis.normalized();
+        const Vector3d end = shape.base + axis * shape.length;
+        const Vector3d reach = circle_reach(axis, shape.radius);
         return {shape.base.cwiseMin(end) - reach, shape.base.cwiseMax(end) + reach};
     }
     Box operator()(const DiscShape& shape) const {
-        const Vector3d reach = circle_reach(shape.normal, shape.radius);
+        const Vector3d reach = circle_reach(shape.normal.normalized(), shape.radius);
         return {shape.centre - reach, shape.centre + reach};
     }
     Box operator()(const TroughShape& shape) const {
@@ -69,6 +70,19 @@ Box extent_of(const Wall& wall, int dimension) {
         return extent_of(wall.shape);
     const Rectangle flat = bounds_of(pieces_of(wall.outline));
     return {{flat.lo.x(), flat.lo.y(), 0}, {flat.hi.x(), flat.hi.y(), 0}};
+}
+
+Box widened(const Box& box, double by) {
+    return {box.lo - Vector3d::Constant(by), box.hi + Vector3d::Constant(by)};
+}
+
+Box reached_domain(const Wall& wall, const Scene& scene) {
+    const Box& domain = scene.domain.box;
+    const Vector3d middle = (domain.lo + domain.hi) / 2;
+    double way = speed_bound(wall.motion, middle, (domain.hi - domain.lo).norm()) * scene.duration;
+    for (const MotionTable& table : wall.motion.tables)
+        way += table.displacement.empty() ? 0 : table.displacement.front().norm();
+    return widened(domain, way);
 }
 
 bool overlap(const std::array<Vector3d, 3>& triangle, const Box& box) {

@@ -83,7 +83,8 @@ void shift_by(WallPose& pose, const Linear& part, double t) {
         pose.velocity += part.velocity;
 }
 
-/// Before its start a table gives nothing, also when its first row is not zero; after its last row it holds that row.
+/// A first row that is not zero is where the wall stands from the beginning (with a later start it would jump there,
+/// and resolve_motion refuses it); after its last row it holds that row.
 void shift_by(WallPose& pose, const MotionTable& part, double t) {
     if (t < part.active.start || !acts(part.active) || part.time.empty())
         return;

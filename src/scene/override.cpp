@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <optional>
 
 namespace tumble::scene {
 namespace {
@@ -65,6 +66,14 @@ public:
     }
 
     [[nodiscard]] const Problems& problems() const { return problems_; }
+
+    /// The default of the key that find() went to, where it is a number.
+    [[nodiscard]] std::optional<double> standard() const {
+        const KeyTable* table = find_table(table_);
+        const Key* key = table ? find_key(*table, key_.substr(key_.rfind('.') + 1), dimension_) : nullptr;
+        const double* number = key ? std::get_if<double>(&key->standard) : nullptr;
+        return number ? std::optional(*number) : std::nullopt;
+    }
 
 private:
     Node* refuse(std::string what, std::string fix) {
@@ -193,6 +202,28 @@ Problems apply(const Override& set, Node& root) {
         return walk.problems();
     *target = std::move(*value);
     return {};
+}
+
+Result<double> number_in(std::string_view toml, const std::filesystem::path& file, const std::vector<Override>& sets,
+                         const std::string& key) {
+    auto root = parse_toml(toml, file.string());
+    if (!root)
+        return root.problems();
+    for (const Override& set : sets)
+        if (const Problems problems = apply(set, *root); !problems.empty())
+            return problems;
+    Walk walk(key, root->place, dimension_of(*root));
+    const Node* node = walk.find(*root);
+    if (!node)
+        return walk.problems();
+    if (const double* real = node->as<double>())
+        return *real;
+    if (const std::int64_t* whole = node->as<std::int64_t>())
+        return static_cast<double>(*whole);
+    if (const auto standard = walk.standard(); standard && node->as<Table>())
+        return *standard;
+    return problem_at(node->place, key, fmt::format("'{}' is not a number that can be adjusted", key),
+                      "name a key that holds one number; `tumble list keys` names all of them");
 }
 
 } // namespace tumble::scene

@@ -3,7 +3,9 @@
 #include "base/problem.h"
 #include "scene/text_tree.h"
 
+#include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tumble::scene {
@@ -20,5 +22,10 @@ struct Override {
 /// body, material or pair that the scene does not have (unless it is set as a whole), a path through something that
 /// holds nothing. "pair.b-a" finds [pair.a-b].
 Problems apply(const Override& set, Node& root);
+
+/// The number that stands at a key's place in a scene's text after the `sets`, in the key's own unit, or the key's
+/// default. Problems: wrong TOML or sets, a path as in apply() that leads nowhere, a value that is no number.
+Result<double> number_in(std::string_view toml, const std::filesystem::path& file, const std::vector<Override>& sets,
+                         const std::string& key);
 
 } // namespace tumble::scene

@@ -60,7 +60,7 @@ Box box_of(const View& view, const std::string& lo, const std::string& hi, const
 /// A wall's outline in a scene of two dimensions.
 Outline resolve_outline(const View& view, const Resolving& to);
 /// What keeps the outline from being a wall in its domain, reported at the wall.
-void check_outline(const View& view, const Outline& outline, const Resolving& to);
+void check_outline(const View& view, const Wall& wall, const Resolving& to);
 
 /// The motion of a wall from its [[wall.motion]] tables.
 WallMotion resolve_motion(const View& wall, const Resolving& to);

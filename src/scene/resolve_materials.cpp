@@ -131,14 +131,6 @@ void resolve_pair(const NamedView& named, const Resolving& to, std::map<std::pai
     scene.pairs[static_cast<std::size_t>(second) * n + static_cast<std::size_t>(first)] = pair;
 }
 
-/// Whether two bodies can ever touch each other: not when a single one is put in.
-bool bodies_can_meet(const Scene& scene) {
-    std::int64_t bodies = 0;
-    for (const Fill& fill : scene.fills)
-        bodies += fill.count ? *fill.count : 2;
-    return scene.fills.empty() || bodies > 1;
-}
-
 class PairCheck {
 public:
     PairCheck(const View& root, const Resolving& to) : to_(to) {
@@ -213,7 +205,7 @@ void check_pairs(const View& root, const Resolving& to) {
     for (const NamedView& body : body_views)
         if (body.view.given("material") && index_of(to.scene, body.view.text("material")))
             bodies.emplace_back(&body, body.view.text("material"));
-    if (bodies_can_meet(to.scene))
+    if (to.scene.bodies_can_meet())
         for (std::size_t i = 0; i < bodies.size(); ++i)
             for (std::size_t j = 0; j <= i; ++j)
                 check.need(bodies[i].first->view, bodies[j].second, bodies[i].second,

@@ -72,6 +72,12 @@ void add_table(const View& view, const Active& active, const Resolving& to, Wall
         for (const RowFault& fault : time_faults(table.time))
             to.refuse(view, "rows", fmt::format("row {}: {}", fault.row + 1, fault.what),
                       fmt::format("write {} in each row, time from 0, rising", flat ? "[t, x, y]" : "[t, x, y, z]"));
+    if (active.start > 0 && !table.displacement.empty() && !table.displacement.front().isZero(0))
+        to.refuse(
+            view, "start_s",
+            fmt::format("at start_s = {} s the wall jumps to the first displacement of its table, which is not zero",
+                        plain(active.start)),
+            "take the first displacement off all of them, or let the table start at 0");
     table.active = active;
     motion.tables.push_back(std::move(table));
 }

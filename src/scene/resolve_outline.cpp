@@ -1,3 +1,4 @@
+#include "scene/extent.h"
 #include "scene/keys.h"
 #include "scene/outline.h"
 #include "scene/resolve.h"
@@ -76,20 +77,21 @@ Outline resolve_outline(const View& view, const Resolving& to) {
     return segment(view, to);
 }
 
-void check_outline(const View& view, const Outline& outline, const Resolving& to) {
+void check_outline(const View& view, const Wall& wall, const Resolving& to) {
     const Box& domain = to.scene.domain.box;
-    const auto pieces = pieces_of(outline);
+    const auto pieces = pieces_of(wall.outline);
     if (!has_volume(domain) || !view.whole())
         return; // a wall or a domain that is already wrong is in no place
     if (pieces.empty()) {
-        if (!std::holds_alternative<BoxShape>(outline))
+        if (!std::holds_alternative<BoxShape>(wall.outline))
             return; // a line without points was refused before
         to.refuse(view, "open", fmt::format("nothing is left of wall '{}'", view.text("name")), "close a side of it");
         return;
     }
-    const Rectangle reach = bounds_of(pieces);
+    const Rectangle extent = bounds_of(pieces);
+    const Box reached = reached_domain(wall, to.scene);
     for (int axis = 0; axis < 2; ++axis)
-        if (reach.lo[axis] > domain.hi[axis] || reach.hi[axis] < domain.lo[axis]) {
+        if (extent.lo[axis] > reached.hi[axis] || extent.hi[axis] < reached.lo[axis]) {
             to.report.add(view.place(), view.path(),
                           fmt::format("wall '{}' lies outside the domain", view.text("name")),
                           fmt::format("no body can ever touch it: move it into {} to {}, or enlarge the domain",

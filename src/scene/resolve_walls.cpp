@@ -149,19 +149,14 @@ bool overlap(const Box& a, const Box& b) {
     return (a.lo.array() <= b.hi.array()).all() && (a.hi.array() >= b.lo.array()).all();
 }
 
-/// Of a mesh its triangles count: around a small domain a large one has none inside.
-bool in_domain(const Wall& wall, const Scene& scene) {
-    const Box& domain = scene.domain.box;
+/// Whether the wall is ever in the domain, of which `reached` is reached_domain(). Of a mesh its
+/// triangles count: around a small domain a large one has none inside.
+bool in_domain(const Wall& wall, const Scene& scene, const Box& reached) {
     if (const auto* flat = std::get_if<PlaneShape>(&wall.shape))
-        return crosses(*flat, domain);
-    if (!overlap(extent_of(wall.shape), domain))
-        return false;
+        return crosses(*flat, reached);
     const auto* mesh = std::get_if<MeshShape>(&wall.shape);
-    const Vector3d middle = (domain.lo + domain.hi) / 2;
-    const double size = (domain.hi - domain.lo).norm();
-    const double travel = wall.motion.at_rest() ? 0 : speed_bound(wall.motion, middle, size) * scene.duration;
-    const Vector3d margin = Vector3d::Constant(reach_of_bodies(scene) + travel);
-    return !mesh || touches(*mesh, 1, {domain.lo - margin, domain.hi + margin});
+    return overlap(extent_of(wall.shape), reached) &&
+           (!mesh || touches(*mesh, 1, widened(reached, reach_of_bodies(scene))));
 }
 
 std::string size_in_words(const Box& box) {
@@ -183,13 +178,13 @@ std::string other_scale(const MeshShape& mesh, const Box& domain) {
 }
 
 /// A closed face of a box wall that no body can reach.
-std::string lost_face(const WallShape& shape, const Box& domain) {
+std::string lost_face(const WallShape& shape, const Box& reached) {
     const auto* box = std::get_if<BoxShape>(&shape);
     const char* names[6] = {"-x", "+x", "-y", "+y", "-z", "+z"};
     for (std::size_t face = 0; box && face < 6; ++face) {
         const auto axis = static_cast<Eigen::Index>(face / 2);
         const double at = face % 2 ? box->box.hi[axis] : box->box.lo[axis];
-        if (!box->open[face] && (at < domain.lo[axis] || at > domain.hi[axis]))
+        if (!box->open[face] && (at < reached.lo[axis] || at > reached.hi[axis]))
             return names[face];
     }
     return "";
@@ -200,7 +195,8 @@ void check_place(const View& view, const Wall& wall, const Resolving& to) {
     const auto* mesh = std::get_if<MeshShape>(&wall.shape);
     if (!has_volume(domain) || (mesh && mesh->triangles.empty()) || !view.whole())
         return; // a wall or a domain that is already wrong is in no place
-    if (!in_domain(wall, to.scene)) {
+    const Box reached = reached_domain(wall, to.scene);
+    if (!in_domain(wall, to.scene, reached)) {
         const bool around = mesh && overlap(extent_of(*mesh), domain);
         std::string fix = mesh ? other_scale(*mesh, domain) : "";
         if (fix.empty())
@@ -210,7 +206,7 @@ void check_place(const View& view, const Wall& wall, const Resolving& to) {
                       fmt::format("wall '{}' lies outside the domain{}", view.text("name"),
                                   around ? ": " + size_in_words(extent_of(*mesh)) : ""),
                       fix);
-    } else if (const std::string face = lost_face(wall.shape, domain); !face.empty())
+    } else if (const std::string face = lost_face(wall.shape, reached); !face.empty())
         to.report.add(view.place(), view.path(),
                       fmt::format("face {} of wall '{}' lies outside the domain", face, view.text("name")),
                       fmt::format("no body can ever touch it: add \"{}\" to open, or enlarge the domain", face));
@@ -235,7 +231,7 @@ void resolve_walls(const View& root, const Resolving& to) {
         wall.motion = resolve_motion(view, to);
         if (to.scene.dimension == 2) {
             wall.outline = resolve_outline(view, to);
-            check_outline(view, wall.outline, to);
+            check_outline(view, wall, to);
         } else {
             wall.shape = resolve_shape(view, to);
             check_place(view, wall, to);

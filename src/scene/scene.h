@@ -239,6 +239,13 @@ struct Scene {
     Render render;
     std::map<std::string, WrittenAt> written; // keys and tables by path: "time_step_s", "fill.0", "wall.plate.stl"
 
+    /// Whether two bodies can ever touch each other: not when a single one is put in.
+    [[nodiscard]] bool bodies_can_meet() const {
+        std::int64_t count = 0;
+        for (const Fill& fill : fills)
+            count += fill.count ? *fill.count : 2;
+        return fills.empty() || count > 1;
+    }
     [[nodiscard]] contact::PairConstants constants(int a, int b) const {
         return contact::derive(materials[static_cast<std::size_t>(a)], materials[static_cast<std::size_t>(b)],
                                pair(a, b), contact.additions,

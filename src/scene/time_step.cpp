@@ -18,7 +18,8 @@ constexpr double pi = std::numbers::pi;
 
 /// Contacts that one body is taken to have at once, sharing one impact between them. docs/bodies.md
 constexpr double contacts_at_once = 4;
-/// Overlap beyond this share of the smaller radius is not asked to be stable: a run stops long before.
+/// Overlap beyond this share of the smaller radius is not asked to be stable: no law holds there, and a run says long
+/// before that its overlaps are too large, though only at a whole radius it stops.
 constexpr double overlap_most = 0.5;
 /// Impacts are taken at least this fast, m/s: a scene at rest still is poured, pushed or stirred.
 constexpr double speed_least = 0.1;
@@ -41,7 +42,8 @@ Contact contact_of(const Scene& scene, const ContactSide& a, const ContactSide& 
     contact.pair = scene.constants(a.material, b.material);
     if (contact.pair.restitution_exponent > 0)
         contact.pair.damping = contact::damping_at(speed, contact.pair);
-    contact.rubs = scene.contact.tangential != TangentialLaw::none && contact.pair.friction > 0;
+    contact.rubs =
+        scene.contact.tangential != TangentialLaw::none && (contact.pair.friction > 0 || contact.pair.cohesion > 0);
     contact.mass = 1 / (1 / a.mass + 1 / b.mass);
     contact.radius = 1 / (1 / a.radius + 1 / b.radius);
     contact.radius_small = std::min(a.radius, b.radius);
@@ -176,7 +178,7 @@ TimeStepReport time_step_report(const Scene& scene, const std::vector<ContactSid
             material.youngs_modulus > 0)
             add_rayleigh(report, part, material);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        for (std::size_t j = i; j < bodies.size(); ++j)
+        for (std::size_t j = i; j < bodies.size() && scene.bodies_can_meet(); ++j)
             add_contact(report, scene, contact_of(scene, bodies[i], bodies[j], report.hertz_speed));
         for (const Wall& wall : scene.walls) {
             ContactSide side;
@@ -185,7 +187,7 @@ TimeStepReport time_step_report(const Scene& scene, const std::vector<ContactSid
             add_contact(report, scene, contact_of(scene, bodies[i], side, report.hertz_speed));
         }
     }
-    if (bodies.empty())
+    if (report.limit == 0) // nothing can touch
         report.limit = std::numeric_limits<double>::infinity();
     return report;
 }

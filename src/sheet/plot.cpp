@@ -1,31 +1,24 @@
 #include "sheet/plot.h"
 
-#include "base/child_process.h"
-#include "base/text.h"
+#include "base/hash.h"
+#include "sheet/gnuplot.h"
 #include "sheet/show.h"
 
-#include <cerrno>
-#include <cstring>
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <fstream>
+#include <limits>
 
 namespace tumble::sheet {
 
 namespace {
 
-constexpr std::chrono::seconds patience{60};
 // Okabe and Ito's colours: told apart also by those who see few.
 constexpr std::array<const char*, 6> colors{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"};
 
-/// In single quotes gnuplot takes every letter as it stands, but for the quote itself.
-std::string quoted(const std::string& text) {
-    std::string safe = "'";
-    for (const char c : text)
-        safe += c == '\'' ? std::string("''") : std::string(1, c);
-    return safe + "'";
-}
-
 std::string axis(char letter, const Axis& axis) {
-    std::string script = fmt::format("set {}label {}\n", letter, quoted(head_of(axis)));
+    std::string script = fmt::format("set {}label {}\n", letter, in_gnuplots_quotes(head_of(axis)));
     if (axis.logarithmic)
         script += fmt::format("set logscale {}\n", letter);
     if (axis.range)
@@ -49,40 +42,85 @@ std::string data_of(const Curve& curve, std::size_t index) {
     return block + "END\n";
 }
 
+/// Numbers in parts of the largest. There are 997 of them, a prime: few numbers that matter lie just between two.
+void add_rounded(Hash64& hash, const std::vector<double>& numbers) {
+    double size = 0;
+    for (const double number : numbers)
+        size = std::max(size, std::abs(number));
+    for (const double number : numbers)
+        hash.add(std::lround(size > 0 ? 997 * number / size : 0.0));
+    hash.add(fmt::format("{:.3g}", size));
+}
+
+/// How far the curves reach along one axis, from lowest to highest.
+double span_of(const Figure& figure, const Axis& axis, std::vector<double> Curve::*numbers) {
+    if (axis.range)
+        return (*axis.range)[1] - (*axis.range)[0];
+    double lo = std::numeric_limits<double>::infinity(), hi = -lo;
+    for (const Curve& curve : figure.curves)
+        for (const double number : curve.*numbers) {
+            lo = std::min(lo, number);
+            hi = std::max(hi, number);
+        }
+    return hi - lo;
+}
+
+/// A drawing of equal scales that is low for its width gets a canvas as low, and ticks that leave each other room.
+std::string canvas(const Figure& figure, bool svg) {
+    const int width = svg ? 800 : 1200, usual = svg ? 500 : 750;
+    std::string ticks;
+    int height = usual;
+    if (figure.equal_scales) {
+        const double up = span_of(figure, figure.y, &Curve::y), across = span_of(figure, figure.x, &Curve::x);
+        const double plot = 0.87 * width * up / across;
+        height = static_cast<int>(std::min(1.0 * usual, plot + 0.36 * usual));
+        if (plot < 0.3 * usual)
+            ticks = fmt::format("set ytics {:.1g}\n", up / 2);
+        ticks += "set size ratio -1\n";
+    }
+    return fmt::format("set terminal {} size {},{} font 'DejaVu Sans,{}' background 'white' noenhanced\n",
+                       svg ? "svg" : "pngcairo", width, height, svg ? 13 : 14) +
+           ticks;
+}
+
 } // namespace
 
+std::string mark_of(const Figure& figure) {
+    Hash64 hash;
+    hash.add(figure.title).add(head_of(figure.x)).add(head_of(figure.y));
+    for (const Curve& curve : figure.curves) {
+        hash.add(curve.label).add(static_cast<int>(curve.style));
+        add_rounded(hash, curve.x);
+        add_rounded(hash, curve.y);
+    }
+    return fmt::format("<!-- plotted {} -->", hash.hex());
+}
+
 std::string gnuplot_script(const Figure& figure, const std::filesystem::path& file) {
-    const bool svg = file.extension() == ".svg";
-    std::string script = svg ? "set terminal svg size 800,500 font 'DejaVu Sans,13' background 'white' noenhanced\n"
-                             : "set terminal pngcairo size 1200,750 font 'DejaVu Sans,14' background 'white' "
-                               "noenhanced\n";
-    script += fmt::format("set output {}\nset title {}\n", quoted(file.string()), quoted(figure.title));
+    std::string script = canvas(figure, file.extension() == ".svg");
+    script += fmt::format("set output {}\nset title {}\n", in_gnuplots_quotes(file.string()),
+                          in_gnuplots_quotes(figure.title));
     script += "set grid lc rgb '#cccccc'\nset key above\nset autoscale noextend\nset offsets graph 0.02, graph 0.02, "
               "graph 0.05, graph 0.05\n";
-    if (figure.equal_scales)
-        script += "set size ratio -1\n";
     script += axis('x', figure.x) + axis('y', figure.y);
     std::string plots;
     for (std::size_t k = 0; k < figure.curves.size(); ++k) {
         script += data_of(figure.curves[k], k);
-        plots += fmt::format("{}$curve{} {} title {}", k ? ", " : "plot ", k, style(figure.curves[k], k),
-                             quoted(figure.curves[k].label));
+        const std::string& label = figure.curves[k].label;
+        plots += fmt::format("{}$curve{} {} {}", k ? ", " : "plot ", k, style(figure.curves[k], k),
+                             label.empty() ? "notitle" : "title " + in_gnuplots_quotes(label));
     }
     return script + plots + "\nunset output\n";
 }
 
 Result<Done> draw(const Figure& figure, const std::filesystem::path& file) {
-    ChildProcess gnuplot({"gnuplot"});
-    if (gnuplot.error() == ENOENT)
-        return Problem{.what = "gnuplot, which draws the figures, is not installed",
-                       .fix = "apt install gnuplot-nox, or leave --out away: the text and --json need no gnuplot"};
-    if (gnuplot.error() != 0)
-        return Problem{.what = fmt::format("gnuplot could not be started: {}", std::strerror(gnuplot.error()))};
-    const std::string script = gnuplot_script(figure, file);
-    const bool fed = gnuplot.feed({reinterpret_cast<const std::uint8_t*>(script.data()), script.size()});
-    if (gnuplot.wait(patience) == 0 && fed)
-        return Done{};
-    return Problem{.file = file.string(), .what = "gnuplot failed: " + excerpt(trimmed(gnuplot.printed()), 300)};
+    if (Result<Done> drawn =
+            run_gnuplot(gnuplot_script(figure, file), file, "leave --out away: the text and --json need no gnuplot");
+        !drawn)
+        return drawn;
+    if (file.extension() == ".svg" && !(std::ofstream(file, std::ios::app) << mark_of(figure) << '\n'))
+        return Problem{.file = file.string(), .what = "cannot be written to its end"};
+    return Done{};
 }
 
 Result<std::vector<std::filesystem::path>> draw_all(const Sheet& sheet, const std::filesystem::path& folder,

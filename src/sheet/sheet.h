@@ -42,7 +42,7 @@ struct Axis {
 };
 enum class Style { line, dashes, points, bars };
 struct Curve {
-    std::string label;
+    std::string label; // empty: not in the legend
     Style style = Style::line;
     std::vector<double> x{}, y{};       // in the axes' units
     std::optional<std::size_t> color{}; // curves of one number share a colour; else each has its own

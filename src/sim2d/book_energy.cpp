@@ -72,7 +72,8 @@ void book_energy(World& world) {
         ledger.inserted += now.stored_normal + now.stored_tangential + now.stored_rolling;
 
     // Forces and energies are those before the bodies moved. Force times velocity is summed as the trapezoidal rule
-    // has it, so half of the last step's belongs to the next interval; slip and history are exact differences.
+    // has it, so half of the last step's belongs to the next interval; slip and history are differences from the step
+    // before to this one.
     books.step = world.step - 1;
     books.time = static_cast<double>(books.step) * world.dt;
     books.bodies = world.bodies();

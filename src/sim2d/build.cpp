@@ -1,3 +1,4 @@
+#include "scene/written.h"
 #include "sim2d/body_shape.h"
 #include "sim2d/fill.h"
 #include "sim2d/pair_list.h"
@@ -37,10 +38,6 @@ ShapeConstants constants_of(const ShapeData& data) {
     for (std::size_t k = 2; k < data.exposed.size(); k += 3)
         constants.smallest_radius = std::min(constants.smallest_radius, data.exposed[k]);
     return constants;
-}
-
-Problem scene_problem(const scene::Scene& scene, std::string key, std::string what, std::string fix) {
-    return {scene.file.string(), 0, 0, std::move(key), std::move(what), std::move(fix)};
 }
 
 Problems make_shapes(World& world) {
@@ -111,7 +108,7 @@ Problems check_periods(const World& world) {
         needed = std::max(needed, 2 * shape.bounding_radius + world.reach);
     for (int k = 0; k < 2; ++k)
         if (domain.periodic[static_cast<std::size_t>(k)] && domain.box.hi[k] - domain.box.lo[k] < needed)
-            problems.push_back(scene_problem(
+            problems.push_back(scene::problem_about(
                 world.scene, "domain",
                 fmt::format("the domain is {:.4g} m long in its periodic direction {}, but discs must never meet "
                             "through two of its ends: at least {:.4g} m are needed",
@@ -124,7 +121,7 @@ Problems check_step(const World& world) {
     const scene::TimeStepReport report = time_step_report(world.scene, world.plain_shapes);
     if (report.stable() || world.scene.allow_large_step)
         return {};
-    return {scene_problem(
+    return {scene::problem_about(
         world.scene, "time_step_s",
         fmt::format("a time step of {:.4g} s is above the stable limit of {:.4g} s", report.step, report.limit),
         fmt::format("use at most {:.3g} s, or soften the contacts; allow_large_step = true runs it "

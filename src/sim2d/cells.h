@@ -12,8 +12,8 @@ namespace tumble::sim2d {
 /// around. The longer side of the grid is the slower index.
 class Cells {
 public:
-    /// Sorts anew, in the room of the last time. `points` in m, wrapped into the periodic box up to a small margin;
-    /// `reach` m is the largest distance of two points that matters.
+    /// Sorts anew, in the room of the last time. `points` in m, along periodic axes inside the box; `reach` m is the
+    /// largest distance of two points that matters.
     void sort(const scene::Domain& domain, const std::vector<Eigen::Vector2d>& points, double reach);
 
     /// One cell seen from another: where its points stand, and through which image of the periodic box.

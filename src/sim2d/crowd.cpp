@@ -1,5 +1,7 @@
 #include "sim2d/crowd.h"
 
+#include "scene/period.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -45,14 +47,16 @@ Crowd::Crowd(const scene::Domain& domain, const std::vector<ShapeData>& shapes, 
 }
 
 void Crowd::add(const std::vector<Disc>& discs) {
-    for (const Disc& disc : discs) {
+    for (Disc disc : discs) {
+        disc.centre = into_box(disc.centre);
         const auto at = place(disc.centre);
         cells_[static_cast<std::size_t>(at[0] * size_[1] + at[1])].push_back(disc);
     }
 }
 
 bool Crowd::leaves_room_for(const std::vector<Disc>& discs) const {
-    for (const Disc& disc : discs) {
+    for (Disc disc : discs) {
+        disc.centre = into_box(disc.centre);
         const auto home = place(disc.centre);
         for (int x = home[0] - 1; x <= home[0] + 1; ++x)
             for (int y = home[1] - 1; y <= home[1] + 1; ++y)
@@ -80,6 +84,13 @@ bool Crowd::cell_leaves_room(const Disc& disc, std::array<int, 2> at) const {
             return false;
     }
     return true;
+}
+
+Vector2d Crowd::into_box(Vector2d centre) const {
+    const scene::Box& box = domain_.box;
+    for (int axis = 0; axis < 2; ++axis)
+        centre[axis] -= scene::periods_past(domain_, axis, centre[axis]) * (box.hi[axis] - box.lo[axis]);
+    return centre;
 }
 
 std::array<int, 2> Crowd::place(const Vector2d& centre) const {

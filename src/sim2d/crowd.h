@@ -37,6 +37,8 @@ public:
     [[nodiscard]] bool leaves_room_for(const std::vector<Disc>& discs) const;
 
 private:
+    /// Along periodic axes.
+    [[nodiscard]] Eigen::Vector2d into_box(Eigen::Vector2d centre) const;
     [[nodiscard]] std::array<int, 2> place(const Eigen::Vector2d& centre) const;
     [[nodiscard]] bool cell_leaves_room(const Disc& disc, std::array<int, 2> at) const;
 

@@ -1,5 +1,6 @@
 #include "sim2d/pair_list.h"
 
+#include "scene/period.h"
 #include "sim2d/phase.h"
 
 #include <algorithm>
@@ -34,10 +35,7 @@ void wrap(World& world) {
     for (int slot = 0; slot < world.bodies(); ++slot) {
         Row& row = world.row(slot);
         for (const auto& [axis, x] : {std::pair{0, &row.x}, std::pair{1, &row.y}}) {
-            if (!domain.periodic[static_cast<std::size_t>(axis)])
-                continue;
-            const double length = domain.box.hi[axis] - domain.box.lo[axis];
-            const double moved = -length * std::floor((*x - domain.box.lo[axis]) / length);
+            const double moved = (domain.box.lo[axis] - domain.box.hi[axis]) * scene::periods_past(domain, axis, *x);
             *x += moved;
             // Where gravity has a part along the period, a body that comes in again brings the height that it lost.
             world.ledger.inserted -= row.mass * world.scene.gravity[axis] * moved;
@@ -149,6 +147,7 @@ void list_pairs_of(const World& world, Chunk& chunk, int a) {
     std::array<Cells::Seen, 9> seen{};
     const Vector2d& centre = world.centres[static_cast<std::size_t>(a)];
     const double own_reach = reach_of(world, a);
+    const int own_periods = world.periods[static_cast<std::size_t>(a)];
     const int own_body = world.slot_of(a);
     const int count = world.cells.around(centre, seen);
     for (int k = 0; k < count; ++k) {
@@ -163,7 +162,9 @@ void list_pairs_of(const World& world, Chunk& chunk, int a) {
             if (apart_squared >= reach * reach)
                 continue;
             chunk.partners_after |= chunk_bit(world.chunk_of[static_cast<std::size_t>(*b)]);
-            add_pair(world, chunk, a, *b, cell.image, apart_squared);
+            // build.cpp asks for periods so long that no digit of the sum runs over.
+            const int image = cell.image + own_periods - world.periods[static_cast<std::size_t>(*b)];
+            add_pair(world, chunk, a, *b, image, apart_squared);
         }
     }
 }
@@ -171,7 +172,7 @@ void list_pairs_of(const World& world, Chunk& chunk, int a) {
 void list_walls_of(const World& world, Chunk& chunk, int row, std::vector<int>& pieces) {
     for (std::size_t w = 0; w < world.walls.size(); ++w) {
         const WallState& wall = world.walls[w];
-        wall.line.pieces_near(wall.frame.to_wall(world.centres[static_cast<std::size_t>(row)]),
+        wall.line.pieces_near(wall.frame.to_wall({world.row(row).x, world.row(row).y}),
                               reach_of(world, row) + world.wall_skin, pieces);
         if (pieces.empty())
             continue;
@@ -218,6 +219,23 @@ void give_leashes(World& world) {
         travel = -std::min(spare_leash * half + time * travel, longest_leash * half);
 }
 
+/// Where the rows stand inside the periodic box. Of a clump whose centre of mass is inside, discs may stand past it.
+void find_centres(World& world) {
+    const scene::Box& box = world.scene.domain.box;
+    world.centres.clear();
+    world.periods.clear();
+    for (const Row& row : world.rows) {
+        Vector2d centre(row.x, row.y), past;
+        for (int axis = 0; axis < 2; ++axis) {
+            past[axis] = scene::periods_past(world.scene.domain, axis, centre[axis]);
+            centre[axis] -= past[axis] * (box.hi[axis] - box.lo[axis]);
+        }
+        world.centres.push_back(centre);
+        world.periods.push_back(image_index(static_cast<int>(past.x()), static_cast<int>(past.y())) -
+                                image_index(0, 0));
+    }
+}
+
 void find_partners(World& world) {
     for (std::size_t k = 0; k < world.chunks.size(); ++k)
         for (std::size_t before = 0; before < world.chunks.size(); ++before)
@@ -236,9 +254,7 @@ void rebuild_lists(World& world) {
         sort_slots(world);
     lay_out_discs(world);
     give_leashes(world);
-    world.centres.clear();
-    for (const Row& row : world.rows)
-        world.centres.emplace_back(row.x, row.y);
+    find_centres(world);
     const double longest = world.travel.empty() ? 0 : -*std::min_element(world.travel.begin(), world.travel.end());
     world.cells.sort(world.scene.domain, world.centres, 2 * (world.largest_radius + longest));
     cut_chunks(world);

@@ -1,5 +1,7 @@
 #include "sim2d/placing.h"
 
+#include "scene/written.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -53,15 +55,13 @@ std::string owed(const std::vector<ShapeData>& shapes, const FillState& fill) {
                        fill.asked, name_of(shapes, fill), fill.placed, size.x(), size.y(), fill.asked - fill.placed);
 }
 
-Problem no_room_at(const Site& site, const FillState& fill, const char* what_is_there) {
+Problem no_room_at(const Site& site, const FillState& fill, const std::string& key, const char* what_is_there) {
     const Vector3d& at = *fill.fill.position;
-    return {site.scene.file.string(),
-            0,
-            0,
-            "fill.position_m",
-            fmt::format("body '{}' at ({:.6g}, {:.6g}) m overlaps {} at t = {:.6g} s", name_of(site.shapes, fill),
-                        at.x(), at.y(), what_is_there, static_cast<double>(site.step) * site.dt),
-            "move it, or let it come at another time"};
+    return scene::problem_about(site.scene, key + ".position_m",
+                                fmt::format("body '{}' at ({:.6g}, {:.6g}) m overlaps {} at t = {:.6g} s",
+                                            name_of(site.shapes, fill), at.x(), at.y(), what_is_there,
+                                            static_cast<double>(site.step) * site.dt),
+                                "move it, or let it come at another time");
 }
 
 /// A closed wall, and whether bodies come in inside of it.
@@ -99,10 +99,11 @@ class Placer {
 public:
     explicit Placer(const Site& site) : site_(site), crowd_(site.scene.domain, site.shapes, site.bodies) {}
 
-    std::optional<Problem> place(FillState& fill) {
+    /// `key`: of the fill in its scene, for problems.
+    std::optional<Problem> place(FillState& fill, const std::string& key) {
         const std::size_t before = placed_.size();
         if (fill.fill.position) {
-            if (auto problem = at_its_position(fill))
+            if (auto problem = at_its_position(fill, key))
                 return problem;
         } else {
             at_random(fill);
@@ -113,24 +114,21 @@ public:
         fill.over = fill.placed >= fill.asked || again > fill.fill.until;
         if (fill.placed >= fill.asked || fill.fill.until > fill.fill.start)
             return std::nullopt;
-        return Problem{site_.scene.file.string(),
-                       0,
-                       0,
-                       "fill",
-                       owed(site_.shapes, fill),
-                       "enlarge the region, ask for fewer, or give until_s so that bodies come in over time"};
+        return scene::problem_about(
+            site_.scene, key, owed(site_.shapes, fill),
+            "enlarge the region, ask for fewer, or give until_s so that bodies come in over time");
     }
 
     [[nodiscard]] std::vector<BodyState> placed() && { return std::move(placed_); }
 
 private:
-    std::optional<Problem> at_its_position(FillState& fill) {
+    std::optional<Problem> at_its_position(FillState& fill, const std::string& key) {
         const Placement body{fill.fill.body, fill.fill.position->head<2>(), angle_for(fill)};
         const std::vector<Disc> discs = discs_of(site_.shapes, body);
         if (in_wall(site_.walls, discs))
-            return no_room_at(site_, fill, "a wall");
+            return no_room_at(site_, fill, key, "a wall");
         if (!crowd_.leaves_room_for(discs))
-            return no_room_at(site_, fill, "another body");
+            return no_room_at(site_, fill, key, "another body");
         keep(fill, body, discs);
         return std::nullopt;
     }
@@ -178,9 +176,10 @@ Result<std::vector<FillState>> begin_fills(const scene::Scene& scene, const std:
         state.asked = fill.count ? *fill.count : std::llround(fill.mass.value_or(0) / mass);
         state.next_step = static_cast<std::int64_t>(std::ceil(fill.start / dt - 1e-9));
         if (state.asked < 1)
-            problems.push_back({scene.file.string(), 0, 0, "fill",
-                                fmt::format("a fill asks for less than one body of {:.4g} kg", mass),
-                                "ask for more mass, or give a count"});
+            problems.push_back(
+                scene::problem_about(scene, fmt::format("fill.{}.mass_kg", fills.size()),
+                                     fmt::format("a fill asks for less than one body of {:.4g} kg", mass),
+                                     "ask for more mass, or give a count"));
         fills.push_back(std::move(state));
     }
     if (!problems.empty())
@@ -190,9 +189,9 @@ Result<std::vector<FillState>> begin_fills(const scene::Scene& scene, const std:
 
 Result<std::vector<BodyState>> place_due(std::vector<FillState>& fills, const Site& site) {
     Placer placer(site);
-    for (FillState& fill : fills)
-        if (!fill.over && fill.next_step <= site.step)
-            if (auto problem = placer.place(fill))
+    for (std::size_t k = 0; k < fills.size(); ++k)
+        if (!fills[k].over && fills[k].next_step <= site.step)
+            if (auto problem = placer.place(fills[k], fmt::format("fill.{}", k)))
                 return *problem;
     return std::move(placer).placed();
 }

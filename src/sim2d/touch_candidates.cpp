@@ -85,16 +85,18 @@ void match_features(Chunk& chunk, WallNear& near, FurtherMemory* further, std::s
     near.touches = static_cast<int>(touches.size());
 }
 
-/// Whether the disc's centre has passed through the line since the last step: what it touches is the same, but pushes
-/// the other way.
-bool crosses(const WallNear& near, std::span<const WallTouch> touches) {
-    for (int old = 0; old < near.touches; ++old)
-        for (const WallTouch& touch : touches) {
-            const WallMemory& before = near.memory[static_cast<std::size_t>(old)];
-            if (touch.feature == before.feature && touch.normal.dot(before.normal) < 0)
-                return true;
-        }
-    return false;
+/// Whether the disc's centre has passed through the line in the last step, as the wall saw it: the way from where it
+/// stood a step ago, through the middle of the step, to here.
+bool crosses(const WallState& wall, const Row& row, double dt, std::span<const WallTouch> touches,
+             std::span<const int> pieces) {
+    const Vector2d here(row.x, row.y);
+    const Vector2d now = wall.frame.to_wall(here);
+    const Vector2d middle = wall.half_frame.to_wall(here - 0.5 * dt * Vector2d(row.vx, row.vy));
+    const Vector2d way = 2 * (now - middle);
+    double nearest = row.radius;
+    for (const WallTouch& touch : touches)
+        nearest = std::min(nearest, row.radius + touch.gap);
+    return way.squaredNorm() >= nearest * nearest && wall.line.crossed(now - way, now, pieces);
 }
 
 WallContact wall_contact(const WallState& wall, const Row& row, const WallTouch& touch) {
@@ -114,13 +116,13 @@ void touch_wall(const World& world, Chunk& chunk, int which) {
     const WallState& wall = world.walls[static_cast<std::size_t>(near.wall)];
     const Row& row = world.row(near.row);
     std::array<WallTouch, max_wall_touches> touches;
-    const int count = wall.line.touches(
-        wall.frame.to_wall({row.x, row.y}), row.radius,
-        {chunk.wall_pieces.data() + near.pieces_begin, static_cast<std::size_t>(near.pieces_count)}, touches);
+    const std::span<const int> pieces(chunk.wall_pieces.data() + near.pieces_begin,
+                                      static_cast<std::size_t>(near.pieces_count));
+    const int count = wall.line.touches(wall.frame.to_wall({row.x, row.y}), row.radius, pieces, touches);
     const std::span<const WallTouch> now(touches.data(), static_cast<std::size_t>(count));
     if (count == 0 && near.touches == 0)
         return;
-    if (crosses(near, now)) {
+    if (crosses(wall, row, world.dt, now, pieces)) {
         chunk.crossed_row = near.row;
         chunk.crossed_wall = near.wall;
     }

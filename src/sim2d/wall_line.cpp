@@ -14,6 +14,40 @@ namespace {
 constexpr double turn = 2 * std::numbers::pi;
 constexpr int lines_per_turn = 180; // of the rim, which is asked only about points further from the wall than a disc
 
+double cross(const Vector2d& a, const Vector2d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+/// Whether a round piece, without its ends, stands in that direction from its centre.
+bool spans(const OutlinePiece& arc, const Vector2d& out) {
+    double angle = std::fmod(std::atan2(out.y(), out.x()) - arc.start, turn);
+    angle += angle < 0 ? turn : 0.0;
+    return arc.sweep >= turn * (1 - 1e-12) || (angle > 0 && angle < arc.sweep);
+}
+
+bool crosses_segment(const OutlinePiece& line, const Vector2d& from, const Vector2d& to) {
+    const Vector2d along = line.to - line.from;
+    const Vector2d way = to - from;
+    // A point on the line itself belongs to one side, or the step before and the one after could both miss it.
+    const bool changes_side = (cross(along, from - line.from) > 0) != (cross(along, to - line.from) > 0);
+    return changes_side && cross(way, line.from - from) * cross(way, line.to - from) <= 0;
+}
+
+bool crosses_arc(const OutlinePiece& arc, const Vector2d& from, const Vector2d& to) {
+    // |from + s way - centre| = radius at s = (-b -+ root) / a, of which those between 0 and 1 lie on the way.
+    const Vector2d arm = from - arc.centre;
+    const Vector2d way = to - from;
+    const double a = way.squaredNorm();
+    const double b = arm.dot(way);
+    const double under_root = b * b - a * (arm.squaredNorm() - arc.radius * arc.radius);
+    if (a == 0 || under_root < 0)
+        return false;
+    for (const double root : {-std::sqrt(under_root), std::sqrt(under_root)})
+        if (const double s = (root - b) / a; s > 0 && s <= 1 && spans(arc, arm + s * way))
+            return true;
+    return false;
+}
+
 OutlinePiece moved(OutlinePiece piece, const Vector2d& by) {
     piece.from += by;
     piece.to += by;
@@ -91,9 +125,7 @@ WallLine::Nearest WallLine::nearest(int piece, const Vector2d& point) const {
     const Vector2d arm = point - line.centre;
     const double far = arm.norm();
     const Vector2d out = far > 0 ? Vector2d(arm / far) : Vector2d(Vector2d::UnitX());
-    double angle = std::fmod(std::atan2(out.y(), out.x()) - line.start, turn);
-    angle += angle < 0 ? turn : 0.0;
-    if (line.sweep >= turn * (1 - 1e-12) || (angle > 0 && angle < line.sweep))
+    if (spans(line, out))
         return {line.centre + line.radius * out, -1};
     const bool to_start = (point - line.from).squaredNorm() < (point - line.to).squaredNorm();
     return to_start ? Nearest{line.from, from} : Nearest{line.to, to};
@@ -107,6 +139,13 @@ void WallLine::pieces_near(const Vector2d& centre, double reach, std::vector<int
     grid_.near(centre, reach, out);
     const auto far = [&](int piece) { return distance(piece, centre) >= reach; };
     out.erase(std::remove_if(out.begin(), out.end(), far), out.end());
+}
+
+bool WallLine::crossed(const Vector2d& from, const Vector2d& to, std::span<const int> pieces) const {
+    return std::any_of(pieces.begin(), pieces.end(), [&](int piece) {
+        const OutlinePiece& line = pieces_[static_cast<std::size_t>(piece)];
+        return line.round ? crosses_arc(line, from, to) : crosses_segment(line, from, to);
+    });
 }
 
 int WallLine::touches(const Vector2d& centre, double radius, std::span<const int> pieces,

@@ -65,6 +65,9 @@ public:
     void pieces_near(const Eigen::Vector2d& centre, double reach, std::vector<int>& out) const;
     /// Distance from the piece to the point, m.
     [[nodiscard]] double distance(int piece, const Eigen::Vector2d& point) const;
+    /// Whether the straight way from one point to another (m) passes through one of the pieces.
+    [[nodiscard]] bool crossed(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                               std::span<const int> pieces) const;
     /// Touching features (gap < 0), each once, the deepest first if there are more than `out` holds; returns how many.
     /// `pieces` must hold, in ascending order, all that are nearer than `radius`.
     int touches(const Eigen::Vector2d& centre, double radius, std::span<const int> pieces,

@@ -200,8 +200,9 @@ struct World {
     double largest_radius = 0;  // m
     bool stale = true;          // the lists must be made anew
     KeptMemory kept;            // from the insertion of bodies, or within a rebuild, to the end of the rebuild
-    Cells cells;                // room for rebuilds, as is the next
-    std::vector<Eigen::Vector2d> centres; // m
+    Cells cells;                // room for rebuilds, as are the next two
+    std::vector<Eigen::Vector2d> centres; // per row, m, inside the periodic box
+    std::vector<int> periods;             // per row, how many it stands past the box: y times 3 + x, as in an image
     std::int64_t rebuilds = 0;
 
     Ledger ledger;

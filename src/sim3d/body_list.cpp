@@ -1,5 +1,6 @@
 #include "sim3d/body_list.h"
 
+#include "scene/period.h"
 #include "sim3d/phase.h"
 #include "sim3d/placement.h"
 
@@ -25,12 +26,10 @@ void wrap(World& world) {
     world.wraps.clear();
     for (std::size_t slot = 0; slot < world.motion.size(); ++slot)
         for (std::size_t k = 0; k < 3; ++k) {
-            if (!domain.periodic[k])
-                continue;
             const auto axis = static_cast<Eigen::Index>(k);
             const double length = domain.box.hi[axis] - domain.box.lo[axis];
             double& x = world.motion[slot].position[k];
-            const double periods = std::floor((x - domain.box.lo[axis]) / length);
+            const double periods = scene::periods_past(domain, axis, x);
             if (periods == 0)
                 continue;
             x -= length * periods;

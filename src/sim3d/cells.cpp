@@ -6,13 +6,6 @@
 
 namespace tumble::sim3d {
 
-namespace {
-
-// A few bodies far apart must not make millions of empty cells.
-constexpr double cells_per_body = 4;
-
-} // namespace
-
 void Cells::sort(const scene::Domain& domain, const Lines<Bounds>& bodies, double reach) {
     periodic_ = domain.periodic;
     Eigen::Vector3d lo = domain.box.lo;

@@ -9,6 +9,9 @@
 
 namespace tumble::sim3d {
 
+/// A few bodies far apart must not make millions of empty cells.
+constexpr double cells_per_body = 4;
+
 /// Bodies by the cell that holds their bounding sphere's centre. Cells are at least as wide as two bodies reach, so
 /// neighbours stand in the 27 cells around. The longest side of the grid is the slowest index.
 class Cells {

@@ -1,5 +1,6 @@
 #include "sim3d/fill.h"
 
+#include "scene/period.h"
 #include "scene/written.h"
 #include "sim3d/placement.h"
 
@@ -27,40 +28,58 @@ Eigen::Quaterniond random_orientation(Rng& rng) {
             std::sqrt(u) * std::cos(b)};
 }
 
-/// Bodies by the cell of their bounding sphere, growing as bodies are placed.
+/// Bodies by the cell of their bounding sphere, growing as bodies are placed. Between rebuilds a body may stand beyond
+/// a periodic side; here all stand in the box.
 class Crowd {
 public:
-    explicit Crowd(const World& world) : world_(world) {
+    /// Room for the world's bodies and `more`.
+    Crowd(const World& world, std::int64_t more) : world_(world) {
         double width = 1e-9;
         for (const ShapeConstants& shape : world.shape_constants)
             width = std::max(width, 2 * shape.bounding_radius);
-        const scene::Box& box = world.scene.domain.box;
+        const Vector3d length = world.scene.domain.box.hi - world.scene.domain.box.lo;
+        const double room = cells_per_body * (static_cast<double>(more) + world.bodies()) + 64;
+        while ((length / width).array().floor().max(1).prod() > room)
+            width *= 1.26;
         for (int k = 0; k < 3; ++k)
-            size_[static_cast<std::size_t>(k)] = std::clamp(static_cast<int>((box.hi[k] - box.lo[k]) / width), 1, 200);
-        cells_.resize(static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]) *
-                      static_cast<std::size_t>(size_[2]));
+            size_[static_cast<std::size_t>(k)] = std::max(static_cast<int>(length[k] / width), 1);
+        first_.assign(static_cast<std::size_t>(size_[0] * size_[1] * size_[2]), -1);
         for (int slot = 0; slot < world.bodies(); ++slot)
             add(placement_of(world, slot));
     }
 
     void add(const Placement& body) {
-        cells_[index(place(bounding_centre(world_, body)))].push_back(static_cast<int>(bodies_.size()));
-        bodies_.push_back(body);
+        const Placement inside = into_box(body);
+        int& first = first_[index(place(bounding_centre(world_, inside)))];
+        next_.push_back(first);
+        first = static_cast<int>(bodies_.size());
+        bodies_.push_back(inside);
     }
 
     [[nodiscard]] bool leaves_room_for(const Placement& body) const {
-        const Vector3d centre = bounding_centre(world_, body);
+        const Placement inside = into_box(body);
+        const Vector3d centre = bounding_centre(world_, inside);
         const std::array<int, 3> home = place(centre);
         std::array<int, 3> at{};
         for (at[0] = home[0] - 1; at[0] <= home[0] + 1; ++at[0])
             for (at[1] = home[1] - 1; at[1] <= home[1] + 1; ++at[1])
                 for (at[2] = home[2] - 1; at[2] <= home[2] + 1; ++at[2])
-                    if (!cell_leaves_room(body, centre, at))
+                    if (!cell_leaves_room(inside, centre, at))
                         return false;
         return true;
     }
 
 private:
+    /// With its bounding centre in the box along periodic axes, wherever its centre of mass may be then.
+    [[nodiscard]] Placement into_box(Placement body) const {
+        const scene::Domain& domain = world_.scene.domain;
+        const Vector3d centre = bounding_centre(world_, body);
+        for (int axis = 0; axis < 3; ++axis)
+            body.position[axis] -=
+                scene::periods_past(domain, axis, centre[axis]) * (domain.box.hi[axis] - domain.box.lo[axis]);
+        return body;
+    }
+
     [[nodiscard]] bool cell_leaves_room(const Placement& body, const Vector3d& centre, std::array<int, 3> at) const {
         const scene::Domain& domain = world_.scene.domain;
         Vector3d shift = Vector3d::Zero();
@@ -75,7 +94,7 @@ private:
             at[k] -= turn * size_[k];
         }
         const double own = world_.shape_constants[static_cast<std::size_t>(body.shape)].bounding_radius;
-        for (const int other : cells_[index(at)]) {
+        for (int other = first_[index(at)]; other >= 0; other = next_[static_cast<std::size_t>(other)]) {
             const Placement& neighbour = bodies_[static_cast<std::size_t>(other)];
             const double reach =
                 own + world_.shape_constants[static_cast<std::size_t>(neighbour.shape)].bounding_radius;
@@ -103,7 +122,8 @@ private:
 
     const World& world_;
     std::array<int, 3> size_{1, 1, 1};
-    std::vector<std::vector<int>> cells_;
+    std::vector<int> first_; // per cell, of its bodies; -1: none
+    std::vector<int> next_;  // per body, in its cell
     std::vector<Placement> bodies_;
 };
 
@@ -211,11 +231,11 @@ std::optional<Problem> insert_fill(World& world, FillState& fill) {
         const Placement body{fill.fill.body, *fill.fill.position, orientation.toRotationMatrix()};
         if (in_wall(world, body))
             return no_room_at(world, fill, "a wall");
-        if (!Crowd(world).leaves_room_for(body))
+        if (!Crowd(world, 1).leaves_room_for(body))
             return no_room_at(world, fill, "another body");
         placed.push_back(state_of(fill.fill, *fill.fill.position, orientation));
     } else {
-        Crowd crowd(world);
+        Crowd crowd(world, fill.asked - fill.placed);
         placed = place_at_random(world, fill, crowd);
     }
     fill.placed += static_cast<std::int64_t>(placed.size());

@@ -93,8 +93,8 @@ struct BodyPair {
     int b = 0;
     double expires = 0; // m, on the sum of the two odometers (World::travel)
     int begin = 0;      // into Chunk::candidates
-    std::int16_t count = 0;
-    std::int16_t capacity = 0;
+    int count = 0;
+    int capacity = 0;
     std::int16_t image = 0; // index into World::images: where b stands relative to its own place
 };
 
@@ -155,7 +155,8 @@ struct alignas(32) WallContact {
     int touch;
 };
 
-constexpr int max_wall_touches = 3;
+// A sphere on the square hole of a sieve touches four edges, one in a corner where six facets meet six.
+constexpr int max_wall_touches = 8;
 
 struct ContactSums {
     double stored_normal = 0;

@@ -1,5 +1,7 @@
 #include "sim3d/mesh_weld.h"
 
+#include "scene/extent.h"
+#include "sim3d/mesh_junctions.h"
 #include "sim3d/mesh_topology.h"
 #include "sim3d/wall_parts.h"
 
@@ -83,7 +85,7 @@ bool reaches(const Corners& corners, const scene::Domain& domain) {
 /// Finds what is wrong with a triangle that has been welded; keeps the list short however broken the file is.
 class Inspector {
 public:
-    Inspector(const scene::MeshShape& shape, double tolerance) : shape_(shape), tolerance_(tolerance) {}
+    explicit Inspector(const scene::MeshShape& shape) : shape_(shape) {}
 
     void no_area(std::size_t triangle) {
         report(triangle, "has no area", "export the mesh again without degenerate triangles");
@@ -91,10 +93,6 @@ public:
     void twice(std::size_t triangle, std::size_t first) {
         report(triangle, fmt::format("is the same as triangle {}", first + 1),
                "remove one of the two, or export the mesh again without doubled faces");
-    }
-    [[nodiscard]] bool flat(const Corners& c) const {
-        const double longest = std::max({(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()});
-        return (c[1] - c[0]).cross(c[2] - c[0]).norm() <= tolerance_ * longest;
     }
     Problems finish() {
         if (found_ > most)
@@ -111,7 +109,6 @@ private:
 
     static constexpr int most = 10;
     const scene::MeshShape& shape_;
-    double tolerance_;
     int found_ = 0;
     Problems problems_;
 };
@@ -123,47 +120,30 @@ std::array<int, 3> sorted(std::array<int, 3> corners) {
 
 } // namespace
 
-scene::Box bounds_of(const scene::MeshShape& shape) {
-    scene::Box bounds{shape.triangles[0][0], shape.triangles[0][0]};
-    for (const Corners& corners : shape.triangles)
-        for (const Vector3d& corner : corners) {
-            bounds.lo = bounds.lo.cwiseMin(corner);
-            bounds.hi = bounds.hi.cwiseMax(corner);
-        }
-    return bounds;
-}
+namespace {
 
-Result<WeldedMesh> weld_mesh(const scene::MeshShape& shape, const scene::Domain& domain) {
-    if (shape.triangles.empty())
-        return problem_of(shape, "there are no triangles in the mesh", "export the mesh again");
-    for (std::size_t i = 0; i < shape.triangles.size(); ++i)
-        for (const Vector3d& corner : shape.triangles[i])
-            if (!corner.allFinite())
-                return problem_of(shape, fmt::format("triangle {} has a coordinate that is not a number", i + 1),
-                                  "export the mesh again");
-
-    const scene::Box bounds = bounds_of(shape);
-    const double tolerance = weld_share * (bounds.hi - bounds.lo).norm();
+Result<WeldedMesh> weld(const scene::MeshShape& shape, const std::vector<MeshPiece>& pieces,
+                        const scene::Domain& domain, const scene::Box& bounds, double tolerance) {
     Welder welder(tolerance);
-    Inspector inspector(shape, tolerance);
+    Inspector inspector(shape);
     WeldedMesh mesh;
     std::map<std::array<int, 3>, int> known;
     for (const Vector3d& shift : periodic_shifts(bounds, domain))
-        for (std::size_t i = 0; i < shape.triangles.size(); ++i) {
-            Corners corners = shape.triangles[i];
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            Corners corners = pieces[i].corners;
             for (Vector3d& corner : corners)
                 corner += shift;
             const bool copy = !shift.isZero(0);
             if (copy && !reaches(corners, domain))
                 continue;
-            if (!copy && inspector.flat(corners)) {
-                inspector.no_area(i);
+            if (!copy && without_area(corners, tolerance)) {
+                inspector.no_area(pieces[i].triangle);
                 continue;
             }
             const std::array<int, 3> welded{welder.weld(corners[0]), welder.weld(corners[1]), welder.weld(corners[2])};
             if (welded[0] == welded[1] || welded[1] == welded[2] || welded[2] == welded[0]) {
                 if (!copy)
-                    inspector.no_area(i);
+                    inspector.no_area(pieces[i].triangle);
                 continue;
             }
             const auto [place, fresh] = known.emplace(sorted(welded), static_cast<int>(mesh.triangles.size()));
@@ -173,12 +153,34 @@ Result<WeldedMesh> weld_mesh(const scene::MeshShape& shape, const scene::Domain&
             } else if (copy) {
                 mesh.coincident.push_back({place->second, static_cast<int>(i)});
             } else {
-                inspector.twice(i, static_cast<std::size_t>(mesh.original[static_cast<std::size_t>(place->second)]));
+                const int first = mesh.original[static_cast<std::size_t>(place->second)];
+                inspector.twice(pieces[i].triangle, pieces[static_cast<std::size_t>(first)].triangle);
             }
         }
     if (Problems problems = inspector.finish(); !problems.empty())
         return problems;
     mesh.vertices = std::move(welder.vertices);
+    return mesh;
+}
+
+} // namespace
+
+Result<WeldedMesh> weld_mesh(const scene::MeshShape& shape, const scene::Domain& domain) {
+    if (shape.triangles.empty())
+        return problem_of(shape, "there are no triangles in the mesh", "export the mesh again");
+    std::vector<MeshPiece> pieces;
+    for (std::size_t i = 0; i < shape.triangles.size(); ++i) {
+        for (const Vector3d& corner : shape.triangles[i])
+            if (!corner.allFinite())
+                return problem_of(shape, fmt::format("triangle {} has a coordinate that is not a number", i + 1),
+                                  "export the mesh again");
+        pieces.push_back({shape.triangles[i], i});
+    }
+    const scene::Box bounds = scene::extent_of(shape);
+    const double tolerance = weld_share * (bounds.hi - bounds.lo).norm();
+    Result<WeldedMesh> mesh = weld(shape, pieces, domain, bounds, tolerance);
+    for (int side = 0; side < 3 && mesh.ok() && split_at_junctions(*mesh, tolerance, pieces); ++side)
+        mesh = weld(shape, pieces, domain, bounds, tolerance);
     return mesh;
 }
 

@@ -17,7 +17,7 @@ using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 void make_room(ClumpCandidates& pool, BodyPair& pair, int count, bool remembers_more) {
     if (count <= pair.capacity)
         return;
-    pair.capacity = static_cast<std::int16_t>(count + 2);
+    pair.capacity = count + 2;
     pair.begin = pool.size();
     pool.resize(pool.size() + pair.capacity, remembers_more);
 }
@@ -59,7 +59,7 @@ void refresh(const World& world, Chunk& chunk, BodyPair& pair) {
     thread_local std::vector<Remembered> before;
     take_touching(chunk.candidates, pair, before);
     make_room(chunk.candidates, pair, count, world.remembers_more);
-    pair.count = static_cast<std::int16_t>(count);
+    pair.count = count;
     for (int k = 0; k < count; ++k) {
         const SphereCandidate fresh{static_cast<std::int16_t>(found[k] >> 16),
                                     static_cast<std::int16_t>(found[k] & 0xffffU)};

@@ -11,6 +11,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double deepest_overlap_ratio = 1.0;
+// rad; up to here the sine and cosine in kernels/integrate.cpp are right to 1e-7.
+constexpr double widest_turn = 0.2;
 // Leaving the domain harms nothing at once, so positions are looked at only so often.
 constexpr std::int64_t steps_per_look = 50;
 
@@ -49,6 +51,11 @@ std::optional<Problem> wild_motion(const World& world) {
             return stop(world,
                         fmt::format("{} moves at {:.4g} m/s, more than its smallest sphere's radius in one step",
                                     name_of(world, slot), speed),
+                        shorter_step);
+        if (spin * world.dt > widest_turn)
+            return stop(world,
+                        fmt::format("{} spins at {:.4g} rad/s, {:.2g} rad in one step where {} are the most",
+                                    name_of(world, slot), spin, spin * world.dt, widest_turn),
                         shorter_step);
     }
     return std::nullopt;
@@ -112,7 +119,8 @@ std::optional<Problem> insanity(const World& world) {
     bool wild = false;
     for (const Chunk& chunk : world.chunks)
         wild = wild || !chunk.sums.motion.finite;
-    if (wild || world.books.speed_max * world.dt > world.smallest_radius)
+    if (wild || world.books.speed_max * world.dt > world.smallest_radius ||
+        world.books.angular_speed_max * world.dt > widest_turn)
         if (auto problem = wild_motion(world))
             return problem;
     if (world.books.overlap_ratio_max > deepest_overlap_ratio)

@@ -30,7 +30,8 @@ private:
     Vector3d point_, normal_;
 };
 
-/// One face of a box seen from inside. It ends where its neighbour is open, and goes on for ever behind a closed one.
+/// One face of a box seen from inside. Of a box with an opening, which bodies may leave, it is a thin rectangle; of a
+/// closed one it goes on for ever.
 struct Face {
     int feature = 0; // as in BoxShape::open: -x +x -y +y -z +z
     int axis = 0;
@@ -39,18 +40,39 @@ struct Face {
     Vector3d lo = Vector3d::Constant(-std::numeric_limits<double>::infinity());
     Vector3d hi = Vector3d::Constant(std::numeric_limits<double>::infinity());
     bool has_rim = false;
+    std::array<bool, 6> joined{}; // faces that it shares an edge with
 
     [[nodiscard]] double height(const Vector3d& point) const { return side * (point[axis] - at); }
     /// From the face's rim to the point, within the face's plane; zero over the face.
     [[nodiscard]] Vector3d beyond(const Vector3d& point) const { return point - point.cwiseMax(lo).cwiseMin(hi); }
+    /// Whether the closest point, `beyond` away in the face's plane, is on an edge shared with a face that is as near
+    /// or nearer and answers for it.
+    [[nodiscard]] bool left_to_neighbour(const Vector3d& beyond, double height) const {
+        for (int other = 0; other < 6; ++other) {
+            const double past = (other % 2 == 0 ? -1 : 1) * beyond[other / 2];
+            if (past > 0 && joined[static_cast<std::size_t>(other)] && (height >= 0 || other < feature))
+                return true;
+        }
+        return false;
+    }
 };
 
 class BoxInside final : public SurfaceParts {
 public:
     BoxInside(const scene::BoxShape& shape, const scene::Domain& domain) {
+        std::array<bool, 6> goes_on{}; // open to a periodic side
+        bool has_opening = false;
+        for (std::size_t side = 0; side < 6; ++side) {
+            const auto axis = static_cast<Eigen::Index>(side / 2);
+            const double slack = 1e-9 * (domain.box.hi[axis] - domain.box.lo[axis]);
+            const bool at_end = side % 2 == 0 ? shape.box.lo[axis] <= domain.box.lo[axis] + slack
+                                              : shape.box.hi[axis] >= domain.box.hi[axis] - slack;
+            goes_on[side] = shape.open[side] && domain.periodic[side / 2] && at_end;
+            has_opening = has_opening || (shape.open[side] && !goes_on[side]);
+        }
         for (int feature = 0; feature < 6; ++feature)
             if (!shape.open[static_cast<std::size_t>(feature)])
-                faces_.push_back(face(feature, shape, domain));
+                faces_.push_back(face(feature, shape, goes_on, has_opening));
     }
 
     [[nodiscard]] int primitives() const override { return static_cast<int>(faces_.size()); }
@@ -58,7 +80,7 @@ public:
     [[nodiscard]] double distance(int primitive, const Vector3d& point) const override {
         const Face& face = faces_[static_cast<std::size_t>(primitive)];
         const double past_rim = face.beyond(point).squaredNorm(), height = face.height(point);
-        return past_rim > 0 ? std::sqrt(past_rim + height * height) : height;
+        return face.has_rim ? std::sqrt(past_rim + height * height) : height;
     }
 
     int touches(const Vector3d& centre, double radius, std::span<const int> primitives,
@@ -69,6 +91,8 @@ public:
             const double height = face.height(centre);
             Vector3d away = face.has_rim ? face.beyond(centre) : Vector3d::Zero();
             if (away.squaredNorm() > 0) {
+                if (face.left_to_neighbour(away, height))
+                    continue;
                 away[face.axis] = face.side * height;
                 const double far = away.norm();
                 list.add({away / far, far - radius, face.feature});
@@ -81,27 +105,19 @@ public:
     }
 
 private:
-    static Face face(int feature, const scene::BoxShape& shape, const scene::Domain& domain) {
+    static Face face(int feature, const scene::BoxShape& shape, const std::array<bool, 6>& goes_on, bool has_opening) {
         Face face;
         face.feature = feature;
         face.axis = feature / 2;
         face.side = feature % 2 == 0 ? 1 : -1;
         face.at = feature % 2 == 0 ? shape.box.lo[face.axis] : shape.box.hi[face.axis];
-        for (int axis = 0; axis < 3; ++axis) {
-            if (axis == face.axis)
+        face.has_rim = has_opening;
+        for (int side = 0; has_opening && side < 6; ++side) {
+            const auto s = static_cast<std::size_t>(side);
+            if (side / 2 == face.axis || goes_on[s])
                 continue;
-            const auto a = static_cast<std::size_t>(axis);
-            const double slack = 1e-9 * (domain.box.hi[axis] - domain.box.lo[axis]);
-            const bool periodic = domain.periodic[a];
-            // Through a periodic side the face goes on.
-            const bool rim_lo = shape.open[2 * a] && !(periodic && shape.box.lo[axis] <= domain.box.lo[axis] + slack);
-            const bool rim_hi =
-                shape.open[2 * a + 1] && !(periodic && shape.box.hi[axis] >= domain.box.hi[axis] - slack);
-            if (rim_lo)
-                face.lo[axis] = shape.box.lo[axis];
-            if (rim_hi)
-                face.hi[axis] = shape.box.hi[axis];
-            face.has_rim = face.has_rim || rim_lo || rim_hi;
+            face.joined[s] = !shape.open[s];
+            (side % 2 == 0 ? face.lo : face.hi)[side / 2] = (side % 2 == 0 ? shape.box.lo : shape.box.hi)[side / 2];
         }
         return face;
     }

@@ -56,8 +56,4 @@ WallTouch touch_from_inside(const Eigen::Vector3d& inward, double height, double
 /// along each periodic axis, except along an axis on which the wall is longer than the period.
 std::vector<Eigen::Vector3d> periodic_shifts(const scene::Box& bounds, const scene::Domain& domain);
 
-scene::Box bounds_of(const scene::CylinderShape& shape);
-scene::Box bounds_of(const scene::DiscShape& shape);
-scene::Box bounds_of(const scene::MeshShape& shape);
-
 } // namespace tumble::sim3d

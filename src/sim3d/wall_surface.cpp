@@ -1,7 +1,6 @@
 #include "sim3d/wall_surface.h"
 
 #include "scene/bowl_mesh.h"
-#include "scene/extent.h"
 #include "sim3d/wall_parts.h"
 
 #include <algorithm>
@@ -101,69 +100,6 @@ Problems faults_of(const scene::BowlDiscShape& shape) {
     return faults_of_bowl(shape);
 }
 
-/// How far the wall reaches, for finding walls that no body can meet; endless ones reach everywhere.
-scene::Box extent_of(const scene::BoxShape& shape) {
-    return shape.box;
-}
-scene::Box extent_of(const scene::CylinderShape& shape) {
-    return bounds_of(shape);
-}
-scene::Box extent_of(const scene::DiscShape& shape) {
-    return bounds_of(shape);
-}
-scene::Box extent_of(const scene::MeshShape& shape) {
-    return bounds_of(shape);
-}
-scene::Box extent_of(const scene::TroughShape& shape) {
-    const double endless = std::numeric_limits<double>::infinity();
-    const double lean = std::max(0.0, shape.rim - shape.floor) * std::tan(shape.flare) + shape.radius;
-    return {Vector3d(-endless, shape.floor, -lean - shape.radius), Vector3d(endless, shape.rim, lean + shape.radius)};
-}
-
-scene::Box extent_of(const scene::BowlShape& shape) {
-    return scene::extent_of(scene::WallShape(shape));
-}
-scene::Box extent_of(const scene::BowlDiscShape& shape) {
-    return scene::extent_of(scene::WallShape(shape));
-}
-
-Problems outside(const scene::Box& wall, const scene::Box& domain) {
-    for (int axis = 0; axis < 3; ++axis)
-        if (wall.lo[axis] > domain.hi[axis] || wall.hi[axis] < domain.lo[axis])
-            return {
-                problem_of(fmt::format("the wall lies outside the domain: {0} from {1:.6g} to {2:.6g} m, the domain's "
-                                       "{0} from {3:.6g} to {4:.6g} m",
-                                       "xyz"[axis], wall.lo[axis], wall.hi[axis], domain.lo[axis], domain.hi[axis]),
-                           "move the wall, widen the domain, or check the wall's unit")};
-    return {};
-}
-
-/// A plane is outside when the whole domain is on one side of it.
-Problems outside(const scene::PlaneShape& shape, const scene::Box& domain) {
-    double lo = std::numeric_limits<double>::infinity(), hi = -lo;
-    for (int corner = 0; corner < 8; ++corner) {
-        const Vector3d place(corner & 1 ? domain.hi.x() : domain.lo.x(), corner & 2 ? domain.hi.y() : domain.lo.y(),
-                             corner & 4 ? domain.hi.z() : domain.lo.z());
-        const double height = shape.normal.normalized().dot(place - shape.point);
-        lo = std::min(lo, height);
-        hi = std::max(hi, height);
-    }
-    const double slack = 1e-9 * (domain.hi - domain.lo).norm();
-    if (lo <= slack && hi >= -slack)
-        return {};
-    return {problem_of(fmt::format("the plane lies outside the domain, {:.6g} m from it", lo > 0 ? lo : -hi),
-                       "move the plane, widen the domain, or check the plane's unit")};
-}
-
-template <class Shape> Problems misplaced(const Shape& shape, const scene::Domain& domain) {
-    if constexpr (std::is_same_v<Shape, scene::PlaneShape>)
-        return outside(shape, domain.box);
-    else if constexpr (std::is_same_v<Shape, scene::MeshShape>)
-        return shape.triangles.empty() ? Problems{} : outside(extent_of(shape), domain.box);
-    else
-        return outside(extent_of(shape), domain.box);
-}
-
 struct Maker {
     const scene::Domain& domain;
     Result<SurfacePartsPtr> operator()(const scene::PlaneShape& shape) const { return plane_parts(shape); }
@@ -204,7 +140,7 @@ bool turns_in_place(const scene::Wall& wall) {
     if (!axis || motion.rotations.empty() || !motion.harmonics.empty() || !motion.rockings.empty() ||
         !motion.linears.empty() || !motion.tables.empty())
         return false;
-    const auto [point, direction] = std::pair{axis->first, axis->second.normalized()};
+    const Vector3d point = axis->first, direction = axis->second.normalized();
     return std::all_of(motion.rotations.begin(), motion.rotations.end(), [&](const scene::Rotation& part) {
         return part.axis.cross(direction).norm() < 1e-12 &&
                (point - part.centre).cross(direction).norm() <= 1e-12 * (1 + point.norm());
@@ -213,8 +149,6 @@ bool turns_in_place(const scene::Wall& wall) {
 
 Result<WallSurface> WallSurface::make(const scene::WallShape& shape, const scene::Domain& domain) {
     Problems problems = std::visit([](const auto& s) { return faults_of(s); }, shape);
-    if (problems.empty())
-        problems = std::visit([&](const auto& s) { return misplaced(s, domain); }, shape);
     if (!problems.empty())
         return problems;
     Result<SurfacePartsPtr> parts = std::visit(Maker{domain}, shape);

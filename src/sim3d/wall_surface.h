@@ -34,8 +34,8 @@ class WallSurface {
 public:
     WallSurface() = default; // nothing: no primitives
 
-    /// Problems: a size that is not positive, a wall wholly outside the domain, a mesh without triangles, a triangle
-    /// without area, a triangle that is there twice; with the triangle's number, counted from 1.
+    /// Problems: a size that is not positive, a mesh without triangles, a triangle without area, a triangle that is
+    /// there twice; with the triangle's number, counted from 1.
     static Result<WallSurface> make(const scene::WallShape& shape, const scene::Domain& domain);
 
     [[nodiscard]] int primitives() const;
@@ -43,7 +43,7 @@ public:
     /// All primitives nearer to `centre` than `reach` (m), ascending; `out` is emptied first.
     void primitives_near(const Eigen::Vector3d& centre, double reach, std::vector<int>& out) const;
 
-    /// Distance from the primitive to the point, m; negative behind a surface that has an inside (plane, box, trough).
+    /// Distance from the primitive to the point, m; negative behind a plane, a closed box and the trough.
     [[nodiscard]] double distance(int primitive, const Eigen::Vector3d& point) const;
 
     /// Touching features only (gap < 0), each once, ascending by feature; returns how many. `primitives` must hold, in

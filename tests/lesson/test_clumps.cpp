@@ -2,6 +2,7 @@
 #include "taught.h"
 
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 #include <string>
 
@@ -22,7 +23,15 @@ TEST_CASE("clumps: n contacts are sqrt(n) times as damped as one, unless they sh
 }
 
 TEST_CASE("clumps: mass is that of the union") {
-    CHECK(taught("clumps").fact("mass_worst") < 1e-6);
+    // Two spheres of radius R at d: both, less a lens of two caps of height R - d / 2.
+    const double R = 5e-3, density = 1665.71;
+    const Walk walk = taught("clumps");
+    for (const double share : {0.25, 0.5, 1.0, 1.5, 2.0}) {
+        CAPTURE(share);
+        const double cap = R * (1 - share / 2);
+        const double volume = std::numbers::pi * (8 * R * R * R - 2 * cap * cap * (3 * R - cap)) / 3;
+        CHECK(walk.fact(fmt::format("mass_at_{}", share)) == about(volume * density, 1e-6));
+    }
 }
 
 TEST_CASE(

@@ -18,4 +18,10 @@ TEST_CASE("energy: a ball comes back to e^2 and e^4 of its height, and the books
     CHECK(walk.fact("height_2") == about(std::pow(e, 4) * h, 0.02));
     CHECK(walk.fact("lost_first") == about((1 - e * e) * energy, 0.01));
     CHECK(walk.fact("closure") < 1e-3); // a hundred steps a contact, second order
+    CHECK(walk.fact("closure_coarse") > 0.01);
+    // What gravity takes and the steps may: that is all that parts the bounce from e^2.
+    const double seen = walk.fact("height_1") / (e * e * h) - 1, gravity = walk.fact("departure_gravity");
+    CHECK(gravity < 0);
+    CHECK(seen > gravity + walk.fact("departure_least") - 1e-3);
+    CHECK(seen < gravity + walk.fact("departure_most") + 1e-3);
 }

@@ -2,6 +2,7 @@
 #include "taught.h"
 
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 
 using namespace tumble::lesson;
@@ -22,8 +23,20 @@ TEST_CASE("restitution: an impact is half a swing of the damped oscillator") {
 
 TEST_CASE("restitution: both laws give back what was asked for, and Hertz' durations are those of theory") {
     const Walk walk = taught("restitution");
-    CHECK(walk.fact("restitution_worst") < 5e-3);
-    CHECK(walk.fact("hertz_worst") < 2e-3);
+    for (const double e : {1.0, 0.9, 0.7, 0.5, 0.3, 0.1}) {
+        CAPTURE(e);
+        CHECK(std::abs(walk.fact(fmt::format("linear_restitution_{}", e)) - e) < 5e-3);
+        CHECK(std::abs(walk.fact(fmt::format("hertz_restitution_{}", e)) - e) < 5e-3);
+    }
+    // Johnson 1985, 11.22 and 11.24, against a rigid plate of the same material: E* = E / (2 (1 - nu^2)).
+    const double R = 5e-3, E_eff = 5e7 / (2 * (1 - 0.0625)), mass = 4.0 / 3 * std::numbers::pi * R * R * R * 2500;
+    for (const double v : {0.01, 0.1, 1.0, 4.0}) { // times 1 m/s
+        CAPTURE(v);
+        const double overlap = std::pow(15 * mass * v * v / (16 * E_eff * std::sqrt(R)), 0.4);
+        const std::string at = fmt::format("{}", v);
+        CHECK(walk.fact("hertz_overlap_" + at) == about(overlap, 2e-3));
+        CHECK(walk.fact("hertz_duration_" + at) == about(2.9433 * overlap / v, 2e-3));
+    }
 }
 
 TEST_CASE("restitution: a contact that may not pull rebounds as Schwager and Pöschel say") {

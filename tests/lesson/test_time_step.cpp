@@ -2,6 +2,7 @@
 #include "taught.h"
 
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 
 using namespace tumble::lesson;
@@ -13,7 +14,13 @@ TEST_CASE("time-step: a disc between two springs explodes from 2 / omega on, not
     const Walk walk = taught("time-step");
     CHECK(walk.fact("limit_predicted") == about(limit, 1e-12));
     CHECK(walk.fact("limit_seen") == about(limit, 2e-5));
-    CHECK(walk.fact("growth_difference") < 1e-6);
+    // Roots of r^2 = p r - 1 with p = 2 - (w dt)^2: on the unit circle up to w dt = 2, one outside beyond.
+    for (const double factor : {0.1, 0.5, 0.99, 1.01, 1.1, 1.2}) {
+        CAPTURE(factor);
+        const double half = std::abs(1 - 2 * factor * factor);
+        const double growth = half > 1 ? half + std::sqrt(half * half - 1) : 1;
+        CHECK(walk.fact(fmt::format("growth_at_{}", factor)) == about(growth, 1e-6));
+    }
     CHECK(walk.fact("check_limit") < limit);
 }
 

@@ -234,3 +234,20 @@ TEST_CASE("a problem that comes up later finds the place of its key, or of the t
     CHECK(problem_about(*scene, "contact.normal", "", "").line == 0);
     CHECK(problem_about(*scene, "contact.normal", "", "").file == scene->file.string());
 }
+
+TEST_CASE("a wall that comes in during the run stands where it may begin, one that stays outside does not") {
+    const auto problems = [](const std::string& shape, double speed) {
+        const auto scene =
+            load("[[wall]]\nname = \"lid\"\nmaterial = \"glass\"\n" + shape +
+                 "\n[[wall.motion]]\nkind = \"linear\"\nvelocity_m_s = [0, " + std::to_string(-speed) + ", 0]\n");
+        return scene.ok() ? std::string() : to_string(scene.problems());
+    };
+    for (const std::string shape :
+         {"shape = \"disc\"\ncentre_m = [0, 1.3, 0]\nradius_m = 0.2", "shape = \"plane\"\npoint_m = [0, 1.3, 0]",
+          "shape = \"cylinder\"\nbase_m = [0, 1.3, 0]\nlength_m = 1\nradius_m = 0.2",
+          "shape = \"box\"\nlo_m = [-1, 1.3, -1]\nhi_m = [1, 1.5, 1]"}) {
+        CAPTURE(shape);
+        CHECK(problems(shape, 0.6) == "");
+        CHECK(problems(shape, 0.2).find("lies outside the domain") != std::string::npos); // 0.2 m in the 1 s of the run
+    }
+}

@@ -25,6 +25,17 @@ TEST_CASE("gnuplot is told units, and words as they stand") {
     CHECK(script.find("1 2\nEND") != std::string::npos);
 }
 
+TEST_CASE("a figure's mark changes with its data and words, and not with rounding") {
+    Figure other = line;
+    other.curves[0].y[1] *= 1 + 1e-13;
+    CHECK(mark_of(other) == mark_of(line));
+    other.curves[0].y[0] = 0.01;
+    CHECK(mark_of(other) != mark_of(line));
+    other = line;
+    other.title = "Another line";
+    CHECK(mark_of(other) != mark_of(line));
+}
+
 TEST_CASE("without gnuplot there is one clear message") {
     const std::string path = std::getenv("PATH");
     setenv("PATH", "/nowhere", 1);
@@ -45,5 +56,6 @@ TEST_CASE("figures are written as PNG and SVG, and a folder that is not there is
     }
     CHECK(test::content_of(folder.path / "line.png").starts_with("\x89PNG"));
     CHECK(test::content_of(folder.path / "line.svg").find("force, N") != std::string::npos);
+    CHECK(test::content_of(folder.path / "line.svg").ends_with(mark_of(line) + "\n"));
     CHECK_FALSE(draw(line, folder.path / "none" / "line.png").ok());
 }

@@ -44,7 +44,8 @@ Seen look_at_all(const World& world, double period) {
     return seen;
 }
 
-/// A crowded gas of discs of two sizes and of clumps, in a box that repeats.
+/// A crowded gas of discs of two sizes and of clumps, of which one has discs of the largest size that stand far out, in
+/// a box that repeats.
 Sandbox gas(double period, int bodies) {
     Sandbox box(springs(2e6, 0.5, 0.9, 0.4), 2e-4);
     box.scene.domain.box = {{0, 0, -0.5}, {period, period, 0.5}};
@@ -52,10 +53,12 @@ Sandbox gas(double period, int bodies) {
     box.disc(0.05);
     box.disc(0.08);
     box.body({{{0, 0, 0}, 0.05}, {{0.08, 0, 0}, 0.04}, {{0.04, 0.06, 0}, 0.03}});
-    for (int shape = 0; shape < 3; ++shape) {
+    box.body({{{-0.1, 0, 0}, 0.08}, {{0.1, 0, 0}, 0.08}});
+    const int shapes = static_cast<int>(box.scene.bodies.size());
+    for (int shape = 0; shape < shapes; ++shape) {
         scene::Fill fill;
         fill.body = shape;
-        fill.count = bodies / 3;
+        fill.count = bodies / shapes;
         fill.region = box.scene.domain.box;
         box.scene.fills.push_back(fill);
     }
@@ -63,22 +66,28 @@ Sandbox gas(double period, int bodies) {
     return box;
 }
 
-} // namespace
-
-TEST_CASE("no contact is missed and none counted twice: a gas of discs and clumps against brute force") {
-    const double period = 2;
-    const Sandbox plain = gas(period, 120);
-    // A second world of the same bodies, thrown about.
-    Sandbox box = gas(period, 0 + 3);
+/// A gas whose bodies fly and turn, with a skin of that width, m.
+Sandbox thrown_gas(double period, int bodies, double skin) {
+    const Sandbox plain = gas(period, bodies);
     std::vector<BodyState> states = bodies_of(*plain.world);
     Rng rng(5);
     for (BodyState& state : states) {
         state.velocity = {rng.uniform(-3, 3), rng.uniform(-3, 3)};
         state.angular_velocity = rng.uniform(-20, 20);
     }
+    Sandbox box = gas(period, 4);
     box.scene.fills.clear();
+    box.scene.skin = skin;
     box.build();
     box.put(states);
+    return box;
+}
+
+} // namespace
+
+TEST_CASE("no contact is missed and none counted twice: a gas of discs and clumps against brute force") {
+    const double period = 2;
+    const Sandbox box = thrown_gas(period, 80, 0);
     std::int64_t contacts = 0;
     for (int k = 0; k < 1500; ++k) {
         const Seen seen = look_at_all(*box.world, period);
@@ -91,17 +100,23 @@ TEST_CASE("no contact is missed and none counted twice: a gas of discs and clump
     CHECK(contacts > 10000);
 }
 
-TEST_CASE("the skin changes how often lists are made, not a bit of what happens") {
+TEST_CASE("the skin changes how often lists are made, not what happens") {
+    // Only the order in which forces are added depends on it: rounding, which collisions let grow. 0.06 s are about
+    // one collision a body, after which nothing has grown a thousandfold.
     const auto end_of = [](double skin) {
-        Sandbox box = gas(2, 90);
-        box.scene.skin = skin;
-        box.build();
+        const Sandbox box = thrown_gas(2, 60, skin);
         box.step(300);
+        CHECK(books_of(*box.world).lost_sliding > 0);
         return bodies_of(*box.world);
     };
     const auto one = end_of(0), other = end_of(0.03);
+    REQUIRE(one.size() == other.size());
     for (std::size_t i = 0; i < one.size(); ++i)
-        CHECK((one[i].position - other[i].position).norm() < 1e-9);
+        for (int axis = 0; axis < 2; ++axis) {
+            // Lists are made at other times, so one may have moved a body back by a period that the other has not.
+            const double apart = one[i].position[axis] - other[i].position[axis];
+            CHECK(std::abs(apart - 2 * std::round(apart / 2)) < 1e-11);
+        }
 }
 
 TEST_CASE("bodies that come in later find their neighbours, and old contacts keep their springs") {

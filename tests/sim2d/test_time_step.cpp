@@ -52,6 +52,52 @@ TEST_CASE("the reported limit is that of four contacts at once that share a body
     CHECK(report.hertz == 0);
 }
 
+TEST_CASE("where only cohesion holds the shear spring its stiffness sets the limit all the same") {
+    // So soft along the normal that a contact outlasts hundreds of steps: half a period of 8 s.
+    contact::PairProperties pair = springs(10, 1e5, 1, 0);
+    pair.cohesion = 20;
+    Sandbox box(pair, 1e-4);
+    const int disc = box.disc(0.1);
+    box.build();
+    // k_s acts with 1/m + R^2/I of both sides, as above.
+    const double mass = 1000 * std::numbers::pi * 0.01;
+    const auto report = time_step_report(box.scene, shapes_of(*box.world));
+    CHECK(report.limit == about(2 / std::sqrt(4 * 1e6 * 6 / mass), 1e-9));
+    // One such contact alone swings with w^2 = k_s 6 / m and bears twice the step, and no more.
+    const auto fastest_spin = [&](double dt) {
+        box.scene.time_step = dt;
+        box.build();
+        box.put({at(disc, {0, 0}), at(disc, {0.1999, 0}, {0, 0}, 1e-6)});
+        double most = 0;
+        for (int n = 0; n < 300; ++n) {
+            box.step();
+            most = std::max(most, std::abs(box.body_at(1).angular_velocity));
+        }
+        return most;
+    };
+    CHECK(fastest_spin(1.96 * report.limit) < 1e-4);
+    CHECK(fastest_spin(2.06 * report.limit) > 1e-3);
+}
+
+TEST_CASE("a clump's arm shortens the limit: its discs turn it as they are pushed") {
+    Sandbox box(springs(1e5, 0.5, 1, 0), 1e-4);
+    box.body({{{-0.3, 0, 0}, 0.1}, {{0.3, 0, 0}, 0.1}});
+    box.build();
+    const BodyShape& shape = box.shape(0);
+    // Two discs apart: I = 2 (m/2) (R^2/2 + d^2). A push through a disc's centre has arm 0.3 at most.
+    const double mass = 2 * 1000 * std::numbers::pi * 0.01, inertia = mass * (0.005 + 0.09);
+    REQUIRE(shape.mass == about(mass, 1e-9));
+    REQUIRE(shape.inertia == about(inertia, 1e-9));
+    const auto report = time_step_report(box.scene, shapes_of(*box.world));
+    const double mobility = 2 * (1 / mass + 0.09 / inertia);
+    CHECK(report.limit == about(2 / std::sqrt(4 * 1e5 * mobility), 1e-9));
+    // Rubbing on the rim has a radius more, in any direction.
+    box.scene.pairs[0].friction = 0.3;
+    const auto rubbing = time_step_report(box.scene, shapes_of(*box.world));
+    const double full = 2 * (1 / mass + 0.16 / inertia);
+    CHECK(rubbing.limit == about(2 / std::sqrt(4 * 1e5 * full), 1e-9));
+}
+
 TEST_CASE("a step above the limit is refused, with what to do, unless the scene insists") {
     Sandbox box(springs(1e5, 0.5, 1, 0.3), 1e-2);
     box.disc(0.1);

@@ -218,3 +218,83 @@ TEST_CASE("a body that is shot through a thin wall stops the run and names both"
     REQUIRE(problem);
     CHECK(problem->what.find("body 0 (body0) went through wall 'wall0'") != std::string::npos);
 }
+
+TEST_CASE("a body that has gone round the period is where it is for those that come in later") {
+    // From x = 50 mm at 1 m/s around a period of 100 mm: back at 50 mm after 0.1 s, whatever the lists say.
+    const auto refusal = [](double x) {
+        Sandbox box({"media", 1666, 4.6e7, 0.2887}, {0.5, 0.3}, 1e-5);
+        box.scene.domain = {{{0, -0.05, -0.05}, {0.1, 0.05, 0.05}}, {true, false, false}};
+        const int ball = box.ball(5e-3);
+        for (const auto& [at, when] : {std::pair{0.05, 0.0}, std::pair{x, 0.1}}) {
+            scene::Fill fill;
+            fill.body = ball;
+            fill.count = 1;
+            fill.position = Vector3d(at, 0, 0);
+            fill.velocity = {1, 0, 0};
+            fill.start = when;
+            box.scene.fills.push_back(fill);
+        }
+        auto world = build_world(box.scene, 1);
+        REQUIRE_MESSAGE(world.ok(), to_string(world.problems()));
+        const auto problem = advance(**world, 11000);
+        return problem ? to_string(*problem) : std::string();
+    };
+    CHECK(refusal(0.053).find("overlaps another body at t = 0.1 s") != std::string::npos);
+    CHECK(refusal(0.061).empty());
+}
+
+TEST_CASE("a fill over a periodic side packs across it without overlap, off-centre bodies and bodies under way too") {
+    Sandbox box({"media", 1666, 4.6e7, 0.2887}, {0.5, 0.3}, 1e-5);
+    box.scene.domain = {{{0, -0.05, -0.02}, {0.06, 0.05, 0.02}}, {true, false, true}};
+    scene::Fill fill = fill_of(box.body({{{0, 0, 0}, 4e-3}, {{7e-3, 0, 0}, 1e-3}}), 60);
+    fill.region = box.scene.domain.box;
+    fill.velocity = {2, 0, 0};
+    scene::Fill later = fill;
+    later.start = 0.02;
+    box.scene.fills = {fill, later};
+    auto world = build_world(box.scene, 1);
+    REQUIRE_MESSAGE(world.ok(), to_string(world.problems()));
+    // All drift alike, so that whatever overlaps was put in so.
+    const auto problem = advance(**world, 2010);
+    REQUIRE_MESSAGE(!problem, (problem ? problem->what : ""));
+    CHECK(bodies_of(**world).size() == 120);
+    CHECK(books_of(**world).contacts == 0);
+}
+
+TEST_CASE("a ball may stand beside a bucket and fall past it, but not in its sides") {
+    const auto build = [](double x) {
+        Sandbox box({"media", 1666, 4.6e7, 0.2887}, {0.5, 0.3}, 1e-5);
+        box.scene.gravity = {0, -9.81, 0};
+        scene::BoxShape bucket{{{-0.05, 0, -0.05}, {0.05, 0.1, 0.05}}, {}};
+        bucket.open[3] = true;
+        box.wall(bucket);
+        scene::Fill fill;
+        fill.body = box.ball(5e-3);
+        fill.count = 1;
+        fill.position = Vector3d(x, 0.05, 0);
+        box.scene.fills = {fill};
+        return build_world(box.scene, 1);
+    };
+    auto world = build(0.2);
+    REQUIRE_MESSAGE(world.ok(), to_string(world.problems()));
+    REQUIRE(!advance(**world, 20000));
+    // 0.2 s of fall, leapfrog's first half kick included exactly.
+    CHECK(bodies_of(**world)[0].position.y() == about(0.05 - 0.5 * 9.81 * 0.04, 1e-6));
+    CHECK(build(0.056).ok());
+    CHECK_FALSE(build(0.053).ok());
+    CHECK_FALSE(build(0.047).ok());
+}
+
+TEST_CASE("a body that turns too far in a step for its orientation to follow stops the run by name") {
+    for (const double per_step : {0.19, 0.21}) {
+        Sandbox box({"media", 1666, 4.6e7, 0.2887}, {0.5, 0.3}, 1e-5);
+        const int body = box.body({{{0, 0, 0}, 1e-3}, {{1.5e-3, 0, 0}, 1e-3}});
+        box.start({placed(box.ball(1e-3), {0, 0.1, 0}), placed(body, {0.1, 0, 0}, {0, 0, 0}, {0, per_step / 1e-5, 0})});
+        const auto problem = advance(*box.world, 10);
+        REQUIRE(problem.has_value() == (per_step > 0.2));
+        if (problem)
+            CHECK(problem->what ==
+                  "stopped at t = 1e-05 s, step 1: body 1 (body0) spins at 2.1e+04 rad/s, 0.21 rad in one "
+                  "step where 0.2 are the most");
+    }
+}

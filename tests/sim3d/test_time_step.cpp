@@ -141,7 +141,8 @@ TEST_CASE("leapfrog with late damping stays bounded just below the limit and gro
         scene::Scene scene = scene_of({{Vector3d::Zero(), 0.005}}, media, lining, pair);
         scene.contact.normal = scene::NormalLaw::linear;
         scene.contact.tangential = scene::TangentialLaw::none;
-        scene.pairs[0].normal_stiffness = 1; // grains on each other do not count here
+        scene.fills.resize(1);
+        scene.fills[0].count = 1; // no grain on another
         const TimeStepReport report = report_of(scene);
         const double mass = 1665.71 * 4.0 / 3 * pi * 1.25e-7;
         const double ln_e = std::log(restitution);
@@ -187,4 +188,22 @@ TEST_CASE("a rigid wall and a scene without bodies are no special trouble") {
     CHECK(report.limit > 0);
     scene.bodies.clear();
     CHECK(report_of(scene).stable());
+}
+
+TEST_CASE("contacts that cannot occur do not bound the step") {
+    // One sphere, and its pair with itself left at restitution 0: only the wall counts, as if the pair were elastic.
+    const auto limit = [](double own_restitution, std::int64_t count, bool floor) {
+        scene::Scene scene = scene_of({{Vector3d::Zero(), 0.002}}, media, lining, {0.9, 0.5, 0, 0});
+        scene.pairs[0].restitution = own_restitution;
+        scene::Fill fill;
+        fill.count = count;
+        scene.fills = {fill};
+        if (!floor)
+            scene.walls.clear();
+        return report_of(scene).limit;
+    };
+    CHECK(limit(0, 1, true) == limit(1, 1, true));
+    CHECK(limit(0, 2, true) < 0.7 * limit(0, 1, true)); // critical damping alone takes sqrt(2) - 1 of it
+    CHECK(std::isinf(limit(0, 1, false)));
+    CHECK(std::isfinite(limit(0, 2, false)));
 }

@@ -34,8 +34,8 @@ struct Rows {
 struct Contacts {
     contact::DiscTouch<Pack> touch;
     contact::Turn<Pack> turn;
-    Pack ex, ey;       // e of (3.19)
-    Pack arm_x, arm_y; // m, from the centres to the middle of the overlap
+    Pack ex, ey;             // e of (3.19)
+    Pack arm_of_x, arm_of_y; // m, from the centres to the middle of the overlap
     Pack smaller_radius;
 
     /// (3.20) to (3.22) with the relative velocity of the centres, e, and t, which is e turned clockwise.
@@ -60,10 +60,10 @@ TUMBLE_INLINE Contacts between(Pack dx, Pack dy, const Rows& a, const Rows& b) {
     const Pack shared = Pack(1.0) / (radii * masses);
     c.touch.radius = ra * rb * masses * shared;
     c.touch.mass = a.mass() * b.mass() * radii * shared;
-    c.arm_x = ra - Pack(0.5) * c.touch.overlap;
-    c.arm_y = rb - Pack(0.5) * c.touch.overlap;
+    c.arm_of_x = ra - Pack(0.5) * c.touch.overlap;
+    c.arm_of_y = rb - Pack(0.5) * c.touch.overlap;
     c.smaller_radius = select(rb < ra, rb, ra);
-    c.rates(a.motion.x - b.motion.x, a.motion.y - b.motion.y, a.spin() * c.arm_x + b.spin() * c.arm_y);
+    c.rates(a.motion.x - b.motion.x, a.motion.y - b.motion.y, a.spin() * c.arm_of_x + b.spin() * c.arm_of_y);
     const Pack of_a = a.mass() * ra * ra;
     const Pack of_b = b.mass() * rb * rb;
     c.turn = {{Pack(0.0), Pack(0.0), a.spin() - b.spin()}, Pack(contact::disc_rolls) * of_a * of_b / (of_a + of_b)};
@@ -252,8 +252,8 @@ void push_pairs(const By& by, PushContext& context, const NearPair* pairs, const
         const Force force(c, push);
         Quad on_a[lanes];
         Quad on_b[lanes];
-        Pack torque_a = push.shear * c.arm_x;
-        Pack torque_b = push.shear * c.arm_y;
+        Pack torque_a = push.shear * c.arm_of_x;
+        Pack torque_b = push.shear * c.arm_of_y;
         if constexpr (By::turns) {
             torque_a = torque_a + push.torque;
             torque_b = torque_b - push.torque;
@@ -290,15 +290,15 @@ template <class By> void push_wall_contacts(const By& by, PushContext& context, 
         c.touch.overlap = normal.z;
         c.touch.radius = c.smaller_radius = disc.radius();
         c.touch.mass = disc.mass();
-        c.arm_x = c.arm_y = disc.radius() - Pack(0.5) * normal.z;
-        c.rates(disc.motion.x - wall.x, disc.motion.y - wall.y, disc.spin() * c.arm_x);
+        c.arm_of_x = c.arm_of_y = disc.radius() - Pack(0.5) * normal.z;
+        c.rates(disc.motion.x - wall.x, disc.motion.y - wall.y, disc.spin() * c.arm_of_x);
         c.turn = {{Pack(0.0), Pack(0.0), disc.spin() - normal.w},
                   Pack(contact::disc_rolls) * disc.mass() * disc.radius() * disc.radius()};
         const auto push = by.push(context, c, kept);
         sums.add(c, push, live_lanes(n));
         const Force force(c, push);
         Quad on_disc[lanes];
-        Pack torque = push.shear * c.arm_x;
+        Pack torque = push.shear * c.arm_of_x;
         if constexpr (By::turns)
             torque = torque + push.torque;
         load_rows(on_disc, -force.x, -force.y, torque);

@@ -1,0 +1,128 @@
+#include "base/text.h"
+#include "cli/command.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/scene_arguments.h"
+#include "diagnose/verdict.h"
+#include "observe/whole_file.h"
+#include "report/diagnosis_json.h"
+#include "report/diagnosis_page.h"
+#include "run/record.h"
+#include "run/run_report.h"
+#include "scene/read_file.h"
+#include "scene/read_toml.h"
+#include "scene/to_toml.h"
+
+#include <fmt/format.h>
+#include <memory>
+
+namespace tumble::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct DiagnoseArguments {
+    SceneArguments scene;
+    fs::path data;
+    fs::path report;
+    fs::path extended;
+    bool plan = false;
+    bool quiet = false;
+    bool json = false;
+};
+
+void tell(const diagnose::Diagnosis& diagnosis, bool quiet) {
+    say(diagnose::outcome_words(diagnosis));
+    say(diagnose::verdict_of(diagnosis));
+    say("Next: " + diagnose::next_step(diagnosis));
+    std::vector<std::vector<std::string>> rows{{"", "cause", "fall of chi-square", "standing"}};
+    for (std::size_t k = 0; k < diagnosis.decision.seen.size(); ++k)
+        rows.push_back({"", diagnosis.causes[k].id, fmt::format("{:.1f}", diagnosis.decision.seen[k].gain),
+                        diagnose::standing_of(diagnosis, static_cast<int>(k))});
+    say("");
+    say(table(rows));
+    for (const diagnose::Proposal& proposal : diagnosis.proposals)
+        say(fmt::format("plan  {}: {:.1f} standard errors apart{}", proposal.sentence, proposal.separation,
+                        proposal.repeats > 1 ? fmt::format("; {} of them reach 5", proposal.repeats) : ""));
+    if (quiet)
+        return;
+    for (const Problem& warning : diagnosis.warnings)
+        note(fmt::format("warning: {}: {}: {}\n    {}", warning.file, warning.key, warning.what, warning.fix));
+    note(fmt::format("{} runs, {:.3g} s simulated", diagnosis.runs, diagnosis.simulated));
+}
+
+/// What was asked for as files. Problems: a place that cannot be written.
+Problems leave_files(const DiagnoseArguments& arguments, const diagnose::Diagnosis& diagnosis) {
+    Problems problems;
+    const auto leave = [&](const fs::path& file, const std::string& text) {
+        const Result<Done> written = observe::write_whole(file, text);
+        for (const Problem& problem : written.problems())
+            problems.push_back(problem);
+    };
+    if (!arguments.report.empty()) {
+        std::error_code error;
+        fs::create_directories(arguments.report, error);
+        leave(arguments.report / "diagnosis.json", report::to_json(diagnosis, run::version()).dump(2) + "\n");
+        leave(arguments.report / "diagnosis.html", report::page_of(diagnosis, run::version()));
+        leave(arguments.report / "residuals.csv", report::residuals_csv(diagnosis));
+    }
+    if (!arguments.extended.empty() && diagnosis.extended)
+        leave(arguments.extended, scene::to_toml(*diagnosis.extended));
+    if (!arguments.extended.empty() && !diagnosis.extended)
+        problems.push_back({.file = arguments.extended.string(),
+                            .what = "no extended scene was written: no cause is named that a scene could hold",
+                            .fix = "what is wrong with an instrument is mended there, not in the scene"});
+    return problems;
+}
+
+int diagnose_it(const DiagnoseArguments& arguments) {
+    const auto text = scene::read_file(arguments.scene.file, scene::largest_scene);
+    if (!text)
+        return refuse(text.problems(), arguments.json, wrong);
+    if (const auto scene = arguments.scene.load(); !scene)
+        return refuse(scene.problems(), arguments.json, wrong);
+    const auto measurement = diagnose::load_measurement(arguments.data);
+    if (!measurement)
+        return refuse(measurement.problems(), arguments.json, wrong);
+    diagnose::SceneText scene{*text, arguments.scene.file};
+    for (const std::string& set : arguments.scene.sets)
+        scene.sets.push_back({set});
+    const auto diagnosis = diagnose::diagnose(
+        scene, *measurement, [](const scene::Scene& one) { return run::record(one); }, arguments.plan);
+    if (!diagnosis)
+        return refuse(diagnosis.problems(), arguments.json, wrong);
+    const Problems problems = leave_files(arguments, *diagnosis);
+    if (arguments.json)
+        say_json(report::to_json(*diagnosis, run::version()));
+    else
+        tell(*diagnosis, arguments.quiet);
+    return problems.empty() ? static_cast<int>(fine) : refuse(problems, false, failed);
+}
+
+} // namespace
+
+void add_diagnose_command(CLI::App& program, Action& action) {
+    CLI::App* command = program.add_subcommand(
+        "diagnose",
+        "Example: tumble diagnose scenes/bounce.toml --data scenes/measured/bounce.toml --report out/bounce\n\n"
+        "Holds measured data against a scene: says what the simulation gets wrong, or that the data cannot "
+        "tell.");
+    const auto arguments = std::make_shared<DiagnoseArguments>();
+    arguments->scene.add_to(*command);
+    command->add_option("--data", arguments->data, "What was measured (TOML; docs/diagnosis.md)")
+        ->required()
+        ->type_name("FILE");
+    command->add_option("--report", arguments->report, "Folder for diagnosis.html, diagnosis.json and residuals.csv")
+        ->type_name("DIR")
+        ->check(refuse_dash);
+    command->add_option("--write-extended", arguments->extended, "Scene file to write, with the named cause in it")
+        ->type_name("FILE")
+        ->check(refuse_dash);
+    command->add_flag("--plan", arguments->plan, "Propose experiments also where the answer is not ambiguous");
+    command->add_flag("--quiet", arguments->quiet, "No warnings on stderr");
+    command->add_flag("--json", arguments->json, "Print the diagnosis as JSON");
+    command->callback([arguments, &action] { action = [arguments] { return diagnose_it(*arguments); }; });
+}
+
+} // namespace tumble::cli

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "base/problem.h"
+#include "diagnose/instrument.h"
+#include "scene/scene.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace tumble::diagnose {
+
+/// One thing that may be wrong with a scene or with an instrument: an extension by one number whose null value, 0, is
+/// the baseline bit for bit.
+struct Cause {
+    std::string id{};     // "drag.quadratic"
+    std::string family{}; // an answer of its own where members cannot be told apart
+    std::string symbol{}; // what the number is called
+    std::string unit{};   // of the number, as column heads have it; empty: a plain number
+    double lo = 0;        // plausible at least
+    double hi = 0;        // plausible at most
+    double typical = 0;   // a small effect of usual experiments: where difference quotients begin
+    std::string name{};   // for sentences: "air resistance growing with the square of speed"
+    std::string look{};   // its fingerprint: what the residual (data less baseline) does
+    std::string keys{};   // scene keys that it sets, or what it does to the instrument
+    std::function<void(scene::Scene&, double)> extend{}; // exactly one of the two is set
+    std::function<void(Instrument&, double)> distort{};
+
+    [[nodiscard]] bool physical() const { return extend != nullptr; }
+};
+
+/// The library, physical causes first.
+const std::vector<Cause>& all_causes();
+
+/// The ids of the library.
+std::vector<std::string> cause_ids();
+
+/// Those with these ids, or of these families; all for {"all"} or nothing. Problems: an id that does not exist, with
+/// the nearest.
+Result<std::vector<Cause>> choose_causes(const std::vector<std::string>& ids);
+
+} // namespace tumble::diagnose

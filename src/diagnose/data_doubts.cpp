@@ -1,0 +1,93 @@
+#include "diagnose/data_doubts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <set>
+
+namespace tumble::diagnose {
+
+namespace {
+
+constexpr std::size_t few_levels = 50;
+constexpr std::size_t flat_run = 3;
+
+void doubt_time(const Record& record, Problems& warnings) {
+    std::vector<double> steps;
+    for (std::size_t k = 1; k < record.time.size(); ++k)
+        steps.push_back(record.time[k] - record.time[k - 1]);
+    std::vector<double> sorted = steps;
+    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
+    const double usual = sorted[sorted.size() / 2];
+    const auto gaps = std::count_if(steps.begin(), steps.end(), [&](double step) { return step > 1.5 * usual; });
+    const auto uneven =
+        std::count_if(steps.begin(), steps.end(), [&](double step) { return std::abs(step - usual) > 0.1 * usual; });
+    if (gaps > 0)
+        warnings.push_back({.file = record.file.string(),
+                            .key = "gaps",
+                            .what = fmt::format("{} gap(s) in time: readings are missing", gaps),
+                            .fix = "nothing, if their times are right; readings are used where they stand"});
+    else if (uneven > static_cast<std::ptrdiff_t>(steps.size() / 20))
+        warnings.push_back(
+            {.file = record.file.string(),
+             .key = "jitter",
+             .what = fmt::format("{} of {} steps in time differ by more than a tenth", uneven, steps.size()),
+             .fix = "check the clock; readings are used at the times given"});
+}
+
+void doubt_channel(const Record& record, const Channel& channel, Problems& warnings) {
+    const auto warn = [&](std::string key, std::string what, std::string fix) {
+        warnings.push_back({.file = record.file.string(),
+                            .key = std::move(key),
+                            .what = channel.head + ": " + what,
+                            .fix = std::move(fix)});
+    };
+    const std::set<double> levels(channel.value.begin(), channel.value.end());
+    const bool coarse = levels.size() <= few_levels && channel.value.size() > 2 * levels.size();
+    if (coarse)
+        warn("quantised", fmt::format("only {} different readings: coarse steps", levels.size()),
+             "record with more digits; a step adds a scatter of step / sqrt(12)");
+    for (const double extreme : {*levels.begin(), *levels.rbegin()}) {
+        std::size_t run = 0, longest = 0;
+        for (const double value : channel.value)
+            longest = std::max(longest, run = value == extreme ? run + 1 : 0);
+        if (longest >= flat_run && !coarse)
+            warn("clipped", fmt::format("{} equal readings in a row at the end of the range", longest),
+                 "the sensor was at its limit: choose a larger range");
+    }
+    if (channel.sigma == 0)
+        warn("sigma missing", "its scatter is not stated", "give sigma; it is estimated from the residual instead");
+}
+
+} // namespace
+
+void doubt_record(const Record& record, Problems& warnings) {
+    doubt_time(record, warnings);
+    for (const Channel& channel : record.channels)
+        doubt_channel(record, channel, warnings);
+}
+
+Problems equal_columns(const std::vector<Record>& records) {
+    Problems problems;
+    std::vector<std::pair<const Record*, const Channel*>> seen;
+    for (const Record& record : records) {
+        for (const Channel& channel : record.channels) {
+            if (channel.value == record.time && !channel.shows_time())
+                problems.push_back({.file = record.file.string(),
+                                    .key = "series.column",
+                                    .what = channel.head + " holds the same numbers as time",
+                                    .fix = "store the readings themselves"});
+            for (const auto& [other, theirs] : seen)
+                if (theirs->value == channel.value && !channel.shows_time())
+                    problems.push_back({.file = record.file.string(),
+                                        .key = "series.column",
+                                        .what = fmt::format("{} holds the same numbers as {} of {}", channel.head,
+                                                            theirs->head, other->file.string()),
+                                        .fix = "store each record once, under its own name"});
+            seen.emplace_back(&record, &channel);
+        }
+    }
+    return problems;
+}
+
+} // namespace tumble::diagnose

@@ -1,0 +1,267 @@
+#include "diagnose/decide.h"
+
+#include "diagnose/folds.h"
+
+#include <Eigen/QR>
+#include <cmath>
+#include <fmt/format.h>
+#include <numeric>
+
+namespace tumble::diagnose {
+
+namespace {
+
+constexpr double one_sided_95 = 1.645; // standard errors
+constexpr double least_visible = 3;    // standard errors that the largest plausible amplitude must reach
+constexpr double least_share = 0.005;  // of an effect that nuisances must leave: less is rounding of the slopes
+constexpr double pair_gate_extra = 2;  // chi-square a pair must reach beyond the gate
+constexpr double pair_adequacy = 0.05; // a pair explains more by chance, so it must fit better
+constexpr std::size_t most_pairs_fitted = 6;
+
+class Deciding {
+public:
+    Deciding(const Evidence& evidence, const Settings& settings, const Refitter& refit)
+        : e_(evidence), settings_(settings), refit_(refit), count_(static_cast<int>(evidence.causes.size())) {}
+
+    Decision run() {
+        screen();
+        if (std::none_of(d_.seen.begin(), d_.seen.end(), [](const Seen& seen) { return seen.visible; }))
+            return cannot("no cause of the library would show in these data, whatever nuisances are adjusted: "
+                          "measure under more conditions, or more than one number for each");
+        d_.baseline = adequacy_of(e_.residual, e_.nuisances, e_.directions);
+        for (int k = 0; k < count_; ++k)
+            d_.largest = std::max(d_.largest, one(k).gain);
+        if (d_.largest < d_.gate) {
+            d_.outcome = d_.baseline.p() > settings_.alpha_adequacy ? Outcome::consistent : Outcome::none_known;
+            return d_;
+        }
+        fit_rivals();
+        const int winner = best_possible();
+        if (winner < 0 || one(winner).gain < d_.gate)
+            return try_pairs(winner);
+        d_.best = one(winner).refit;
+        d_.winner = adequacy_of(d_.best->residual, d_.best->slopes, e_.directions);
+        if (d_.winner.p() <= settings_.alpha_adequacy)
+            return try_pairs(winner);
+        name(winner);
+        return d_;
+    }
+
+private:
+    Seen& one(int k) { return d_.seen[static_cast<std::size_t>(k)]; }
+    [[nodiscard]] const Cause& cause(int k) const { return e_.causes[static_cast<std::size_t>(k)]; }
+
+    Decision cannot(std::string why) {
+        d_.outcome = Outcome::cannot_decide;
+        d_.reason = std::move(why);
+        return d_;
+    }
+
+    /// Every cause by its slope alone, and how much of each the others would leave.
+    void screen() {
+        const Projector nuisances(e_.nuisances);
+        const VectorXd residual = nuisances.out(e_.residual);
+        effects_ = nuisances.out(e_.effects);
+        d_.seen.resize(static_cast<std::size_t>(count_));
+        std::vector<int> visible;
+        for (int k = 0; k < count_; ++k) {
+            Seen& seen = one(k);
+            const double length = effects_.col(k).norm();
+            const double whole = e_.effects.col(k).norm();
+            seen.share = whole > 0 ? length / whole : 0;
+            const double reach = std::max(std::abs(cause(k).lo), std::abs(cause(k).hi));
+            seen.visible = seen.share > least_share && length * reach > least_visible;
+            if (!seen.visible)
+                continue;
+            visible.push_back(k);
+            const double z = effects_.col(k).dot(residual) / length;
+            seen.amplitude = z / length;
+            seen.error = 1 / length;
+            seen.gain = plausible_sign(k, z) ? z * z : 0;
+            seen.lower = seen.amplitude - one_sided_95 * seen.error;
+            seen.upper = seen.amplitude + one_sided_95 * seen.error;
+        }
+        isolate(visible);
+    }
+
+    [[nodiscard]] bool plausible_sign(int k, double z) const {
+        return (z >= 0 && cause(k).hi > 0) || (z < 0 && cause(k).lo < 0);
+    }
+
+    void isolate(const std::vector<int>& visible) {
+        d_.isolability = MatrixXd::Constant(count_, count_, std::nan(""));
+        const auto size = static_cast<Eigen::Index>(visible.size());
+        MatrixXd correlation = MatrixXd::Identity(size, size);
+        for (Eigen::Index a = 0; a < size; ++a)
+            for (Eigen::Index b = 0; b < size; ++b) {
+                const int i = visible[static_cast<std::size_t>(a)], j = visible[static_cast<std::size_t>(b)];
+                const double cosine =
+                    effects_.col(i).dot(effects_.col(j)) / (effects_.col(i).norm() * effects_.col(j).norm());
+                correlation(a, b) = a == b ? 1 : cosine;
+                d_.isolability(i, j) = a == b ? 0 : std::sqrt(std::max(0.0, 1 - cosine * cosine));
+            }
+        if (size > 0)
+            d_.gate = e_.gate > 0 ? e_.gate : quantile_of_largest(correlation, settings_.alpha_gate, 1);
+    }
+
+    void fit_rivals() {
+        const double enough = d_.largest - 2 * settings_.rival_window;
+        for (int k = 0; k < count_; ++k)
+            if (one(k).visible && one(k).gain > 0 && one(k).gain >= enough) {
+                one(k).refit = refit_({k});
+                one(k).gain = one(k).refit->possible ? one(k).refit->gain : 0;
+            }
+    }
+
+    int best_possible() {
+        int best = -1;
+        for (int k = 0; k < count_; ++k)
+            if (one(k).refit && one(k).refit->possible && (best < 0 || one(k).gain > one(best).gain))
+                best = k;
+        return best;
+    }
+
+    /// The winner and whoever is within the margin of it.
+    void name(int winner) {
+        d_.causes = {winner};
+        bool alike = true;
+        for (int k = 0; k < count_; ++k)
+            if (k != winner && one(k).refit && one(k).refit->possible &&
+                one(winner).gain - one(k).gain < 2 * settings_.margin) {
+                d_.causes.push_back(k);
+                alike = alike && d_.isolability(winner, k) < settings_.same_class;
+            }
+        d_.one_class = alike && d_.causes.size() > 1;
+        d_.outcome = alike ? Outcome::named : Outcome::ambiguous;
+        d_.folds = folds_of(e_, *d_.best);
+        if (d_.outcome == Outcome::named)
+            veto();
+    }
+
+    void veto() {
+        double better = 0;
+        for (const Fold& fold : d_.folds) {
+            better += fold.baseline - fold.extended;
+            if (std::abs(fold.moved) > settings_.fold_veto) {
+                d_.sure = false;
+                d_.reason = fmt::format("its amplitude moves by {:.1f} standard errors when {} is left out",
+                                        std::abs(fold.moved), fold.condition);
+            }
+        }
+        if (d_.folds.empty() || better > 0)
+            return;
+        d_.sure = false;
+        d_.reason = "it does not improve the prediction of conditions that are left out";
+    }
+
+    /// Two causes at once, all pairs; each must carry its weight, and the pair must leave nothing but noise.
+    Decision try_pairs(int proxy) {
+        if (proxy >= 0)
+            d_.best = one(proxy).refit;
+        std::vector<Refit> fitted;
+        for (const auto& [i, j] : likely_pairs()) {
+            Refit pair = refit_({i, j});
+            if (pair.possible && carries_weight(pair))
+                fitted.push_back(std::move(pair));
+        }
+        std::sort(fitted.begin(), fitted.end(), [](const Refit& a, const Refit& b) { return a.gain > b.gain; });
+        d_.outcome = Outcome::none_known;
+        if (fitted.empty() || fitted[0].gain < d_.gate + pair_gate_extra)
+            return d_;
+        const Adequacy rest = adequacy_of(fitted[0].residual, fitted[0].slopes, e_.directions);
+        if (rest.p() <= pair_adequacy)
+            return d_;
+        d_.winner = rest;
+        for (const Refit& pair : fitted)
+            if (fitted[0].gain - pair.gain < 2 * settings_.margin)
+                d_.pairs.push_back(pair.causes);
+        d_.outcome = d_.pairs.size() == 1 ? Outcome::two_causes : Outcome::ambiguous;
+        d_.causes = fitted[0].causes;
+        d_.best = fitted[0];
+        return d_;
+    }
+
+    [[nodiscard]] std::vector<std::pair<int, int>> likely_pairs() {
+        std::vector<std::pair<double, std::pair<int, int>>> all;
+        for (int i = 0; i < count_; ++i)
+            for (int j = i + 1; j < count_; ++j)
+                if (one(i).visible && one(j).visible && d_.isolability(i, j) > settings_.same_class)
+                    all.push_back({refit_linear(e_, {i, j}).gain, {i, j}});
+        std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+        std::vector<std::pair<int, int>> likely;
+        for (const auto& [gain, pair] : all)
+            if (likely.size() < most_pairs_fitted && gain > all[0].first - 2 * settings_.rival_window)
+                likely.push_back(pair);
+        return likely;
+    }
+
+    /// The backward check: either member alone must be worse by more than half the gate.
+    bool carries_weight(const Refit& pair) {
+        for (const int k : pair.causes) {
+            if (!one(k).refit) {
+                one(k).refit = refit_({k});
+                one(k).gain = one(k).refit->possible ? one(k).refit->gain : 0;
+            }
+            if (pair.gain - one(k).gain <= d_.gate / 2)
+                return false;
+        }
+        return true;
+    }
+
+    const Evidence& e_;
+    const Settings& settings_;
+    const Refitter& refit_;
+    int count_;
+    MatrixXd effects_; // what nuisances leave of them
+    Decision d_;
+};
+
+} // namespace
+
+Refit refit_linear(const Evidence& evidence, const std::vector<int>& causes) {
+    Refit refit;
+    refit.causes = causes;
+    const Eigen::Index nuisances = evidence.nuisances.cols();
+    const auto count = static_cast<Eigen::Index>(causes.size());
+    refit.slopes.resize(evidence.residual.size(), nuisances + count);
+    refit.slopes.leftCols(nuisances) = evidence.nuisances;
+    for (Eigen::Index k = 0; k < count; ++k)
+        refit.slopes.col(nuisances + k) = evidence.effects.col(causes[static_cast<std::size_t>(k)]);
+    const Eigen::ColPivHouseholderQR<MatrixXd> qr(refit.slopes);
+    const VectorXd step = qr.solve(evidence.residual);
+    refit.residual = evidence.residual - refit.slopes * step;
+    refit.amplitude = step.tail(count);
+    refit.error = errors_of(refit.slopes).tail(count);
+    const Projector baseline(evidence.nuisances);
+    refit.gain = baseline.out(evidence.residual).squaredNorm() - refit.residual.squaredNorm();
+    refit.possible = true;
+    for (Eigen::Index k = 0; k < count; ++k) {
+        const Cause& cause = evidence.causes[static_cast<std::size_t>(causes[static_cast<std::size_t>(k)])];
+        if (refit.amplitude[k] < cause.lo || refit.amplitude[k] > cause.hi) {
+            refit.possible = false;
+            refit.refused = "implausible amplitude or sign of " + cause.id;
+        }
+    }
+    return refit;
+}
+
+Adequacy adequacy_of(const VectorXd& residual, const MatrixXd& slopes, const Directions& directions) {
+    const Projector fitted(slopes);
+    const VectorXd rest = fitted.out(residual);
+    const auto tail = [&](const MatrixXd& columns) {
+        // Columns that the fit has nearly used up would bring rounding errors back to full length.
+        MatrixXd left = fitted.out(columns);
+        for (Eigen::Index k = 0; k < left.cols(); ++k)
+            if (left.col(k).norm() < 1e-3)
+                left.col(k).setZero();
+        const Projector generic(left);
+        return chi_square_tail(generic.inside(rest), generic.rank());
+    };
+    return {tail(directions.blocks), tail(directions.prints)};
+}
+
+Decision decide(const Evidence& evidence, const Settings& settings, const Refitter& refit) {
+    return Deciding(evidence, settings, refit).run();
+}
+
+} // namespace tumble::diagnose

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "diagnose/directions.h"
+#include "diagnose/statistics.h"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+
+namespace tumble::diagnose {
+
+/// What a decision is made from, whitened, one row a reading (and a prior): whoever made it, a simulation or a formula.
+struct Evidence {
+    VectorXd residual;  // of the baseline at its best nuisances
+    MatrixXd nuisances; // slopes of the prediction there
+    MatrixXd effects;   // slopes per unit of each cause, from its null value
+    Directions directions;
+    std::vector<Cause> causes; // parallel to the columns of effects
+    double gate = 0;           // known from a case with the same effects; 0: to be drawn
+};
+
+/// One or two causes fitted with all nuisances.
+struct Refit {
+    std::vector<int> causes;
+    VectorXd amplitude;    // parallel to causes
+    VectorXd error;        // standard errors
+    double gain = 0;       // fall of chi-square against the baseline
+    VectorXd residual;     // whitened
+    MatrixXd slopes;       // nuisances, then the causes
+    VectorXd values{};     // of all parameters, where a model was fitted
+    bool possible = false; // converged, with plausible amplitudes
+    std::string refused{}; // why not
+};
+
+/// Fits these causes anew. Linear in tests of many thousand cases, through the simulation elsewhere.
+using Refitter = std::function<Refit(const std::vector<int>&)>;
+
+/// The refit that the evidence itself gives if everything is linear.
+Refit refit_linear(const Evidence& evidence, const std::vector<int>& causes);
+
+enum class Outcome { consistent, named, ambiguous, two_causes, none_known, cannot_decide };
+
+/// Tests of what is left against directions of no particular cause.
+struct Adequacy {
+    double blocks = 1; // tail probabilities
+    double prints = 1;
+    [[nodiscard]] double p() const { return std::min(1.0, 2 * std::min(blocks, prints)); }
+};
+
+/// One cause as the data see it.
+struct Seen {
+    bool visible = false; // a plausible amplitude would show
+    double share = 0;     // of its effect that nuisances leave
+    double amplitude = 0; // as the linear screening has it
+    double error = 0;     // standard error of that
+    double gain = 0;      // fall of chi-square, refitted where it was
+    double lower = 0;     // 95 % limits of the amplitude beside the baseline (one-sided)
+    double upper = 0;
+    std::optional<Refit> refit{};
+};
+
+/// How the winner does when one condition is left out.
+struct Fold {
+    std::string condition;
+    double amplitude = 0; // from the other conditions
+    double moved = 0;     // standard errors away from the amplitude of all
+    double baseline = 0;  // chi-square of the condition, predicted from the others
+    double extended = 0;
+    int readings = 0;
+};
+
+struct Decision {
+    Outcome outcome = Outcome::cannot_decide;
+    std::string reason;                  // of cannot_decide, or what keeps a name from being sure
+    bool sure = true;                    // false: named, but a veto spoke
+    bool one_class = false;              // the causes named are one answer to these data
+    std::vector<int> causes;             // named; or the set that holds the truth
+    std::vector<std::vector<int>> pairs; // of two causes, or of ambiguous pairs
+    double gate = 0;    // chi-square fall that the best of the library reaches in alpha of the cases by chance
+    double largest = 0; // reached
+    Adequacy baseline, winner;
+    std::vector<Seen> seen; // per cause
+    MatrixXd isolability;   // share of the row's effect that the column's cause leaves
+    std::vector<Fold> folds;
+    std::optional<Refit> best; // of the causes named, or the best proxy of none known
+};
+
+Decision decide(const Evidence& evidence, const Settings& settings, const Refitter& refit);
+
+/// Tests of a residual whose fit had these slopes.
+Adequacy adequacy_of(const VectorXd& residual, const MatrixXd& slopes, const Directions& directions);
+
+} // namespace tumble::diagnose

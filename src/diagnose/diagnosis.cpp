@@ -1,0 +1,356 @@
+#include "diagnose/diagnosis.h"
+
+#include "diagnose/folds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numeric>
+
+namespace tumble::diagnose {
+
+namespace {
+
+std::vector<int> first_numbers(int count) {
+    std::vector<int> numbers(static_cast<std::size_t>(count));
+    std::iota(numbers.begin(), numbers.end(), 0);
+    return numbers;
+}
+
+/// Factors by which a unit is most often wrong, and what was probably meant.
+constexpr std::pair<double, const char*> usual_slips[] = {
+    {1000, "millimetres or milliseconds read as SI"},
+    {1e-3, "SI read as a thousandth"},
+    {100, "centimetres read as metres"},
+    {9.81, "multiples of g read as m/s2, or the other way round"},
+    {1 / 9.81, "multiples of g read as m/s2, or the other way round"},
+    {57.29578, "degrees read as radians"},
+    {1 / 57.29578, "radians read as degrees"}};
+
+class Diagnosing {
+public:
+    Diagnosing(const SceneText& scene, const Measurement& measurement, const Simulate& simulate)
+        : scene_(scene), measurement_(measurement), simulate_(simulate) {}
+
+    Result<Diagnosis> run(bool plan) {
+        d_.title = measurement_.title;
+        d_.scene = scene_.file;
+        d_.data = measurement_.file;
+        d_.hash = measurement_.hash;
+        d_.settings = measurement_.settings;
+        d_.warnings = measurement_.warnings;
+        d_.causes = *choose_causes(measurement_.causes);
+        std::vector<Record> used;
+        for (const Record& record : measurement_.records)
+            (record.held_out ? aside_ : used).push_back(record);
+        if (used.empty())
+            return Problem{.file = measurement_.file.string(),
+                           .key = "series.held_out",
+                           .what = "every series is held out: nothing is left to learn from",
+                           .fix = "hold out fewer"};
+        auto model = Model::make(scene_, used, measurement_.nuisances, d_.causes, simulate_);
+        if (!model)
+            return model.problems();
+        model_ = &*model;
+        Problems problems = find_baseline();
+        if (problems.empty() && baseline_.converged)
+            problems = decide_it();
+        if (problems.empty() && d_.decision.best)
+            problems = measure_gain();
+        if (!problems.empty())
+            return problems;
+        if (plan || d_.decision.outcome == Outcome::ambiguous)
+            propose();
+        draw();
+        d_.simulated = model_->simulated();
+        d_.runs = model_->runs();
+        return std::move(d_);
+    }
+
+private:
+    Problems find_baseline() {
+        noise_ = first_noise(*model_);
+        const VectorXd start = model_->start();
+        const auto predicted = model_->predict(start);
+        if (!predicted)
+            return predicted.problems();
+        if (Problems problems = doubt_units(*predicted); !problems.empty())
+            return problems;
+        const std::vector<int> nuisances = first_numbers(model_->nuisances());
+        for (const int k : nuisances)
+            if (const auto slope = slope_of(*model_, noise_, start, k, true); !slope)
+                return slope.problems();
+        if (Problems problems = fit_baseline(start, true); !problems.empty())
+            return problems;
+        if (Problems problems = find_effects(true); !problems.empty())
+            return problems;
+        return sharpen_noise();
+    }
+
+    Problems fit_baseline(const VectorXd& start, bool progressive) {
+        auto fitted = fit(*model_, noise_, start, first_numbers(model_->nuisances()), {.progressive = progressive});
+        if (!fitted)
+            return fitted.problems();
+        baseline_ = std::move(*fitted);
+        if (!baseline_.converged)
+            d_.decision.reason = fmt::format("the baseline could not be fitted: a further step would still gain {:.2g} "
+                                             "nats",
+                                             baseline_.decrement);
+        return {};
+    }
+
+    /// Slopes of every cause beside the baseline, and the directions of no cause. A cause that cannot be simulated here
+    /// has none.
+    Problems find_effects(bool tune) {
+        effects_ = MatrixXd::Zero(baseline_.residual.size(), static_cast<Eigen::Index>(d_.causes.size()));
+        for (std::size_t k = 0; k < d_.causes.size(); ++k) {
+            const int parameter = model_->parameter_of(static_cast<int>(k));
+            if (const auto slope = slope_of(*model_, noise_, baseline_.values, parameter, tune))
+                effects_.col(static_cast<Eigen::Index>(k)) = *slope;
+            else if (tune)
+                d_.warnings.push_back({.key = d_.causes[k].id,
+                                       .what = d_.causes[k].id + " cannot be simulated in this scene",
+                                       .fix = slope.problems()[0].what});
+        }
+        auto directions = directions_at(*model_, noise_, baseline_);
+        if (!directions)
+            return directions.problems();
+        directions_ = std::move(*directions);
+        return {};
+    }
+
+    /// The scatter that the readings themselves show, and all of the above with it.
+    Problems sharpen_noise() {
+        const auto misfit = misfit_of(*model_, baseline_.values);
+        if (!misfit)
+            return misfit.problems();
+        MatrixXd explained(baseline_.residual.size(), baseline_.slopes.cols() + effects_.cols() +
+                                                          directions_.blocks.cols() + directions_.prints.cols());
+        explained << baseline_.slopes, effects_, directions_.blocks, directions_.prints;
+        noise_ = refined_noise(noise_, *model_, *misfit, explained, d_.noise);
+        doubt_noise();
+        if (Problems problems = fit_baseline(baseline_.values, false); !problems.empty())
+            return problems;
+        return find_effects(false);
+    }
+
+    Problems decide_it() {
+        d_.evidence = {baseline_.residual, baseline_.slopes, effects_, directions_, d_.causes, 0};
+        d_.decision = decide(d_.evidence, measurement_.settings,
+                             [this](const std::vector<int>& causes) { return refit(causes); });
+        const VectorXd errors = errors_of(baseline_.slopes);
+        for (int k = 0; k < model_->nuisances(); ++k) {
+            const Parameter& parameter = model_->parameters()[static_cast<std::size_t>(k)];
+            d_.nuisances.push_back({parameter.name, parameter.start, baseline_.values[k], errors[k]});
+        }
+        d_.chi_square = baseline_.chi_square;
+        d_.readings = static_cast<int>(model_->rows().size());
+        return {};
+    }
+
+    Refit refit(const std::vector<int>& causes) {
+        Refit refit;
+        refit.causes = causes;
+        std::vector<int> free = baseline_.free;
+        MatrixXd slopes(baseline_.slopes.rows(), baseline_.slopes.cols() + static_cast<Eigen::Index>(causes.size()));
+        slopes.leftCols(baseline_.slopes.cols()) = baseline_.slopes;
+        for (std::size_t k = 0; k < causes.size(); ++k) {
+            free.push_back(model_->parameter_of(causes[k]));
+            slopes.col(baseline_.slopes.cols() + static_cast<Eigen::Index>(k)) = effects_.col(causes[k]);
+        }
+        const auto fitted = fit(*model_, noise_, baseline_.values, free, {.slopes = &slopes});
+        if (!fitted) {
+            refit.refused = fitted.problems()[0].what;
+            return refit;
+        }
+        const auto count = static_cast<Eigen::Index>(causes.size());
+        refit.values = fitted->values;
+        refit.residual = fitted->residual;
+        refit.slopes = fitted->slopes;
+        refit.gain = baseline_.chi_square - fitted->chi_square;
+        refit.error = errors_of(fitted->slopes).tail(count);
+        refit.amplitude.resize(count);
+        refit.possible = fitted->converged;
+        if (!fitted->converged)
+            refit.refused = fmt::format("its fit did not end ({:.2g} nats short)", fitted->decrement);
+        for (Eigen::Index k = 0; k < count; ++k) {
+            const Parameter& parameter =
+                model_
+                    ->parameters()[static_cast<std::size_t>(model_->parameter_of(causes[static_cast<std::size_t>(k)]))];
+            refit.amplitude[k] = fitted->values[model_->parameter_of(causes[static_cast<std::size_t>(k)])];
+            if (refit.amplitude[k] <= parameter.lo || refit.amplitude[k] >= parameter.hi) {
+                refit.possible = false;
+                refit.refused = fmt::format("would have to be {} {:g}",
+                                            refit.amplitude[k] <= parameter.lo ? "below" : "above", refit.amplitude[k]);
+            }
+        }
+        return refit;
+    }
+
+    Problems measure_gain() {
+        const Decision& decision = d_.decision;
+        if (decision.outcome != Outcome::named && decision.outcome != Outcome::two_causes)
+            return {};
+        VectorXd baseline = model_->start();
+        baseline.head(model_->nuisances()) = baseline_.values.head(model_->nuisances());
+        const auto& named = decision.best->causes;
+        if (std::any_of(named.begin(), named.end(),
+                        [this](int k) { return d_.causes[static_cast<std::size_t>(k)].physical(); }))
+            d_.extended = scene_with_causes(decision.best->values);
+        if (aside_.empty()) {
+            std::vector<Score> scores;
+            for (const Fold& fold : decision.folds)
+                scores.push_back({fold.condition, fold.readings, fold.baseline, fold.extended});
+            if (!scores.empty())
+                d_.gain = gain_of(std::move(scores), false);
+            return {};
+        }
+        auto aside = Model::make(scene_, aside_, measurement_.nuisances, d_.causes, simulate_);
+        if (!aside)
+            return aside.problems();
+        Noise noise = first_noise(*aside);
+        for (std::size_t r = 0; r < noise.sigma.size(); ++r)
+            for (std::size_t c = 0; c < noise.sigma[r].size(); ++c)
+                if (aside->records()[r].channels[c].sigma == 0)
+                    noise.sigma[r][c] = noise_.sigma[0][0];
+                else
+                    noise.sigma[r][c] *= d_.noise.ratio;
+        noise.correlation = noise_.correlation;
+        auto scores = scores_aside(*aside, *model_, noise, baseline, decision.best->values);
+        if (!scores)
+            return scores.problems();
+        d_.gain = gain_of(std::move(*scores), true);
+        return {};
+    }
+
+    /// The scene as it is written, with the causes named and the nuisances that fit them.
+    [[nodiscard]] std::optional<scene::Scene> scene_with_causes(const VectorXd& values) const {
+        auto scene = model_->scene_at(values, -1);
+        return scene ? std::optional(std::move(*scene)) : std::nullopt;
+    }
+
+    void propose() {
+        const Decision& decision = d_.decision;
+        std::vector<int> rivals = decision.causes;
+        if (rivals.size() == 1)
+            if (const int near = nearest_rival(rivals[0]); near >= 0)
+                rivals.push_back(near);
+        if (rivals.size() < 2)
+            return;
+        std::vector<double> amplitudes;
+        for (const int k : rivals) {
+            const Seen& seen = decision.seen[static_cast<std::size_t>(k)];
+            amplitudes.push_back(seen.refit && seen.refit->amplitude.size() ? seen.refit->amplitude[0]
+                                                                            : seen.amplitude);
+        }
+        d_.proposals = proposals_for(scene_, *model_, measurement_.nuisances, noise_, simulate_, baseline_.values,
+                                     rivals, amplitudes);
+    }
+
+    [[nodiscard]] int nearest_rival(int cause) const {
+        int near = -1;
+        const MatrixXd& left = d_.decision.isolability;
+        for (int k = 0; k < left.cols(); ++k)
+            if (k != cause && !std::isnan(left(cause, k)) && (near < 0 || left(cause, k) < left(cause, near)))
+                near = k;
+        return near;
+    }
+
+    void draw() {
+        const auto baseline = model_->predict(baseline_.values);
+        const bool extended = d_.decision.best && d_.decision.best->values.size() > 0;
+        const auto with = extended ? model_->predict(d_.decision.best->values) : baseline;
+        if (!baseline || !with)
+            return;
+        Eigen::Index row = 0;
+        for (std::size_t r = 0; r < model_->records().size(); ++r) {
+            const Record& record = model_->records()[r];
+            for (std::size_t c = 0; c < record.channels.size(); ++c) {
+                const Channel& channel = record.channels[c];
+                Curve curve{.record = record.name,
+                            .condition = record.condition,
+                            .head = channel.head,
+                            .unit = channel.unit,
+                            .sigma = noise_.sigma[r][c],
+                            .time = record.time,
+                            .measured = channel.value,
+                            .baseline = {},
+                            .extended = {},
+                            .left_out = {}};
+                for (std::size_t k = 0; k < record.time.size(); ++k, ++row) {
+                    curve.baseline.push_back((*baseline)[row]);
+                    curve.left_out.push_back(noise_.left_out[static_cast<std::size_t>(row)]);
+                    if (extended)
+                        curve.extended.push_back((*with)[row]);
+                }
+                d_.curves.push_back(std::move(curve));
+            }
+        }
+    }
+
+    /// A scale that differs from the simulation's by one of the usual slips is no effect to be diagnosed.
+    [[nodiscard]] Problems doubt_units(const VectorXd& predicted) const {
+        Problems problems;
+        Eigen::Index row = 0;
+        for (const Record& record : model_->records())
+            for (const Channel& channel : record.channels) {
+                const auto count = static_cast<Eigen::Index>(record.time.size());
+                const auto span = [&](const VectorXd& all) {
+                    return all.segment(row, count).maxCoeff() - all.segment(row, count).minCoeff();
+                };
+                const double ratio = span(model_->readings()) / std::max(1e-300, span(predicted));
+                row += count;
+                for (const auto& [factor, meaning] : usual_slips)
+                    if (std::abs(std::log(ratio / factor)) < 0.2)
+                        problems.push_back({.file = record.file.string(),
+                                            .key = channel.head,
+                                            .what = fmt::format("{} spans {:.3g} times what the simulation does: {}?",
+                                                                channel.head, ratio, meaning),
+                                            .fix = "correct the unit in the head of the column"});
+            }
+        return problems;
+    }
+
+    void doubt_noise() {
+        const NoiseReport& noise = d_.noise;
+        if (noise.stated > 0 && (noise.ratio > 1.25 || noise.ratio < 0.8))
+            d_.warnings.push_back({.file = measurement_.file.string(),
+                                   .key = "sigma contradicted",
+                                   .what = fmt::format("readings scatter {:.2f} times as much as stated", noise.ratio),
+                                   .fix = "the scatter found in the readings is used"});
+        if (noise.correlation > 0.08)
+            d_.warnings.push_back(
+                {.file = measurement_.file.string(),
+                 .key = "noise not white",
+                 .what = fmt::format("errors of neighbouring readings correlate by {:.2f}", noise.correlation),
+                 .fix = "nothing: readings are weighted for it"});
+        if (noise.left_out > 0)
+            d_.warnings.push_back(
+                {.file = measurement_.file.string(),
+                 .key = "outliers",
+                 .what = fmt::format("{} lone reading(s) stand out of their neighbours", noise.left_out),
+                 .fix = noise.left_out > 0.02 * static_cast<double>(model_->rows().size())
+                            ? "too many to be slips: all are used"
+                            : "they are left out"});
+    }
+
+    const SceneText& scene_;
+    const Measurement& measurement_;
+    const Simulate& simulate_;
+    Diagnosis d_;
+    std::vector<Record> aside_;
+    Model* model_ = nullptr;
+    Noise noise_;
+    Fit baseline_;
+    MatrixXd effects_;
+    Directions directions_;
+};
+
+} // namespace
+
+Result<Diagnosis> diagnose(const SceneText& scene, const Measurement& measurement, const Simulate& simulate,
+                           bool plan) {
+    return Diagnosing(scene, measurement, simulate).run(plan);
+}
+
+} // namespace tumble::diagnose

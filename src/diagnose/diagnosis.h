@@ -1,0 +1,50 @@
+#pragma once
+
+#include "diagnose/decide.h"
+#include "diagnose/gain.h"
+#include "diagnose/plan.h"
+
+namespace tumble::diagnose {
+
+/// One channel of one record beside what the simulation says of it.
+struct Curve {
+    std::string record, condition, head, unit;
+    bool held_out = false;
+    double sigma = 0;                                       // SI
+    std::vector<double> time, measured, baseline, extended; // extended: empty where nothing is named
+    std::vector<bool> left_out;                             // lone outliers
+};
+
+struct FittedNuisance {
+    std::string name;
+    double start = 0, value = 0, error = 0;
+};
+
+/// All that a report tells.
+struct Diagnosis {
+    std::string title;
+    std::filesystem::path scene, data;
+    std::string hash;
+    Settings settings;
+    NoiseReport noise;
+    std::vector<FittedNuisance> nuisances;
+    double chi_square = 0; // of the baseline, with `readings` readings
+    int readings = 0;
+    std::vector<Cause> causes;
+    Evidence evidence; // what the decision was made from
+    Decision decision;
+    std::optional<Gain> gain;
+    std::vector<Proposal> proposals; // best first
+    std::vector<Curve> curves;
+    Problems warnings;
+    double simulated = 0; // s
+    int runs = 0;
+    std::optional<scene::Scene> extended; // the scene with the named causes in it; none where all are the instrument's
+};
+
+/// Holds a measurement against its scene. Problems: whatever keeps the baseline from being simulated; readings whose
+/// unit cannot be what it says. `plan`: propose experiments also where the answer is not ambiguous.
+Result<Diagnosis> diagnose(const SceneText& scene, const Measurement& measurement, const Simulate& simulate,
+                           bool plan = false);
+
+} // namespace tumble::diagnose

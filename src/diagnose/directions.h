@@ -1,0 +1,25 @@
+#pragma once
+
+#include "diagnose/fit.h"
+
+namespace tumble::diagnose {
+
+/// Directions in which a residual may differ from noise whatever the cause, in rows as a Fit has them.
+struct Directions {
+    MatrixXd blocks; // means over pieces of a record: one half of a flight between two impacts
+    MatrixXd prints; // what effects usually follow: reading, speed, time, number of impacts, conditions one by one
+    std::vector<int> condition; // of each row, -1 for priors
+    std::vector<bool> early;    // rows of the first part of their record
+    std::vector<std::string> conditions;
+};
+
+/// Share of a record that may be used to find what only this record can tell, when all else comes from others.
+constexpr double first_part = 0.3;
+
+/// About a fit of the baseline: `slopes` are those of its parameters `free`.
+Result<Directions> directions_at(Model& model, const Noise& noise, const Fit& fit);
+
+/// Impacts of a signal, s: instants where it turns upwards in less than a few rows.
+std::vector<double> impacts_of(const Signal& signal, double shortest_flight);
+
+} // namespace tumble::diagnose

@@ -1,0 +1,235 @@
+#include "diagnose/fit.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace tumble::diagnose {
+
+namespace {
+
+constexpr double visible_step = 4; // standard errors of all readings together
+constexpr int tunings = 4;
+
+/// Parameters with a prior have a row of their own.
+std::vector<int> with_prior(const Model& model) {
+    std::vector<int> parameters;
+    for (std::size_t k = 0; k < model.parameters().size(); ++k)
+        if (model.parameters()[k].spread > 0)
+            parameters.push_back(static_cast<int>(k));
+    return parameters;
+}
+
+std::optional<VectorXd> residual_at(Model& model, const Noise& noise, const VectorXd& values, double horizon,
+                                    Problems* why = nullptr) {
+    const auto predicted = model.predict(values, horizon);
+    if (!predicted) {
+        if (why)
+            *why = predicted.problems();
+        return std::nullopt;
+    }
+    const std::vector<int> priors = with_prior(model);
+    const Eigen::Index rows = model.readings().size();
+    VectorXd residual(rows + static_cast<Eigen::Index>(priors.size()));
+    residual.head(rows) = noise.whiten(model.readings() - *predicted, model, horizon);
+    for (std::size_t k = 0; k < priors.size(); ++k) {
+        const Parameter& parameter = model.parameters()[static_cast<std::size_t>(priors[k])];
+        residual[rows + static_cast<Eigen::Index>(k)] = (parameter.start - values[priors[k]]) / parameter.spread;
+    }
+    return residual;
+}
+
+/// Slopes of the residual's negative by a difference over the step, inside the bounds.
+Result<VectorXd> difference(Model& model, const Noise& noise, const VectorXd& values, int index, double horizon) {
+    const Parameter& parameter = model.parameters()[static_cast<std::size_t>(index)];
+    VectorXd above = values, below = values;
+    above[index] = std::min(values[index] + parameter.step, parameter.hi);
+    below[index] = std::max(values[index] - parameter.step, parameter.lo);
+    Problems why;
+    auto high = residual_at(model, noise, above, horizon, &why);
+    if (!high) { // no such simulation on that side
+        above = values;
+        high = residual_at(model, noise, above, horizon, &why);
+    }
+    const auto low = residual_at(model, noise, below, horizon, &why);
+    if (!high || !low || above[index] == below[index])
+        return why.empty() ? Problems{{.key = parameter.name, .what = "its bounds leave no room"}} : why;
+    return VectorXd((*low - *high) / (above[index] - below[index]));
+}
+
+Result<MatrixXd> slopes_at(Model& model, const Noise& noise, const VectorXd& values, const std::vector<int>& free,
+                           double horizon) {
+    MatrixXd slopes;
+    for (std::size_t k = 0; k < free.size(); ++k) {
+        const auto column = difference(model, noise, values, free[k], horizon);
+        if (!column)
+            return column.problems();
+        slopes.conservativeResize(column->size(), static_cast<Eigen::Index>(k) + 1);
+        slopes.col(static_cast<Eigen::Index>(k)) = *column;
+    }
+    return slopes;
+}
+
+/// One horizon of a fit: the state of Levenberg and Marquardt's method.
+class Descent {
+public:
+    Descent(Model& model, const Noise& noise, Fit& fit, double horizon)
+        : model_(model), noise_(noise), fit_(fit), horizon_(horizon) {}
+
+    Problems run(const FitOptions& options, bool slopes_known) {
+        Problems why;
+        auto residual = residual_at(model_, noise_, fit_.values, horizon_, &why);
+        if (!residual)
+            return why;
+        take(std::move(*residual));
+        bool fresh = false;
+        if (!slopes_known) {
+            if (const Problems problems = renew(); !problems.empty())
+                return problems;
+            fresh = true;
+        }
+        for (int step = 0; step < options.most_steps; ++step) {
+            fit_.decrement = decrement();
+            fit_.converged = fit_.decrement < options.tolerance;
+            if (fit_.converged && fresh)
+                return {};
+            const bool went = !fit_.converged && advance();
+            if (went) {
+                fresh = false;
+                continue;
+            }
+            if (fresh) { // kinks at impacts keep the last hundredths of a nat out of reach
+                fit_.converged = fit_.decrement < 2 * options.tolerance;
+                return {};
+            }
+            if (const Problems problems = renew(); !problems.empty())
+                return problems;
+            fresh = true;
+        }
+        if (!fresh)
+            if (const Problems problems = renew(); !problems.empty())
+                return problems;
+        fit_.decrement = decrement();
+        fit_.converged = fit_.decrement < 2 * options.tolerance;
+        return {};
+    }
+
+private:
+    void take(VectorXd residual) {
+        fit_.residual = std::move(residual);
+        fit_.chi_square = fit_.residual.squaredNorm();
+    }
+
+    Problems renew() {
+        auto slopes = slopes_at(model_, noise_, fit_.values, fit_.free, horizon_);
+        if (!slopes)
+            return slopes.problems();
+        fit_.slopes = std::move(*slopes);
+        damping_ = std::min(damping_, 1e-3);
+        return {};
+    }
+
+    [[nodiscard]] VectorXd scaled_step(double damping) const {
+        const VectorXd scale = fit_.slopes.colwise().norm().cwiseMax(1e-12).transpose();
+        const MatrixXd unit = fit_.slopes * scale.cwiseInverse().asDiagonal();
+        MatrixXd normal = unit.transpose() * unit;
+        normal.diagonal().array() += damping + 1e-12;
+        return normal.ldlt().solve(unit.transpose() * fit_.residual).cwiseQuotient(scale);
+    }
+
+    /// What a linear step inside the bounds would gain.
+    [[nodiscard]] double decrement() const {
+        const VectorXd step = inside(scaled_step(0));
+        return 0.5 * (fit_.residual.squaredNorm() - (fit_.residual - fit_.slopes * step).squaredNorm());
+    }
+
+    /// The step, cut where it would leave a parameter's bounds.
+    [[nodiscard]] VectorXd inside(VectorXd step) const {
+        for (std::size_t k = 0; k < fit_.free.size(); ++k) {
+            const Parameter& parameter = model_.parameters()[static_cast<std::size_t>(fit_.free[k])];
+            const double from = fit_.values[fit_.free[k]];
+            double& part = step[static_cast<Eigen::Index>(k)];
+            part = std::clamp(from + part, parameter.lo, parameter.hi) - from;
+        }
+        return step;
+    }
+
+    /// Broyden 1965: the least change of the slopes, each in units of its own effect, that explains what was missed.
+    void learn(const VectorXd& step, const VectorXd& missed) {
+        const VectorXd scale = fit_.slopes.colwise().norm().cwiseMax(1e-12).transpose();
+        const VectorXd effect = scale.cwiseProduct(step);
+        fit_.slopes += missed * effect.cwiseProduct(scale).transpose() / std::max(1e-300, effect.squaredNorm());
+    }
+
+    bool advance() {
+        for (int attempt = 0; attempt < 6; ++attempt) {
+            const VectorXd step = inside(scaled_step(damping_));
+            VectorXd values = fit_.values;
+            for (std::size_t k = 0; k < fit_.free.size(); ++k)
+                values[fit_.free[k]] += step[static_cast<Eigen::Index>(k)];
+            auto residual = residual_at(model_, noise_, values, horizon_);
+            if (residual && residual->squaredNorm() < fit_.chi_square) {
+                learn(step, fit_.residual - fit_.slopes * step - *residual);
+                fit_.values = values;
+                take(std::move(*residual));
+                damping_ = damping_ < 1e-6 ? 0 : damping_ / 10;
+                return true;
+            }
+            damping_ = std::max(10 * damping_, 1e-3);
+        }
+        return false;
+    }
+
+    Model& model_;
+    const Noise& noise_;
+    Fit& fit_;
+    double horizon_;
+    double damping_ = 1e-4;
+};
+
+} // namespace
+
+Result<Fit> fit(Model& model, const Noise& noise, const VectorXd& start, const std::vector<int>& free,
+                const FitOptions& options) {
+    Fit result;
+    result.values = start;
+    result.free = free;
+    std::vector<double> horizons{1.0};
+    if (options.progressive)
+        horizons = {0.3, 0.5, 0.7, 1.0};
+    bool known = options.slopes != nullptr;
+    if (known)
+        result.slopes = *options.slopes;
+    for (const double horizon : horizons) {
+        const Problems problems = Descent(model, noise, result, horizon).run(options, known);
+        if (!problems.empty())
+            return problems;
+        known = false;
+    }
+    return result;
+}
+
+Result<VectorXd> slope_of(Model& model, const Noise& noise, const VectorXd& values, int index, bool tune,
+                          double horizon) {
+    Parameter& parameter = model.parameters()[static_cast<std::size_t>(index)];
+    for (int k = 0;; ++k) {
+        auto slope = difference(model, noise, values, index, horizon);
+        if (!slope || !tune || k == tunings)
+            return slope;
+        const double seen = slope->head(model.readings().size()).norm() * parameter.step;
+        const double most = (parameter.hi - parameter.lo) / 4;
+        if ((seen > visible_step / 3 && seen < visible_step * 3) || (parameter.step >= most && seen < visible_step))
+            return slope;
+        parameter.step = std::min(most, parameter.step * std::clamp(visible_step / std::max(seen, 1e-9), 1e-3, 1e3));
+    }
+}
+
+Result<VectorXd> misfit_of(Model& model, const VectorXd& values) {
+    const auto predicted = model.predict(values);
+    if (!predicted)
+        return predicted.problems();
+    return VectorXd(model.readings() - *predicted);
+}
+
+} // namespace tumble::diagnose

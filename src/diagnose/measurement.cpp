@@ -1,0 +1,188 @@
+#include "diagnose/measurement.h"
+
+#include "base/hash.h"
+#include "base/table.h"
+#include "base/text.h"
+#include "diagnose/cause.h"
+#include "diagnose/data_doubts.h"
+#include "diagnose/typed_tables.h"
+#include "observe/measures.h"
+#include "scene/read_file.h"
+#include "scene/read_toml.h"
+
+#include <fmt/format.h>
+
+namespace tumble::diagnose {
+
+namespace {
+
+constexpr std::size_t largest_measurement = std::size_t{1} << 20; // bytes
+constexpr std::size_t largest_data = std::size_t{64} << 20;       // bytes
+
+/// Units that a column may end in for a measure of this SI unit.
+std::vector<Unit> units_for(const std::string& si) {
+    if (si == "m")
+        return {{"m", 1}, {"mm", 1e-3}, {"cm", 1e-2}};
+    if (si == "s")
+        return {{"s", 1}, {"ms", 1e-3}};
+    if (si == "m_s")
+        return {{"m_s", 1}, {"mm_s", 1e-3}};
+    if (si == "deg")
+        return {{"deg", 1}, {"rad", 57.29577951308232}};
+    if (si == "rad_s")
+        return {{"rad_s", 1}, {"deg_s", 1 / 57.29577951308232}};
+    if (si == "J")
+        return {{"J", 1}, {"mJ", 1e-3}};
+    return {{si, 1}};
+}
+
+/// The SI unit of a measure; a problem where there is none of that name.
+Result<std::string> unit_of(const std::string& measure) {
+    if (measure == "time")
+        return std::string("s");
+    std::vector<std::string> names{"time"};
+    for (const observe::Measure& known : observe::all_measures()) {
+        if (known.name == measure)
+            return known.unit;
+        names.push_back(known.name);
+    }
+    const std::string guess = did_you_mean(measure, names);
+    return Problem{.what = fmt::format("there is no measure '{}'", excerpt(measure)),
+                   .fix = (guess.empty() ? "" : guess + " ") + "`tumble list measures` names all of them"};
+}
+
+class Reader {
+public:
+    Reader(const std::filesystem::path& file, const scene::Node& root) : root_(root) {
+        read_.file = file;
+        for (const scene::KeyTable& table : measurement_keys())
+            keys_.push_back(&table);
+    }
+
+    Result<Measurement> read(const std::string& text) {
+        check_tables(root_, measurement_keys(), report_);
+        hash_.add(text);
+        top();
+        for (const TypedTable& table : tables_of(root_, "nuisance", *keys_[1], report_))
+            nuisance(table.view);
+        for (const TypedTable& table : tables_of(root_, "series", *keys_[2], report_))
+            series(table);
+        for (const Record& record : read_.records)
+            doubt_record(record, read_.warnings);
+        for (const Problem& problem : equal_columns(read_.records))
+            report_.add(Problems{problem});
+        if (!report_.clean())
+            return report_.sorted(read_.file.string());
+        read_.hash = hash_.hex();
+        return read_;
+    }
+
+private:
+    void top() {
+        const scene::View view(&root_, *keys_[0], "", report_);
+        read_.title = view.text("title");
+        read_.causes = view.words("causes");
+        read_.settings.alpha_gate = view.number("alpha_gate");
+        read_.settings.alpha_adequacy = view.number("alpha_adequacy");
+        read_.settings.margin = view.number("margin_nats");
+        if (const auto chosen = choose_causes(read_.causes); !chosen)
+            for (const Problem& problem : chosen.problems())
+                report_.add(view.place("causes"), "causes", problem.what, problem.fix);
+    }
+
+    void nuisance(const scene::View& view) {
+        read_.nuisances.push_back({.key = view.text("key"),
+                                   .instrument = view.text("instrument"),
+                                   .per_record = view.text("per") == "series",
+                                   .spread = view.given("spread") ? view.number("spread") : 0});
+        if (!view.text("key").empty() && read_.nuisances.back().per_record)
+            report_.add(view.place("per"), "nuisance.per", "a key of the scene is one for all series",
+                        "write per = \"case\", or give an instrument");
+    }
+
+    void series(const TypedTable& table) {
+        Record record;
+        record.name = table.view.text("name");
+        record.condition = table.view.given("condition") ? table.view.text("condition") : record.name;
+        record.sets = table.view.words("set");
+        record.held_out = table.view.flag("held_out");
+        if (!table.view.given("file"))
+            return;
+        record.file = read_.file.parent_path() / table.view.text("file");
+        auto text = scene::read_file(record.file, largest_data);
+        if (!text)
+            return report_.add(table.view.place("file"), "series.file",
+                               fmt::format("{} {}", record.file.string(), text.problems()[0].what),
+                               "give the CSV file's name as seen from this file's folder");
+        hash_.add(*text);
+        auto cells = parse_table(std::move(*text), record.file.string());
+        if (!cells)
+            return report_.add(cells.problems());
+        auto time = cells->quantity("time", units_for("s"));
+        if (!time)
+            return report_.add(time.problems());
+        record.time = std::move(*time);
+        check_time(*cells, record.time);
+        for (const TypedTable& column : tables_of(*table.node, "column", *keys_[3], report_))
+            channel(column.view, *cells, record);
+        if (!record.channels.empty())
+            read_.records.push_back(std::move(record));
+    }
+
+    void check_time(const Table& cells, const std::vector<double>& time) {
+        const Result<std::size_t> seconds = cells.find("time_s");
+        const std::size_t column = seconds ? *seconds : *cells.find("time_ms");
+        for (std::size_t k = 1; k < time.size(); ++k)
+            if (time[k] <= time[k - 1])
+                return report_.add(Problems{cells.problem_at(
+                    k, column,
+                    fmt::format("time does not rise: {} after {}", cells.cell(k, column), cells.cell(k - 1, column)),
+                    "sort the rows by time and leave one of each instant")});
+        if (time.size() < 8)
+            report_.add(Problems{{.file = cells.file(),
+                                  .what = fmt::format("{} readings are too few for a series over time", time.size()),
+                                  .fix = "give eight or more"}});
+    }
+
+    void channel(const scene::View& view, const Table& cells, Record& record) {
+        const std::string head = view.text("head");
+        const auto unit = unit_of(view.text("measure"));
+        if (!view.given("head") || !view.given("measure"))
+            return;
+        if (!unit)
+            return report_.add(view.place("measure"), "series.column.measure", unit.problems()[0].what,
+                               unit.problems()[0].fix);
+        const std::vector<Unit> units = units_for(*unit);
+        auto values = cells.quantity(head, units);
+        if (!values)
+            return report_.add(values.problems());
+        Channel channel{.head = head, .measure = view.text("measure"), .unit = *unit, .value = std::move(*values)};
+        for (const Unit& one : units)
+            if (cells.find(head + "_" + one.name)) {
+                channel.head = head + "_" + one.name;
+                channel.sigma = view.given("sigma") ? view.number("sigma") * one.si : 0;
+                break;
+            }
+        record.channels.push_back(std::move(channel));
+    }
+
+    const scene::Node& root_;
+    std::vector<const scene::KeyTable*> keys_;
+    scene::Report report_;
+    Measurement read_;
+    Hash64 hash_;
+};
+
+} // namespace
+
+Result<Measurement> load_measurement(const std::filesystem::path& file) {
+    const auto text = scene::read_file(file, largest_measurement);
+    if (!text)
+        return text.problems();
+    const auto root = scene::parse_toml(*text, file.string());
+    if (!root)
+        return root.problems();
+    return Reader(file, *root).read(*text);
+}
+
+} // namespace tumble::diagnose

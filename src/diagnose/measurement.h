@@ -1,0 +1,73 @@
+#pragma once
+
+#include "base/problem.h"
+#include "scene/keys.h"
+#include "scene/scene.h"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace tumble::diagnose {
+
+/// One column of readings and what of the simulation it shows.
+struct Channel {
+    std::string head;          // in the CSV, with its unit
+    std::string measure;       // name of a measure, or "time" for a clock in the picture
+    std::string unit;          // SI, as measures have it: "m", "m_s"
+    std::vector<double> value; // SI
+    double sigma = 0;          // SI, scatter of one reading; 0: not stated
+
+    [[nodiscard]] bool shows_time() const { return measure == "time"; }
+};
+
+/// One record: what was read while one experiment ran once.
+struct Record {
+    std::string name;
+    std::string condition;                       // records of one condition repeat each other
+    std::filesystem::path file;                  // CSV
+    std::vector<std::string> sets;               // "key=value": how this experiment differs from the scene
+    std::function<void(scene::Scene&)> change{}; // of an experiment that is only planned
+    bool held_out = false;                       // kept for measuring the gain, never fitted
+    std::vector<double> time;                    // s, rising, on the instrument's clock
+    std::vector<Channel> channels;
+};
+
+/// Something unknown but innocent, which every explanation may adjust.
+struct Nuisance {
+    std::string key;        // a scene key, or empty
+    std::string instrument; // a part of the instrument ("clock_offset"), or empty
+    bool per_record = false;
+    double spread = 0; // of what is known beforehand, in the key's own unit; 0: nothing is known
+};
+
+struct Settings {
+    double alpha_gate = 0.005;     // false alarms of the gate, one run of the library
+    double alpha_adequacy = 0.005; // false alarms of each test of adequacy
+    double margin = 3;             // nats over every rival
+    double rival_window = 14;      // nats: worse causes are not fitted anew
+    double same_class = 0.02;      // share of an effect that its rival leaves, below which both are one answer
+    double fold_veto = 4;          // standard errors that an amplitude may move when one condition is left out
+};
+
+struct Measurement {
+    std::filesystem::path file;
+    std::string title;
+    std::vector<std::string> causes; // ids or families; empty: all
+    std::vector<Nuisance> nuisances;
+    std::vector<Record> records;
+    Settings settings;
+    Problems warnings; // nothing that forbids a verdict, everything that a reader should know
+    std::string hash;  // of the file and of its data
+};
+
+/// The keys of a measurement, in the same form as those of a scene.
+const std::vector<scene::KeyTable>& measurement_keys();
+
+/// Reads a measurement and the CSV files it names. Problems, all of them, each with its place: wrong TOML, unknown or
+/// missing keys, files that are not there, columns that do not exist or are no numbers, time that does not rise,
+/// columns equal to each other, units that a measure cannot have, measures and causes that do not exist.
+Result<Measurement> load_measurement(const std::filesystem::path& file);
+
+} // namespace tumble::diagnose

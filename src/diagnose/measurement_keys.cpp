@@ -1,0 +1,85 @@
+#include "diagnose/measurement.h"
+#include "scene/key_maker.h"
+
+namespace tumble::diagnose {
+
+namespace {
+
+scene::KeyTable top() {
+    using namespace scene;
+    const Settings usual;
+    return {.path = "",
+            .head = "",
+            .required = true,
+            .sentence = "What was measured, how, and how well.",
+            .keys = {
+                text("title", "One line saying what this is."),
+                words("causes", {}, "Causes or families to consider; all of them without this key.")
+                    .otherwise(std::vector<std::string>{}),
+                number("alpha_gate", "", above(0, 0.2), "False alarms to accept: any cause named where there is none.")
+                    .otherwise(usual.alpha_gate),
+                number("alpha_adequacy", "", above(0, 0.2), "False alarms to accept: misfit seen where there is none.")
+                    .otherwise(usual.alpha_adequacy),
+                number("margin_nats", "", above(0, 50), "By how much a cause must be likelier than every rival.")
+                    .otherwise(usual.margin),
+            }};
+}
+
+scene::KeyTable nuisance() {
+    using namespace scene;
+    return {
+        .path = "nuisance",
+        .head = "[[nuisance]]",
+        .repeat = Repeat::many,
+        .sentence = "Something unknown but innocent, adjusted under every explanation.",
+        .keys = {
+            text("key", "A key of the scene, such as pair.ball-plate.restitution.").one_of("what"),
+            word("instrument", {"clock_offset", "gain", "bias", "drift"}, "A part of the instrument.").one_of("what"),
+            word("per", {"case", "series"}, "One value for all records, or one for each.")
+                .otherwise(std::string("case")),
+            number("spread", "unit of the key", above(0),
+                   "How well it is known beforehand (standard deviation), in the key's unit or in SI."),
+        }};
+}
+
+scene::KeyTable series() {
+    using namespace scene;
+    return {.path = "series",
+            .head = "[[series]]",
+            .repeat = Repeat::many,
+            .required = true,
+            .sentence = "What was read while one experiment ran once.",
+            .keys = {
+                text("name", "What to call it.").must(),
+                text("condition", "Series of one condition repeat each other; its own name without this key."),
+                file("file", "CSV with a column time_s (or time_ms) and those named below.").must(),
+                words("set", {}, "Scene keys of this experiment, as --set takes them: \"fill.0.position_m.1=0.3\".")
+                    .otherwise(std::vector<std::string>{}),
+                flag("held_out", "Keep it for measuring the gain; it is never fitted."),
+            }};
+}
+
+scene::KeyTable column() {
+    using namespace scene;
+    return {
+        .path = "series.column",
+        .head = "[[series.column]]",
+        .repeat = Repeat::many,
+        .required = true,
+        .sentence = "One column of readings.",
+        .keys = {
+            text("head", "Head of the column without its unit: \"height\" finds height_m, height_mm.").must(),
+            text("measure", "What it shows: a name of `tumble list measures`, or \"time\" for a clock in the picture.")
+                .must(),
+            number("sigma", "unit of the column", above(0), "Scatter of one reading (standard deviation)."),
+        }};
+}
+
+} // namespace
+
+const std::vector<scene::KeyTable>& measurement_keys() {
+    static const std::vector<scene::KeyTable> all{top(), nuisance(), series(), column()};
+    return all;
+}
+
+} // namespace tumble::diagnose

@@ -1,0 +1,207 @@
+#include "diagnose/model.h"
+
+#include "base/text.h"
+#include "scene/load.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace tumble::diagnose {
+
+namespace {
+
+constexpr double rows_per_reading = 8; // of a run, between two readings: kinks are resolved well below a reading
+constexpr std::size_t most_remembered = 600;
+constexpr double room_for_clocks = 0.03; // s of a run beyond the last reading
+
+/// Parts of an instrument by the names that a measurement uses.
+double& part(Instrument& instrument, const std::string& name) {
+    return name == "clock_offset" ? instrument.clock_offset
+           : name == "gain"       ? instrument.gain
+           : name == "bias"       ? instrument.bias
+                                  : instrument.drift;
+}
+
+/// How far such a part may be taken, and a step that most records would just show.
+Parameter part_parameter(const Nuisance& nuisance, const Record* record, int index) {
+    const bool clock = nuisance.instrument == "clock_offset";
+    const double width = nuisance.spread > 0 ? 20 * nuisance.spread : clock ? 0.2 : 1;
+    return {.name = nuisance.instrument + (record ? " of " + record->name : ""),
+            .lo = -width,
+            .hi = width,
+            .spread = nuisance.spread,
+            .step = clock ? 1e-4 : 1e-3,
+            .record = index};
+}
+
+double middle_step(const std::vector<double>& time) {
+    return (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+}
+
+} // namespace
+
+Result<Model> Model::make(SceneText scene, std::vector<Record> records, const std::vector<Nuisance>& nuisances,
+                          std::vector<Cause> causes, Simulate simulate) {
+    Model model;
+    model.text_ = std::move(scene);
+    model.records_ = std::move(records);
+    model.causes_ = std::move(causes);
+    model.simulate_ = std::move(simulate);
+    std::vector<double> readings;
+    for (std::size_t r = 0; r < model.records_.size(); ++r)
+        for (std::size_t c = 0; c < model.records_[r].channels.size(); ++c)
+            for (std::size_t k = 0; k < model.records_[r].time.size(); ++k) {
+                model.rows_.push_back({static_cast<int>(r), static_cast<int>(c), model.records_[r].time[k]});
+                readings.push_back(model.records_[r].channels[c].value[k]);
+            }
+    model.readings_ = Eigen::Map<VectorXd>(readings.data(), static_cast<Eigen::Index>(readings.size()));
+    for (const Nuisance& nuisance : nuisances) {
+        const std::size_t copies = nuisance.per_record ? model.records_.size() : 1;
+        for (std::size_t r = 0; r < copies; ++r) {
+            const bool own = nuisance.per_record;
+            model.nuisance_of_.push_back(nuisance);
+            model.parameters_.push_back(
+                nuisance.key.empty()
+                    ? part_parameter(nuisance, own ? &model.records_[r] : nullptr, own ? static_cast<int>(r) : -1)
+                    : Parameter{.name = nuisance.key, .spread = nuisance.spread});
+        }
+    }
+    if (const auto done = model.find_starts(); !done)
+        return done.problems();
+    for (const Cause& cause : model.causes_)
+        model.parameters_.push_back({.name = cause.id, .lo = cause.lo, .hi = cause.hi, .step = cause.typical});
+    return model;
+}
+
+/// Nuisances of the scene begin where the scene has them: read back from the text that a set would change.
+Result<Done> Model::find_starts() {
+    for (std::size_t k = 0; k < nuisance_of_.size(); ++k) {
+        const Nuisance& nuisance = nuisance_of_[k];
+        if (nuisance.key.empty())
+            continue;
+        const Result<double> value = scene::number_in(text_.toml, text_.file, text_.sets, nuisance.key);
+        if (!value)
+            return value.problems();
+        Parameter& parameter = parameters_[k];
+        parameter.start = *value;
+        const double width = nuisance.spread > 0 ? 20 * nuisance.spread : std::max(1.0, 10 * std::abs(*value));
+        parameter.lo = *value - width;
+        parameter.hi = *value + width;
+        parameter.step = nuisance.spread > 0 ? 0.05 * nuisance.spread : std::max(1e-6, 1e-3 * std::abs(*value));
+    }
+    return Done{};
+}
+
+VectorXd Model::start() const {
+    VectorXd values(static_cast<Eigen::Index>(parameters_.size()));
+    for (std::size_t k = 0; k < parameters_.size(); ++k)
+        values[static_cast<Eigen::Index>(k)] = parameters_[k].start;
+    return values;
+}
+
+std::vector<scene::Override> Model::sets_at(const VectorXd& values, int record) const {
+    std::vector<scene::Override> sets = text_.sets;
+    if (record >= 0)
+        for (const std::string& set : records_[static_cast<std::size_t>(record)].sets)
+            sets.push_back({set});
+    for (std::size_t k = 0; k < nuisance_of_.size(); ++k)
+        if (!nuisance_of_[k].key.empty())
+            sets.push_back({fmt::format("{}={}", nuisance_of_[k].key, values[static_cast<Eigen::Index>(k)])});
+    return sets;
+}
+
+Result<scene::Scene> Model::scene_at(const VectorXd& values, int record) const {
+    auto scene = scene::load_scene_text(text_.toml, text_.file, sets_at(values, record));
+    if (!scene)
+        return scene.problems();
+    if (record >= 0 && records_[static_cast<std::size_t>(record)].change)
+        records_[static_cast<std::size_t>(record)].change(*scene);
+    for (std::size_t c = 0; c < causes_.size(); ++c)
+        if (const double amplitude = values[parameter_of(static_cast<int>(c))]; amplitude != 0 && causes_[c].physical())
+            causes_[c].extend(*scene, amplitude);
+    return scene;
+}
+
+Instrument Model::instrument_at(const VectorXd& values, int record) const {
+    Instrument instrument;
+    for (std::size_t k = 0; k < nuisance_of_.size(); ++k)
+        if (!nuisance_of_[k].instrument.empty() && (parameters_[k].record == -1 || parameters_[k].record == record))
+            part(instrument, nuisance_of_[k].instrument) += values[static_cast<Eigen::Index>(k)];
+    for (std::size_t c = 0; c < causes_.size(); ++c)
+        if (const double amplitude = values[parameter_of(static_cast<int>(c))];
+            amplitude != 0 && !causes_[c].physical())
+            causes_[c].distort(instrument, amplitude);
+    return instrument;
+}
+
+Result<const observe::Series*> Model::run(const VectorXd& values, int record, double horizon) {
+    const Record& wanted = records_[static_cast<std::size_t>(record)];
+    std::string key = fmt::format("{}|{}|", horizon * wanted.time.back(), wanted.change ? wanted.name : "");
+    for (const scene::Override& set : sets_at(values, record))
+        key += set.text + "|";
+    for (std::size_t c = 0; c < causes_.size(); ++c)
+        if (causes_[c].physical())
+            key += fmt::format("{}|", values[parameter_of(static_cast<int>(c))]);
+    if (const auto found = remembered_.find(key); found != remembered_.end())
+        return &found->second;
+
+    auto scene = scene_at(values, record);
+    if (!scene)
+        return scene.problems();
+    scene->duration = horizon * wanted.time.back() + room_for_clocks;
+    scene->observe.every = std::max(scene->time_step, middle_step(wanted.time) / rows_per_reading);
+    scene->observe.measures.clear();
+    for (const Record& other : records_) // every record of this experiment finds what it needs
+        for (const Channel& channel : other.channels)
+            if (other.sets == wanted.sets && !other.change == !wanted.change && !channel.shows_time())
+                scene->observe.measures.push_back(channel.measure);
+    if (scene->observe.measures.empty())
+        scene->observe.measures = {"kinetic_energy"};
+    auto series = simulate_(*scene);
+    if (!series)
+        return series.problems();
+    simulated_ += scene->duration;
+    ++runs_;
+    if (remembered_.size() >= most_remembered)
+        remembered_.clear();
+    return &(remembered_[key] = std::move(*series));
+}
+
+Result<std::vector<Signal>> Model::signals(const VectorXd& values, int record, double horizon) {
+    const auto series = run(values, record, horizon);
+    if (!series)
+        return series.problems();
+    std::vector<Signal> all;
+    for (const Channel& channel : records_[static_cast<std::size_t>(record)].channels) {
+        const std::vector<double>* found =
+            channel.shows_time() ? &(*series)->values[0] : (*series)->find(channel.measure);
+        if (!found)
+            return Problem{.key = channel.measure, .what = "the simulation does not give " + channel.measure};
+        all.push_back({(*series)->values[0], *found});
+    }
+    return all;
+}
+
+Result<VectorXd> Model::predict(const VectorXd& values, double horizon) {
+    VectorXd all(readings_.size());
+    Eigen::Index row = 0;
+    for (std::size_t r = 0; r < records_.size(); ++r) {
+        const auto truth = signals(values, static_cast<int>(r), horizon);
+        if (!truth)
+            return truth.problems();
+        const Instrument instrument = instrument_at(values, static_cast<int>(r));
+        for (std::size_t c = 0; c < records_[r].channels.size(); ++c) {
+            const auto seen = records_[r].channels[c].shows_time()
+                                  ? clock_seen_through(instrument, records_[r].time)
+                                  : seen_through(instrument, (*truth)[c], records_[r].time);
+            for (const double value : seen)
+                all[row++] = value;
+        }
+    }
+    if (!all.allFinite())
+        return Problem{.what = "the simulation gives readings that are no numbers"};
+    return all;
+}
+
+} // namespace tumble::diagnose

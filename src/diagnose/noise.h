@@ -1,0 +1,35 @@
+#pragma once
+
+#include "diagnose/model.h"
+
+namespace tumble::diagnose {
+
+/// Scatter of the readings: a standard deviation for each channel of each record, how much of one reading's error is
+/// still in the next (AR(1)), and readings that are left out.
+struct Noise {
+    std::vector<std::vector<double>> sigma; // SI, [record][channel]
+    double correlation = 0;                 // -, from one reading to the next
+    std::vector<bool> left_out;             // per row of the model
+
+    /// Readings of scatter 1 that do not depend on each other; rows beyond the horizon and those left out become 0.
+    [[nodiscard]] MatrixXd whiten(const MatrixXd& columns, const Model& model, double horizon = 1) const;
+};
+
+/// What is known before any fit: the sigma stated, else from the second differences of the readings.
+Noise first_noise(const Model& model);
+
+struct NoiseReport {
+    double stated = 0;      // SI, mean over channels of the first measure; 0: not stated
+    double used = 0;        // SI, the same
+    double ratio = 1;       // scatter of the residual over the noise before
+    double correlation = 0; // from one reading to the next
+    int left_out = 0;       // readings
+};
+
+/// The noise that the residual shows once every direction that an effect could take is projected out of it: `explained`
+/// are the whitened columns of those directions. A correlation below 0.08 counts as none. Lone readings that stand out
+/// of their neighbours by 6 standard deviations are left out, unless there are more than 2 % of them.
+Noise refined_noise(const Noise& before, const Model& model, const VectorXd& misfit, const MatrixXd& explained,
+                    NoiseReport& report);
+
+} // namespace tumble::diagnose

@@ -1,0 +1,160 @@
+#include "diagnose/plan.h"
+
+#include <cmath>
+
+namespace tumble::diagnose {
+
+namespace {
+
+constexpr double enough = 5;           // standard errors
+constexpr double clock_reading = 1e-3; // s, scatter of a clock read from a picture
+
+struct Experiment {
+    const char* id;
+    const char* sentence;
+    void (*add)(std::vector<Record>&); // appends the new records to those there are
+};
+
+/// A second set of the records, changed.
+template <class Change> void add_copies(std::vector<Record>& records, const std::string& mark, Change change) {
+    const std::size_t before = records.size();
+    for (std::size_t k = 0; k < before; ++k) {
+        Record copy = records[k];
+        copy.name += mark;
+        copy.condition += mark;
+        change(copy);
+        records.push_back(std::move(copy));
+    }
+}
+
+void with_an_eighth_of_the_mass(scene::Scene& scene) {
+    for (contact::Material& material : scene.materials)
+        material.density /= 8;
+    for (scene::BodyTemplate& body : scene.bodies)
+        if (body.mass)
+            *body.mass /= 8;
+}
+
+void add_light_body(std::vector<Record>& records) {
+    add_copies(records, ", light body", [](Record& record) { record.change = with_an_eighth_of_the_mass; });
+}
+
+void add_clock(std::vector<Record>& records) {
+    for (Record& record : records) {
+        Channel clock{.head = "clock_s", .measure = "time", .unit = "s", .value = record.time, .sigma = clock_reading};
+        record.channels.push_back(std::move(clock));
+    }
+}
+
+void add_longer(std::vector<Record>& records) {
+    add_copies(records, ", longer", [](Record& record) {
+        const double step = record.time[1] - record.time[0];
+        const std::size_t before = record.time.size();
+        for (std::size_t k = 0; k < before; ++k)
+            record.time.push_back(record.time.back() + step);
+        for (Channel& channel : record.channels)
+            channel.value.resize(record.time.size(), 0);
+    });
+}
+
+void add_sideways(std::vector<Record>& records) {
+    for (Record& record : records) {
+        const Channel first = record.channels.front();
+        for (const char* measure : {"centre_of_mass_x", "centre_of_mass_z"}) {
+            Channel side = first;
+            side.head = side.measure = measure;
+            record.channels.push_back(std::move(side));
+        }
+    }
+}
+
+void add_repeats(std::vector<Record>& records) {
+    add_copies(records, ", again", [](Record&) {});
+}
+
+constexpr Experiment catalogue[] = {
+    {"light", "do the same with a body of the same size and an eighth of the mass (hollow, or of foam)",
+     add_light_body},
+    {"clock", "put a clock into the picture (an LED that blinks at a known rate) and read it to a millisecond",
+     add_clock},
+    {"longer", "do the same and record for twice as long", add_longer},
+    {"sideways", "read the sideways positions from the same records, too", add_sideways},
+    {"again", "do the same once more", add_repeats},
+};
+
+/// Noise of the records there were, for records made from them.
+Noise noise_for(const Model& model, const Noise& known) {
+    Noise noise = first_noise(model);
+    noise.correlation = known.correlation;
+    const std::size_t before = known.sigma.size();
+    for (std::size_t r = 0; r < noise.sigma.size(); ++r)
+        for (std::size_t c = 0; c < noise.sigma[r].size(); ++c) {
+            const auto& old = known.sigma[r % before];
+            if (!model.records()[r].channels[c].shows_time())
+                noise.sigma[r][c] = old[std::min(c, old.size() - 1)];
+        }
+    return noise;
+}
+
+/// Standard errors that the nearest two causes lie apart when all nuisances and the rival are adjusted.
+Result<double> separation_in(Model& model, const Noise& noise, const VectorXd& values,
+                             const std::vector<double>& amplitudes) {
+    MatrixXd nuisances;
+    for (int k = 0; k < model.nuisances(); ++k) {
+        const auto slope = slope_of(model, noise, values, k, true);
+        if (!slope)
+            return slope.problems();
+        nuisances.conservativeResize(slope->size(), k + 1);
+        nuisances.col(k) = *slope;
+    }
+    std::vector<VectorXd> effects;
+    for (std::size_t k = 0; k < amplitudes.size(); ++k) {
+        const auto slope = slope_of(model, noise, values, model.parameter_of(static_cast<int>(k)), true);
+        if (!slope)
+            return slope.problems();
+        effects.push_back(*slope * amplitudes[k]);
+    }
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < effects.size(); ++i)
+        for (std::size_t j = 0; j < effects.size(); ++j)
+            if (i != j) {
+                MatrixXd others(effects[j].size(), nuisances.cols() + 1);
+                others << nuisances, effects[j];
+                nearest = std::min(nearest, Projector(others).out(effects[i]).norm());
+            }
+    return nearest;
+}
+
+} // namespace
+
+std::vector<Proposal> proposals_for(const SceneText& scene, const Model& model, const std::vector<Nuisance>& nuisances,
+                                    const Noise& noise, const Simulate& simulate, const VectorXd& values,
+                                    const std::vector<int>& causes, const std::vector<double>& amplitudes) {
+    std::vector<Cause> rivals;
+    for (const int k : causes)
+        rivals.push_back(model.causes()[static_cast<std::size_t>(k)]);
+    std::vector<Proposal> proposals;
+    for (const Experiment& experiment : catalogue) {
+        std::vector<Record> records = model.records();
+        experiment.add(records);
+        auto planned = Model::make(scene, records, nuisances, rivals, simulate);
+        if (!planned)
+            continue;
+        VectorXd at = planned->start();
+        for (std::size_t k = 0; k < planned->parameters().size(); ++k)
+            for (std::size_t i = 0; i < static_cast<std::size_t>(model.nuisances()); ++i)
+                if (model.parameters()[i].name == planned->parameters()[k].name)
+                    at[static_cast<Eigen::Index>(k)] = values[static_cast<Eigen::Index>(i)];
+        const auto apart = separation_in(*planned, noise_for(*planned, noise), at, amplitudes);
+        if (!apart)
+            continue;
+        const double needed = std::ceil(std::pow(enough / std::max(*apart, 1e-9), 2));
+        proposals.push_back(
+            {experiment.id, experiment.sentence, *apart, needed > 1000 ? 0 : std::max(1, static_cast<int>(needed))});
+    }
+    std::sort(proposals.begin(), proposals.end(),
+              [](const Proposal& a, const Proposal& b) { return a.separation > b.separation; });
+    return proposals;
+}
+
+} // namespace tumble::diagnose

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+namespace tumble::diagnose {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// P(chi-square with so many degrees of freedom > x).
+double chi_square_tail(double x, double degrees);
+/// P(standard normal > x), and the x that this tail belongs to.
+double normal_tail(double x);
+double normal_quantile(double tail);
+
+/// The value that the largest of |z_j| squared stays below with probability 1 - alpha, z standard normal with this
+/// correlation: what the best of a library of causes reaches where there is none. Drawn 40,000 times.
+double quantile_of_largest(const MatrixXd& correlation, double alpha, std::uint64_t seed);
+
+/// Takes a subspace out of vectors.
+class Projector {
+public:
+    /// The span of these columns; those that depend on others (1e-7 of the largest) count once.
+    explicit Projector(const MatrixXd& columns);
+
+    [[nodiscard]] MatrixXd out(const MatrixXd& vectors) const {
+        return vectors - basis_ * (basis_.transpose() * vectors);
+    }
+    [[nodiscard]] VectorXd out(const VectorXd& vector) const { return vector - basis_ * (basis_.transpose() * vector); }
+    /// Length squared of the vector's part inside the span.
+    [[nodiscard]] double inside(const VectorXd& vector) const { return (basis_.transpose() * vector).squaredNorm(); }
+    [[nodiscard]] int rank() const { return static_cast<int>(basis_.cols()); }
+
+private:
+    MatrixXd basis_;
+};
+
+/// The columns, each of length 1; those of no length stay as they are.
+MatrixXd unit_columns(MatrixXd columns);
+
+} // namespace tumble::diagnose

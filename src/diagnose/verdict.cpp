@@ -1,0 +1,183 @@
+#include "diagnose/verdict.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace tumble::diagnose {
+
+namespace {
+
+const Cause& cause_of(const Diagnosis& diagnosis, int k) {
+    return diagnosis.causes[static_cast<std::size_t>(k)];
+}
+
+std::vector<std::string> ids_of(const Diagnosis& diagnosis, const std::vector<int>& causes) {
+    std::vector<std::string> ids;
+    for (const int k : causes)
+        ids.push_back(cause_of(diagnosis, k).id);
+    return ids;
+}
+
+/// The family, where all of them are of one.
+std::string family_of(const Diagnosis& diagnosis, const std::vector<int>& causes) {
+    for (const int k : causes)
+        if (cause_of(diagnosis, k).family != cause_of(diagnosis, causes[0]).family)
+            return "";
+    return cause_of(diagnosis, causes[0]).family;
+}
+
+std::string found(const Diagnosis& diagnosis, std::size_t index) {
+    const Refit& best = *diagnosis.decision.best;
+    const Cause& cause = cause_of(diagnosis, best.causes[index]);
+    const auto i = static_cast<Eigen::Index>(index);
+    return fmt::format("{} ({}): {} = {}", cause.name, cause.id, cause.symbol,
+                       amplitude_words(cause, best.amplitude[i], best.error[i]));
+}
+
+std::string gain_words(const Diagnosis& diagnosis) {
+    if (!diagnosis.gain)
+        return " Its gain could not be measured: there is only one condition.";
+    const Gain& gain = *diagnosis.gain;
+    const std::string where = gain.held_out ? "on the series held out" : "on conditions predicted from the others";
+    if (!gain.shown)
+        return fmt::format(" Named, gain not shown: {} the extended scene is not surely better.", where);
+    return fmt::format(" With it the misfit {} falls from {:.2f} to {:.2f} standard errors of a reading.", where,
+                       gain.rms_baseline, gain.rms_extended);
+}
+
+std::string named(const Diagnosis& diagnosis) {
+    const Decision& decision = diagnosis.decision;
+    std::string text = fmt::format("The data differ from the simulation by {}.", found(diagnosis, 0));
+    if (decision.one_class) {
+        const std::vector<int> others(decision.causes.begin() + 1, decision.causes.end());
+        text += fmt::format(" These data cannot tell it from {}: they are one answer.",
+                            fmt::join(ids_of(diagnosis, others), ", "));
+    }
+    if (!decision.sure)
+        text += fmt::format(" But {}: UNSURE.", decision.reason);
+    return text + gain_words(diagnosis);
+}
+
+std::string ambiguous(const Diagnosis& diagnosis) {
+    const Decision& decision = diagnosis.decision;
+    if (!decision.pairs.empty()) {
+        std::vector<std::string> pairs;
+        for (const auto& pair : decision.pairs)
+            pairs.push_back(fmt::format("{}", fmt::join(ids_of(diagnosis, pair), " with ")));
+        return fmt::format("Two causes act together, and these data cannot tell which: {}.", fmt::join(pairs, "; "));
+    }
+    const std::string family = family_of(diagnosis, decision.causes);
+    return fmt::format("Something is missing, and these data cannot tell which of {}{}.",
+                       fmt::join(ids_of(diagnosis, decision.causes), ", "),
+                       family.empty() ? "" : fmt::format("; all are of one family: {}", family));
+}
+
+std::string none_known(const Diagnosis& diagnosis) {
+    std::string text = "The data differ from the simulation, and no cause of the library, nor two together, explains "
+                       "how.";
+    if (diagnosis.decision.best)
+        text += fmt::format(" Nearest comes {}, which leaves more than noise.",
+                            cause_of(diagnosis, diagnosis.decision.best->causes[0]).id);
+    return text;
+}
+
+std::string consistent(const Diagnosis& diagnosis) {
+    return fmt::format("The simulation agrees with the data: {} readings scatter about it as their noise does. Effects "
+                       "larger than the limits in the table are excluded.",
+                       diagnosis.readings);
+}
+
+} // namespace
+
+std::string outcome_words(const Diagnosis& diagnosis) {
+    const Decision& decision = diagnosis.decision;
+    switch (decision.outcome) {
+    case Outcome::consistent:
+        return "CONSISTENT WITH THE BASELINE";
+    case Outcome::named:
+        return decision.sure ? (decision.one_class ? "NAMED, AS ONE CLASS" : "NAMED") : "UNSURE";
+    case Outcome::ambiguous:
+        return "AMBIGUOUS";
+    case Outcome::two_causes:
+        return "TWO CAUSES";
+    case Outcome::none_known:
+        return "NONE OF THE KNOWN CAUSES";
+    case Outcome::cannot_decide:
+        break;
+    }
+    return "CANNOT DECIDE";
+}
+
+std::string verdict_of(const Diagnosis& diagnosis) {
+    switch (diagnosis.decision.outcome) {
+    case Outcome::consistent:
+        return consistent(diagnosis);
+    case Outcome::named:
+        return named(diagnosis);
+    case Outcome::ambiguous:
+        return ambiguous(diagnosis);
+    case Outcome::two_causes:
+        return fmt::format("Two causes act together: {}; {}.", found(diagnosis, 0), found(diagnosis, 1));
+    case Outcome::none_known:
+        return none_known(diagnosis);
+    case Outcome::cannot_decide:
+        break;
+    }
+    return fmt::format("No verdict: {}.", diagnosis.decision.reason);
+}
+
+std::string next_step(const Diagnosis& diagnosis) {
+    const auto& proposals = diagnosis.proposals;
+    if (!proposals.empty() && proposals[0].repeats > 0)
+        return fmt::format("To tell them apart, {}{}: that would set them {:.1f} standard errors apart.",
+                           proposals[0].sentence,
+                           proposals[0].repeats > 1 ? fmt::format(", {} times", proposals[0].repeats) : "",
+                           proposals[0].separation * std::sqrt(proposals[0].repeats));
+    switch (diagnosis.decision.outcome) {
+    case Outcome::consistent:
+        return "Nothing needs to be changed; to exclude smaller effects, measure more often or under more conditions.";
+    case Outcome::named:
+        return diagnosis.decision.sure
+                   ? "Write the extended scene (--write-extended), and confirm it with an experiment not used here."
+                   : "Repeat the condition that disagrees before you believe the name.";
+    case Outcome::ambiguous:
+        return "No experiment of the catalogue would tell them apart; measure another quantity.";
+    case Outcome::two_causes:
+        return "Confirm each with an experiment in which the other cannot act.";
+    case Outcome::none_known:
+        return "Look at the residual: what does it follow? Then check the apparatus, or add the missing law to the "
+               "scene.";
+    case Outcome::cannot_decide:
+        break;
+    }
+    return "Measure under more conditions, or state what is known about the nuisances (spread).";
+}
+
+std::string amplitude_words(const Cause& cause, double amplitude, double error) {
+    const int digits =
+        error > 0 ? std::clamp(static_cast<int>(std::floor(std::log10(std::abs(amplitude) / error))) + 2, 1, 8) : 4;
+    std::string unit = cause.unit == "1_s" ? "1/s" : cause.unit;
+    return fmt::format("{:.{}g} +- {:.2g}{}{}", amplitude, digits, error, unit.empty() ? "" : " ", unit);
+}
+
+std::string standing_of(const Diagnosis& diagnosis, int k) {
+    const Decision& decision = diagnosis.decision;
+    if (decision.seen.empty())
+        return "";
+    const Seen& seen = decision.seen[static_cast<std::size_t>(k)];
+    if (!seen.visible)
+        return seen.share < 0.005 ? "does not show: nuisances absorb it" : "does not show in these data";
+    if (std::find(decision.causes.begin(), decision.causes.end(), k) != decision.causes.end())
+        return "named";
+    if (seen.refit && !seen.refit->possible)
+        return "refused: " + seen.refit->refused;
+    if (decision.best && decision.outcome == Outcome::named)
+        return fmt::format("{:.1f} nats behind", 0.5 * (decision.best->gain - seen.gain));
+    const Cause& cause = cause_of(diagnosis, k);
+    const double low = std::max(seen.lower, cause.lo), high = std::min(seen.upper, cause.hi);
+    return cause.lo == 0 ? fmt::format("below {:.2g} (95 %)", std::max(0.0, high))
+                         : fmt::format("between {:.2g} and {:.2g} (each 95 %)", low, high);
+}
+
+} // namespace tumble::diagnose

@@ -1,0 +1,196 @@
+#include "report/diagnosis_json.h"
+
+#include "base/table.h"
+#include "base/text.h"
+#include "diagnose/verdict.h"
+
+#include <cmath>
+
+namespace tumble::report {
+
+using namespace diagnose;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json number(double value) {
+    return std::isfinite(value) ? Json(value) : Json();
+}
+
+Json ids_of(const Diagnosis& diagnosis, const std::vector<int>& causes) {
+    Json ids = Json::array();
+    for (const int k : causes)
+        ids.push_back(diagnosis.causes[static_cast<std::size_t>(k)].id);
+    return ids;
+}
+
+Json amplitudes_of(const Diagnosis& diagnosis) {
+    Json all = Json::array();
+    if (const auto& best = diagnosis.decision.best)
+        for (std::size_t k = 0; k < best->causes.size(); ++k) {
+            const Cause& cause = diagnosis.causes[static_cast<std::size_t>(best->causes[k])];
+            const auto i = static_cast<Eigen::Index>(k);
+            all.push_back({{"id", cause.id},
+                           {"family", cause.family},
+                           {"parameter", cause.symbol},
+                           {"unit", cause.unit},
+                           {"amplitude", number(best->amplitude[i])},
+                           {"standard_error", number(best->error[i])},
+                           {"low_95", number(best->amplitude[i] - 1.96 * best->error[i])},
+                           {"high_95", number(best->amplitude[i] + 1.96 * best->error[i])}});
+        }
+    return all;
+}
+
+Json library_of(const Diagnosis& diagnosis) {
+    Json all = Json::array();
+    for (std::size_t k = 0; k < diagnosis.decision.seen.size(); ++k) {
+        const Cause& cause = diagnosis.causes[k];
+        const Seen& seen = diagnosis.decision.seen[k];
+        all.push_back({{"id", cause.id},
+                       {"visible", seen.visible},
+                       {"share_left_by_nuisances", number(seen.share)},
+                       {"amplitude_linear", number(seen.amplitude)},
+                       {"standard_error", number(seen.error)},
+                       {"chi_square_gain", number(seen.gain)},
+                       {"refitted", seen.refit.has_value()},
+                       {"lower_95", number(seen.lower)},
+                       {"upper_95", number(seen.upper)},
+                       {"standing", standing_of(diagnosis, static_cast<int>(k))}});
+    }
+    return all;
+}
+
+Json isolability_of(const Diagnosis& diagnosis) {
+    Json rows = Json::array();
+    const MatrixXd& left = diagnosis.decision.isolability;
+    for (Eigen::Index i = 0; i < left.rows(); ++i) {
+        Json row = Json::array();
+        for (Eigen::Index j = 0; j < left.cols(); ++j)
+            row.push_back(number(left(i, j)));
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+Json gain_of_it(const Gain& gain) {
+    Json conditions = Json::array();
+    for (const Score& score : gain.scores)
+        conditions.push_back({{"condition", score.condition},
+                              {"readings", score.readings},
+                              {"chi_square_baseline", score.baseline},
+                              {"chi_square_extended", score.extended}});
+    Json json{{"on", gain.held_out ? "series held out" : "each condition from the others"},
+              {"rms_baseline", gain.rms_baseline},
+              {"rms_extended", gain.rms_extended},
+              {"skill", gain.skill},
+              {"share_of_misfit_removed", gain.share_removed},
+              {"nats", gain.nats},
+              {"shown", gain.shown},
+              {"conditions", std::move(conditions)}};
+    if (gain.bootstrapped)
+        json["nats_95"] = {gain.nats_low, gain.nats_high};
+    return json;
+}
+
+Json adequacy_of_it(const Adequacy& adequacy) {
+    return {{"p_blocks", adequacy.blocks}, {"p_fingerprints", adequacy.prints}, {"p", adequacy.p()}};
+}
+
+Json decision_of(const Diagnosis& diagnosis) {
+    const Decision& decision = diagnosis.decision;
+    Json pairs = Json::array();
+    for (const auto& pair : decision.pairs)
+        pairs.push_back(ids_of(diagnosis, pair));
+    Json folds = Json::array();
+    for (const Fold& fold : decision.folds)
+        folds.push_back({{"without", fold.condition},
+                         {"amplitude", number(fold.amplitude)},
+                         {"moved_standard_errors", number(fold.moved)},
+                         {"readings", fold.readings},
+                         {"chi_square_baseline", fold.baseline},
+                         {"chi_square_extended", fold.extended}});
+    return {{"outcome", outcome_words(diagnosis)},
+            {"verdict", verdict_of(diagnosis)},
+            {"next", next_step(diagnosis)},
+            {"causes", ids_of(diagnosis, decision.causes)},
+            {"one_class", decision.one_class},
+            {"sure", decision.sure},
+            {"reason", decision.reason},
+            {"pairs", std::move(pairs)},
+            {"fitted", amplitudes_of(diagnosis)},
+            {"gate", decision.gate},
+            {"largest_chi_square_gain", decision.largest},
+            {"adequacy_baseline", adequacy_of_it(decision.baseline)},
+            {"adequacy_winner", adequacy_of_it(decision.winner)},
+            {"folds", std::move(folds)}};
+}
+
+} // namespace
+
+Json to_json(const Diagnosis& diagnosis, const std::string& version) {
+    Json json = decision_of(diagnosis);
+    json["library"] = library_of(diagnosis);
+    json["isolability"] = isolability_of(diagnosis);
+    if (diagnosis.gain)
+        json["gain"] = gain_of_it(*diagnosis.gain);
+    Json proposals = Json::array();
+    for (const Proposal& proposal : diagnosis.proposals)
+        proposals.push_back({{"id", proposal.id},
+                             {"sentence", proposal.sentence},
+                             {"separation", proposal.separation},
+                             {"repeats", proposal.repeats}});
+    json["experiments"] = std::move(proposals);
+    Json nuisances = Json::array();
+    for (const FittedNuisance& nuisance : diagnosis.nuisances)
+        nuisances.push_back({{"name", nuisance.name},
+                             {"start", nuisance.start},
+                             {"value", nuisance.value},
+                             {"standard_error", number(nuisance.error)}});
+    json["nuisances"] = std::move(nuisances);
+    json["noise"] = {{"stated", diagnosis.noise.stated},
+                     {"used", diagnosis.noise.used},
+                     {"ratio", diagnosis.noise.ratio},
+                     {"correlation", diagnosis.noise.correlation},
+                     {"outliers", diagnosis.noise.left_out}};
+    json["readings"] = diagnosis.readings;
+    json["chi_square_baseline"] = diagnosis.chi_square;
+    Json warnings = Json::array();
+    for (const Problem& warning : diagnosis.warnings)
+        warnings.push_back(
+            {{"name", warning.key}, {"file", warning.file}, {"what", warning.what}, {"fix", warning.fix}});
+    json["warnings"] = std::move(warnings);
+    json["settings"] = {
+        {"alpha_gate", diagnosis.settings.alpha_gate}, {"alpha_adequacy", diagnosis.settings.alpha_adequacy},
+        {"margin_nats", diagnosis.settings.margin},    {"rival_window_nats", diagnosis.settings.rival_window},
+        {"same_class", diagnosis.settings.same_class}, {"fold_veto", diagnosis.settings.fold_veto}};
+    json["title"] = diagnosis.title;
+    json["scene"] = diagnosis.scene.string();
+    json["data"] = diagnosis.data.string();
+    json["data_hash"] = diagnosis.hash;
+    json["runs"] = diagnosis.runs;
+    json["simulated_s"] = diagnosis.simulated;
+    json["version"] = version;
+    return json;
+}
+
+std::string residuals_csv(const Diagnosis& diagnosis) {
+    std::string text = "record,column,time_s,measured,baseline,extended,residual_baseline,residual_extended,used\n";
+    for (const Curve& curve : diagnosis.curves)
+        for (std::size_t k = 0; k < curve.time.size(); ++k) {
+            const double with = curve.extended.empty() ? curve.baseline[k] : curve.extended[k];
+            const std::vector<std::string> cells{curve.record,
+                                                 curve.head,
+                                                 shortest(curve.time[k]),
+                                                 shortest(curve.measured[k]),
+                                                 shortest(curve.baseline[k]),
+                                                 shortest(with),
+                                                 shortest((curve.measured[k] - curve.baseline[k]) / curve.sigma),
+                                                 shortest((curve.measured[k] - with) / curve.sigma),
+                                                 curve.left_out[k] ? "0" : "1"};
+            text += csv_line(cells);
+        }
+    return text;
+}
+
+} // namespace tumble::report

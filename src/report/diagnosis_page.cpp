@@ -1,0 +1,289 @@
+#include "report/diagnosis_page.h"
+
+#include "base/text.h"
+#include "diagnose/verdict.h"
+#include "report/svg_plot.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+
+namespace tumble::report {
+
+using namespace diagnose;
+
+namespace {
+
+constexpr const char* style = R"(
+body{font:16px/1.5 "DejaVu Sans",Verdana,sans-serif;max-width:960px;margin:2em auto;padding:0 1em;color:#222}
+h1{font-size:1.4em;margin:0 0 .2em}h2{font-size:1.1em;margin:2em 0 .4em;border-bottom:1px solid #ccc}
+.verdict{background:#f2f6fa;border-left:6px solid #0072B2;padding:.8em 1em;margin:1em 0}
+.verdict.bad{background:#fdf3ec;border-color:#D55E00}.verdict.good{background:#eef8f3;border-color:#009E73}
+.verdict b{letter-spacing:.04em}.small{font-size:.85em;color:#555}
+table{border-collapse:collapse;font-size:.85em}td,th{padding:.2em .6em;border:1px solid #ddd;text-align:left}
+td.n{text-align:right;font-variant-numeric:tabular-nums}th.r{writing-mode:vertical-rl;transform:rotate(180deg);padding:.6em .2em}
+svg{max-width:100%;height:auto}svg text{font-family:"DejaVu Sans",Verdana,sans-serif;fill:#222}
+.t{font-size:11px}.a{font-size:12px}.h{font-size:13px;font-weight:bold}.grid{stroke:#e4e4e4}.level{stroke:#444}
+.dash{stroke-dasharray:4 3}.band{fill:#dfe8ef}.plots{display:flex;flex-wrap:wrap;gap:12px}
+)";
+
+struct Looks {
+    std::vector<std::string> conditions;
+
+    std::size_t index(const std::string& condition) {
+        for (std::size_t k = 0; k < conditions.size(); ++k)
+            if (conditions[k] == condition)
+                return k;
+        conditions.push_back(condition);
+        return conditions.size() - 1;
+    }
+};
+
+bool has_extension(const Diagnosis& diagnosis) {
+    return std::any_of(diagnosis.curves.begin(), diagnosis.curves.end(),
+                       [](const Curve& curve) { return !curve.extended.empty(); });
+}
+
+std::string axis_of(const Curve& curve) {
+    return curve.unit.empty() ? curve.head
+                              : fmt::format("{}, in {}", curve.head.substr(0, curve.head.rfind('_')), curve.unit);
+}
+
+Trace residual_trace(const Curve& curve, const std::vector<double>& model, const std::vector<double>& x, Looks& looks) {
+    Trace trace{.label = "", .x = x, .y = {}, .color = color_of(looks.index(curve.condition))};
+    for (std::size_t k = 0; k < x.size(); ++k)
+        trace.y.push_back(curve.left_out[k] ? std::nan("") : (curve.measured[k] - model[k]) / curve.sigma);
+    return trace;
+}
+
+std::vector<double> rates(const Curve& curve) {
+    std::vector<double> rate(curve.time.size(), std::nan(""));
+    for (std::size_t k = 1; k + 1 < curve.time.size(); ++k)
+        rate[k] = (curve.baseline[k + 1] - curve.baseline[k - 1]) / (curve.time[k + 1] - curve.time[k - 1]);
+    return rate;
+}
+
+/// Residuals in standard errors, of all records that show the same measure as the first.
+Plot residuals(const Diagnosis& diagnosis, const std::string& title, const std::string& against, bool extended) {
+    Plot plot{.title = title,
+              .x_label = against,
+              .y_label = "residual, in standard errors",
+              .traces = {},
+              .levels = {},
+              .band = std::array{-2.0, 2.0},
+              .y_range = {}};
+    Looks looks;
+    for (const Curve& curve : diagnosis.curves) {
+        if (curve.head != diagnosis.curves[0].head)
+            continue;
+        const std::vector<double>& model = extended && !curve.extended.empty() ? curve.extended : curve.baseline;
+        const std::vector<double> x = against == "time, in s"        ? curve.time
+                                      : against.starts_with("speed") ? rates(curve)
+                                                                     : curve.baseline;
+        plot.traces.push_back(residual_trace(curve, model, x, looks));
+    }
+    plot.levels.push_back({0, "", false});
+    return plot;
+}
+
+double largest_residual(const Diagnosis& diagnosis) {
+    double most = 4;
+    for (const Curve& curve : diagnosis.curves)
+        for (std::size_t k = 0; k < curve.time.size(); ++k)
+            if (!curve.left_out[k])
+                most = std::max(most, std::abs(curve.measured[k] - curve.baseline[k]) / curve.sigma);
+    return most;
+}
+
+std::string measured_section(const Diagnosis& diagnosis) {
+    std::string out = "<h2>What was measured, and what the scene gives</h2><div class=\"plots\">";
+    for (const Curve& curve : diagnosis.curves) {
+        Plot plot{.title = curve.record,
+                  .x_label = "time, in s",
+                  .y_label = axis_of(curve),
+                  .traces = {},
+                  .levels = {},
+                  .band = {},
+                  .y_range = {},
+                  .width = 460,
+                  .height = 230};
+        plot.traces.push_back({.label = "measured", .x = curve.time, .y = curve.measured, .color = "#444444"});
+        plot.traces.push_back(
+            {.label = "baseline", .x = curve.time, .y = curve.baseline, .color = color_of(1), .line = true});
+        if (!curve.extended.empty())
+            plot.traces.push_back({.label = "extended",
+                                   .x = curve.time,
+                                   .y = curve.extended,
+                                   .color = color_of(0),
+                                   .line = true,
+                                   .dashed = true});
+        out += svg_of(plot);
+    }
+    return out + "</div>";
+}
+
+std::string residual_section(const Diagnosis& diagnosis) {
+    std::string out = "<h2>What the scene leaves unexplained</h2><p>Residual = measured less baseline, in standard "
+                      "errors of a reading; 95 % of pure noise lies in the grey band. Colours are conditions; lone "
+                      "outliers are not drawn.</p><div class=\"plots\">";
+    const std::string unit = diagnosis.curves.empty() ? "" : diagnosis.curves[0].unit;
+    out += svg_of(residuals(diagnosis, "against time", "time, in s", false));
+    out += svg_of(residuals(diagnosis, "against speed", fmt::format("speed, in {}/s", unit), false));
+    out += svg_of(residuals(diagnosis, "against the reading", fmt::format("reading, in {}", unit), false));
+    if (has_extension(diagnosis)) {
+        Plot after = residuals(diagnosis, "with the extended scene, against time", "time, in s", true);
+        const double most = largest_residual(diagnosis) * 1.05;
+        after.y_range = std::array{-most, most};
+        out += svg_of(after);
+    }
+    return out + "</div>";
+}
+
+std::string library_section(const Diagnosis& diagnosis) {
+    std::vector<Bar> bars;
+    const Decision& decision = diagnosis.decision;
+    double best = 0;
+    for (std::size_t k = 0; k < decision.seen.size(); ++k) {
+        const Seen& seen = decision.seen[k];
+        const bool named =
+            std::find(decision.causes.begin(), decision.causes.end(), static_cast<int>(k)) != decision.causes.end();
+        best = std::max(best, seen.gain);
+        bars.push_back({diagnosis.causes[k].id, standing_of(diagnosis, static_cast<int>(k)),
+                        named ? color_of(1) : "#9db4c4", seen.gain});
+    }
+    std::vector<Mark> marks{{decision.gate, "gate"}};
+    if (best > decision.gate)
+        marks.push_back({std::max(0.0, best - 2 * diagnosis.settings.margin), "margin"});
+    return fmt::format(
+        "<h2>How far each cause of the library explains it</h2>{}<p class=\"small\">Noise alone drives the "
+        "best of all causes beyond the gate in {:g} % of cases; whoever lies beyond the margin cannot be "
+        "told from the best.</p>",
+        svg_of(bars, marks, "fall of chi-square when the cause is added"), 100 * diagnosis.settings.alpha_gate);
+}
+
+std::string shade(double left) {
+    const int grey = static_cast<int>(255 - 110 * (1 - std::clamp(left, 0.0, 1.0)));
+    return fmt::format("background:rgb(255,{0},{0})", grey);
+}
+
+std::string isolability_section(const Diagnosis& diagnosis) {
+    const MatrixXd& left = diagnosis.decision.isolability;
+    std::string head, body;
+    for (Eigen::Index i = 0; i < left.rows(); ++i) {
+        if (std::isnan(left(i, i)))
+            continue;
+        const std::string id = diagnosis.causes[static_cast<std::size_t>(i)].id;
+        head += fmt::format("<th class=\"r\">{}</th>", id);
+        body += fmt::format("<tr><th>{}</th>", id);
+        for (Eigen::Index j = 0; j < left.cols(); ++j)
+            if (!std::isnan(left(j, j)))
+                body += i == j ? "<td></td>"
+                               : fmt::format("<td class=\"n\" style=\"{}\">{:.2f}</td>", shade(left(i, j)), left(i, j));
+        body += "</tr>";
+    }
+    if (body.empty())
+        return "";
+    return fmt::format(
+        "<h2>What these data can tell apart</h2><p>Share of the row's effect that is left when the column's "
+        "cause is fitted in its place: 0 is the same answer, 1 cannot be mistaken. Causes that these data do "
+        "not show are not listed.</p><table><tr><th></th>{}</tr>{}</table>",
+        head, body);
+}
+
+std::string gain_section(const Diagnosis& diagnosis) {
+    if (!diagnosis.gain)
+        return "";
+    const Gain& gain = *diagnosis.gain;
+    std::string rows;
+    for (const Score& score : gain.scores)
+        rows += fmt::format(
+            "<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{:.2f}</td><td class=\"n\">{:.2f}</td></tr>",
+            escaped(score.condition), score.readings, std::sqrt(score.baseline / std::max(1, score.readings)),
+            std::sqrt(score.extended / std::max(1, score.readings)));
+    std::string text =
+        fmt::format("{:.0f} % of the misfit that any model could remove is gone; log score rises by {:.1f} nats",
+                    100 * gain.share_removed, gain.nats);
+    if (gain.bootstrapped)
+        text += fmt::format(" (95 %: {:.1f} to {:.1f})", gain.nats_low, gain.nats_high);
+    return fmt::format(
+        "<h2>What the extension is worth where it was not fitted</h2><p>{}. {}.</p><table><tr><th>{}</th><th>readings"
+        "</th><th>baseline</th><th>extended</th></tr>{}</table><p class=\"small\">Root mean square residual in "
+        "standard "
+        "errors of a reading; 1 is noise alone. What only a record can tell comes from its first 30 %, for both "
+        "alike; scored is the rest.</p>",
+        text, gain.shown ? "The gain is shown" : "The gain is not shown: some conditions do not improve",
+        gain.held_out ? "series held out" : "condition left out", rows);
+}
+
+std::string fingerprint_section(const Diagnosis& diagnosis) {
+    std::string items;
+    for (const int k : diagnosis.decision.causes) {
+        const Cause& cause = diagnosis.causes[static_cast<std::size_t>(k)];
+        items += fmt::format("<li><b>{}</b>, {}: {}. <span class=\"small\">Sets: {}.</span></li>", cause.id,
+                             escaped(cause.name), escaped(cause.look), escaped(cause.keys));
+    }
+    return items.empty() ? "" : "<h2>What to look for in the residual</h2><ul>" + items + "</ul>";
+}
+
+std::string plan_section(const Diagnosis& diagnosis) {
+    if (diagnosis.proposals.empty())
+        return "";
+    std::string rows;
+    for (const Proposal& proposal : diagnosis.proposals)
+        rows += fmt::format("<tr><td>{}</td><td class=\"n\">{:.1f}</td><td class=\"n\">{}</td></tr>",
+                            escaped(proposal.sentence), proposal.separation,
+                            proposal.repeats == 0 ? "never" : std::to_string(proposal.repeats));
+    return "<h2>What to measure next</h2><table><tr><th>experiment</th><th>standard errors apart</th><th>repeats to "
+           "reach 5"
+           "</th></tr>" +
+           rows + "</table>";
+}
+
+std::string small_print(const Diagnosis& diagnosis, const std::string& version) {
+    std::string rows;
+    for (const FittedNuisance& nuisance : diagnosis.nuisances)
+        rows +=
+            fmt::format("<tr><td>{}</td><td class=\"n\">{:.6g}</td><td class=\"n\">{:.6g} &plusmn; {:.2g}</td></tr>",
+                        escaped(nuisance.name), nuisance.start, nuisance.value, nuisance.error);
+    std::map<std::string, std::string> files; // of each sentence
+    for (const Problem& warning : diagnosis.warnings) {
+        const std::string sentence =
+            fmt::format("<b>{}</b>: {}; {}.", escaped(warning.key), escaped(warning.what), escaped(warning.fix));
+        files[sentence] +=
+            (files[sentence].empty() ? "" : ", ") + escaped(std::filesystem::path(warning.file).filename().string());
+    }
+    std::string warnings;
+    for (const auto& [sentence, names] : files)
+        warnings += fmt::format("<li>{} <span class=\"small\">({})</span></li>", sentence, names);
+    return fmt::format(
+        "<h2>Small print</h2>{}<table><tr><th>adjusted under every explanation</th><th>in the scene</th><th>fitted, "
+        "baseline</th></tr>{}</table><p class=\"small\">{} readings, scatter {:.3g} (stated: {}), correlation of "
+        "neighbours "
+        "{:.2f}. Adequacy of the baseline p = {:.2g}, of the extension p = {:.2g}. {} runs, {:.3g} s simulated. Scene "
+        "{}, "
+        "data {} ({}). tumble {}.</p>",
+        warnings.empty() ? "" : "<ul>" + warnings + "</ul>", rows, diagnosis.readings, diagnosis.noise.used,
+        diagnosis.noise.stated > 0 ? fmt::format("{:.3g}", diagnosis.noise.stated) : "no", diagnosis.noise.correlation,
+        diagnosis.decision.baseline.p(), diagnosis.decision.winner.p(), diagnosis.runs, diagnosis.simulated,
+        escaped(diagnosis.scene.string()), escaped(diagnosis.data.string()), diagnosis.hash, version);
+}
+
+} // namespace
+
+std::string page_of(const Diagnosis& diagnosis, const std::string& version) {
+    const Outcome outcome = diagnosis.decision.outcome;
+    const char* mood = outcome == Outcome::consistent                         ? "good"
+                       : outcome == Outcome::named && diagnosis.decision.sure ? ""
+                                                                              : "bad";
+    std::string page = fmt::format(
+        "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>{}</title><style>{}</style></head>"
+        "<body><h1>{}</h1><div class=\"verdict {}\"><b>{}</b><p>{}</p><p>{}</p></div>",
+        escaped(diagnosis.title), style, escaped(diagnosis.title), mood, outcome_words(diagnosis),
+        escaped(verdict_of(diagnosis)), escaped(next_step(diagnosis)));
+    page += measured_section(diagnosis) + residual_section(diagnosis) + fingerprint_section(diagnosis) +
+            library_section(diagnosis) + plan_section(diagnosis) + gain_section(diagnosis) +
+            isolability_section(diagnosis) + small_print(diagnosis, version);
+    return page + "</body></html>\n";
+}
+
+} // namespace tumble::report

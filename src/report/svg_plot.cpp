@@ -1,0 +1,202 @@
+#include "report/svg_plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace tumble::report {
+
+namespace {
+
+constexpr int left = 62, right = 12, top = 30, bottom = 44; // px around the axes
+constexpr double room = 0.04;                               // of the range, beyond the traces
+constexpr std::size_t most_points = 1500;                   // of a trace that are drawn
+
+struct Range {
+    double lo = std::numeric_limits<double>::infinity();
+    double hi = -std::numeric_limits<double>::infinity();
+
+    void take(double value) {
+        if (!std::isfinite(value))
+            return;
+        lo = std::min(lo, value);
+        hi = std::max(hi, value);
+    }
+    void widen() {
+        if (!(lo <= hi))
+            lo = 0, hi = 1;
+        const double width = hi > lo ? hi - lo : std::max(1e-12, std::abs(hi));
+        lo -= room * width;
+        hi += room * width;
+    }
+};
+
+/// 1, 2 or 5 times a power of ten, so that a range gets about five.
+double tick_step(double width) {
+    const double raw = width / 5;
+    const double power = std::pow(10, std::floor(std::log10(raw)));
+    const double digit = raw / power;
+    return power * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10);
+}
+
+std::string tick_word(double value, double step) {
+    return fmt::format("{:g}", std::abs(value) < step / 1000 ? 0.0 : value);
+}
+
+class Canvas {
+public:
+    explicit Canvas(const Plot& plot) : plot_(plot) {
+        for (const Trace& trace : plot.traces) {
+            for (const double x : trace.x)
+                x_.take(x);
+            for (const double y : trace.y)
+                y_.take(y);
+        }
+        if (plot.band)
+            for (const double y : *plot.band)
+                y_.take(y);
+        for (const Level& level : plot.levels)
+            y_.take(level.y);
+        x_.widen();
+        y_.widen();
+        if (plot.y_range)
+            y_ = {(*plot.y_range)[0], (*plot.y_range)[1]};
+    }
+
+    std::string draw() {
+        out_ = fmt::format("<svg viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" "
+                           "xmlns=\"http://www.w3.org/2000/svg\">"
+                           "<title>{2}</title><text class=\"h\" x=\"{3}\" y=\"16\">{2}</text>",
+                           plot_.width, plot_.height, escaped(plot_.title), left);
+        if (plot_.band)
+            out_ += fmt::format("<rect class=\"band\" x=\"{}\" y=\"{:.1f}\" width=\"{}\" height=\"{:.1f}\"/>", left,
+                                py((*plot_.band)[1]), inner_width(), py((*plot_.band)[0]) - py((*plot_.band)[1]));
+        axes();
+        for (const Level& level : plot_.levels)
+            out_ += fmt::format("<line class=\"level{}\" x1=\"{}\" x2=\"{}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/>"
+                                "<text class=\"t\" x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>",
+                                level.dashed ? " dash" : "", left, plot_.width - right, py(level.y), py(level.y),
+                                plot_.width - right - 2, py(level.y) - 4, escaped(level.label));
+        for (const Trace& trace : plot_.traces)
+            draw(trace);
+        legend();
+        return out_ + "</svg>";
+    }
+
+private:
+    [[nodiscard]] int inner_width() const { return plot_.width - left - right; }
+    [[nodiscard]] double px(double x) const { return left + (x - x_.lo) / (x_.hi - x_.lo) * inner_width(); }
+    [[nodiscard]] double py(double y) const {
+        return plot_.height - bottom - (y - y_.lo) / (y_.hi - y_.lo) * (plot_.height - top - bottom);
+    }
+    [[nodiscard]] bool inside(double x, double y) const {
+        return std::isfinite(x) && std::isfinite(y) && y >= y_.lo && y <= y_.hi;
+    }
+
+    void axes() {
+        const int floor = plot_.height - bottom;
+        for (double step = tick_step(x_.hi - x_.lo), x = std::ceil(x_.lo / step) * step; x <= x_.hi; x += step)
+            out_ += fmt::format(
+                "<line class=\"grid\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2}\"/><text class=\"t\" "
+                "x=\"{0:.1f}\" y=\"{3}\" text-anchor=\"middle\">{4}</text>",
+                px(x), top, floor, floor + 15, tick_word(x, step));
+        for (double step = tick_step(y_.hi - y_.lo), y = std::ceil(y_.lo / step) * step; y <= y_.hi; y += step)
+            out_ += fmt::format(
+                "<line class=\"grid\" x1=\"{1}\" x2=\"{2}\" y1=\"{0:.1f}\" y2=\"{0:.1f}\"/><text class=\"t\" "
+                "x=\"{3}\" y=\"{4:.1f}\" text-anchor=\"end\">{5}</text>",
+                py(y), left, plot_.width - right, left - 5, py(y) + 4, tick_word(y, step));
+        out_ +=
+            fmt::format("<text class=\"a\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>"
+                        "<text class=\"a\" transform=\"translate(13 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
+                        left + inner_width() / 2, plot_.height - 8, escaped(plot_.x_label), (top + floor) / 2,
+                        escaped(plot_.y_label));
+    }
+
+    void draw(const Trace& trace) {
+        if (trace.line) {
+            std::string path;
+            bool pen = false;
+            for (std::size_t k = 0; k < trace.x.size(); ++k) {
+                const bool seen = inside(trace.x[k], trace.y[k]);
+                if (seen)
+                    path += fmt::format("{}{:.1f} {:.1f}", pen ? "L" : "M", px(trace.x[k]), py(trace.y[k]));
+                pen = seen;
+            }
+            out_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\"{}/>", path,
+                                trace.color, trace.dashed ? " stroke-dasharray=\"5 3\"" : "");
+            return;
+        }
+        out_ += fmt::format("<g fill=\"{}\">", trace.color);
+        const std::size_t stride = 1 + trace.x.size() / most_points;
+        for (std::size_t k = 0; k < trace.x.size(); k += stride)
+            if (inside(trace.x[k], trace.y[k]))
+                out_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"1.5\"/>", px(trace.x[k]), py(trace.y[k]));
+        out_ += "</g>";
+    }
+
+    void legend() {
+        int x = plot_.width - right;
+        for (auto trace = plot_.traces.rbegin(); trace != plot_.traces.rend(); ++trace) {
+            if (trace->label.empty())
+                continue;
+            x -= 26 + static_cast<int>(6.6 * static_cast<double>(trace->label.size()));
+            out_ +=
+                fmt::format("<rect x=\"{}\" y=\"{}\" width=\"10\" height=\"3\" fill=\"{}\"/><text class=\"t\" x=\"{}\" "
+                            "y=\"{}\">{}</text>",
+                            x, top - 10, trace->color, x + 13, top - 5, escaped(trace->label));
+        }
+    }
+
+    const Plot& plot_;
+    Range x_, y_;
+    std::string out_;
+};
+
+} // namespace
+
+std::string color_of(std::size_t index) {
+    constexpr std::array colors{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#444444"};
+    return colors[index % colors.size()];
+}
+
+std::string svg_of(const Plot& plot) {
+    return Canvas(plot).draw();
+}
+
+std::string svg_of(const std::vector<Bar>& bars, const std::vector<Mark>& marks, const std::string& axis) {
+    constexpr int row = 20, before = 130, behind = 430, width = 940;
+    double most = 1e-12;
+    for (const Bar& bar : bars)
+        most = std::max(most, bar.value);
+    for (const Mark& mark : marks)
+        most = std::max(most, mark.value);
+    const auto px = [&](double value) { return before + (width - before - behind) * value / (1.05 * most); };
+    const int height = row * static_cast<int>(bars.size()) + 50;
+    std::string out = fmt::format(
+        "<svg viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" xmlns=\"http://www.w3.org/2000/svg\">",
+        width, height);
+    for (std::size_t k = 0; k < bars.size(); ++k) {
+        const int y = 24 + row * static_cast<int>(k);
+        out += fmt::format(
+            "<text class=\"t\" x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text><rect x=\"{}\" y=\"{}\" width=\"{:.1f}\" "
+            "height=\"12\" fill=\"{}\"/><text class=\"t\" x=\"{}\" y=\"{}\">{}</text>",
+            before - 8, y + 10, escaped(bars[k].label), before, y, std::max(0.5, px(bars[k].value) - before),
+            bars[k].color, width - behind + 12, y + 10, escaped(bars[k].word));
+    }
+    for (const Mark& mark : marks)
+        out += fmt::format("<line class=\"level dash\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"18\" y2=\"{1}\"/><text "
+                           "class=\"t\" x=\"{0:.1f}\" "
+                           "y=\"13\" text-anchor=\"middle\">{2}</text>",
+                           px(mark.value), height - 24, escaped(mark.label));
+    return out + fmt::format("<text class=\"a\" x=\"{}\" y=\"{}\">{}</text></svg>", before, height - 6, escaped(axis));
+}
+
+std::string escaped(const std::string& text) {
+    std::string safe;
+    for (const char c : text)
+        safe += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : c == '"' ? "&quot;" : std::string(1, c);
+    return safe;
+}
+
+} // namespace tumble::report

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tumble::report {
+
+/// Points, or a line through them; a number that is not finite interrupts the line.
+struct Trace {
+    std::string label; // in the legend; empty: not there
+    std::vector<double> x, y;
+    std::string color;
+    bool line = false;
+    bool dashed = false;
+};
+
+/// A horizontal band or line across the whole plot.
+struct Level {
+    double y = 0;
+    std::string label;
+    bool dashed = true;
+};
+
+struct Plot {
+    std::string title, x_label, y_label;
+    std::vector<Trace> traces;
+    std::vector<Level> levels;
+    std::optional<std::array<double, 2>> band;    // shaded, of y
+    std::optional<std::array<double, 2>> y_range; // else from the traces
+    int width = 460, height = 280;                // px
+};
+
+/// Okabe and Ito's colours, told apart also by those who see few.
+std::string color_of(std::size_t index);
+
+/// The plot as an SVG element for a page.
+std::string svg_of(const Plot& plot);
+
+/// Bars from left to right, longest scale shared; each with a label before and a word behind it. Vertical marks say
+/// where limits lie.
+struct Bar {
+    std::string label, word, color;
+    double value = 0;
+};
+struct Mark {
+    double value = 0;
+    std::string label;
+};
+std::string svg_of(const std::vector<Bar>& bars, const std::vector<Mark>& marks, const std::string& axis);
+
+/// Text as HTML and SVG take it.
+std::string escaped(const std::string& text);
+
+} // namespace tumble::report

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "base/problem.h"
+#include "observe/series.h"
+#include "scene/scene.h"
+
+namespace tumble::run {
+
+/// Runs a scene in memory and gives what its [observe] names, about every observe.every seconds, and nothing else: no
+/// folder, no frames. Problems: the scene cannot be built, a measure that does not exist, a state that stopped being
+/// sane.
+///
+/// A sphere alone among walls that stand still (flies_alone) is taken through its flights in strides of observe.every
+/// and through its impacts in fifths of the scene's step: where in a step an impact begins would otherwise scatter what
+/// comes after by more than a camera resolves.
+Result<observe::Series> record(const scene::Scene& scene, int threads = 1);
+
+/// One sphere placed exactly, walls that do not move.
+bool flies_alone(const scene::Scene& scene);
+
+} // namespace tumble::run

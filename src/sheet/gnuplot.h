@@ -1,0 +1,17 @@
+#pragma once
+
+#include "base/problem.h"
+
+#include <filesystem>
+#include <string>
+
+namespace tumble::sheet {
+
+/// In single quotes, in which gnuplot takes every letter as it stands.
+std::string in_gnuplots_quotes(const std::string& text);
+
+/// Has gnuplot draw `file` as the script says. Problems: gnuplot is not installed, for which `without` says how to do
+/// without it, or what it said when it failed.
+Result<Done> run_gnuplot(const std::string& script, const std::filesystem::path& file, const std::string& without);
+
+} // namespace tumble::sheet

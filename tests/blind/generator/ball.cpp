@@ -1,0 +1,127 @@
+#include "ball.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace blind {
+
+namespace {
+
+constexpr double flight_step = 1e-3;      // s
+constexpr double contact_step = 5e-5 / 7; // s, the solver's over 7
+constexpr double pi = 3.14159265358979323846;
+
+class Course {
+public:
+    explicit Course(const Ball& ball) : ball_(ball) {}
+
+    std::vector<State> steps_until(State s, double until) {
+        std::vector<State> steps{s};
+        while (s.t < until) {
+            if (s.t < held_until_)
+                s.t = std::min(until, held_until_);
+            else if (touching_)
+                touch(s, until);
+            else
+                fly(s, until);
+            if (s.t > steps.back().t)
+                steps.push_back(s);
+            else
+                steps.back() = s;
+        }
+        return steps;
+    }
+
+private:
+    [[nodiscard]] double drag(double v) const {
+        return -(ball_.linear * v + ball_.quadratic * v * std::abs(v)) / ball_.mass;
+    }
+
+    /// Runge and Kutta's fourth order for y'' = acceleration(y, v).
+    template <class Acceleration> static State stepped(const State& s, double h, Acceleration acceleration) {
+        const double a1 = acceleration(s.y, s.v);
+        const double v2 = s.v + h / 2 * a1, a2 = acceleration(s.y + h / 2 * s.v, v2);
+        const double v3 = s.v + h / 2 * a2, a3 = acceleration(s.y + h / 2 * v2, v3);
+        const double v4 = s.v + h * a3, a4 = acceleration(s.y + h * v3, v4);
+        return {s.t + h, s.y + h / 6 * (s.v + 2 * v2 + 2 * v3 + v4), s.v + h / 6 * (a1 + 2 * a2 + 2 * a3 + a4)};
+    }
+
+    [[nodiscard]] State flown(const State& s, double h) const {
+        if (ball_.linear == 0 && ball_.quadratic == 0)
+            return {s.t + h, s.y + s.v * h - ball_.gravity / 2 * h * h, s.v - ball_.gravity * h};
+        return stepped(s, h, [&](double, double v) { return drag(v) - ball_.gravity; });
+    }
+
+    void fly(State& s, double until) {
+        const double h = std::min(flight_step, until - s.t);
+        const State next = flown(s, h);
+        if (next.y >= ball_.radius) {
+            s = next;
+            s.t = h < flight_step ? until : next.t;
+            return;
+        }
+        double lo = 0, hi = h; // bisection down to a rounding error
+        for (int k = 0; k < 60; ++k) {
+            const double middle = (lo + hi) / 2;
+            (flown(s, middle).y >= ball_.radius ? lo : hi) = middle;
+        }
+        s = flown(s, lo);
+        s.y = ball_.radius;
+        begin_contact(s);
+    }
+
+    void begin_contact(State& s) {
+        const double plate = ball_.plate_amplitude * std::sin(2 * pi * ball_.plate_frequency * s.t + ball_.plate_phase);
+        const double speed = std::max(1e-9, plate - s.v);
+        double e = ball_.restitution * std::pow(speed, -ball_.exponent) * std::pow(1 + ball_.by_impact, impacts_++);
+        e += plate == 0 ? 0 : (1 + e) * plate / speed; // what a moving plate gives, as the plate at rest would
+        e = std::min(0.999, std::max(0.01, e));
+        const double beta = -std::log(e) / std::hypot(pi, std::log(e));
+        stiffness_ = 4.0 / 3 * ball_.modulus * std::sqrt(ball_.radius) / ball_.mass;
+        damping_ = 2 * std::sqrt(5.0 / 6) * beta * std::sqrt(2 * ball_.modulus * std::sqrt(ball_.radius) / ball_.mass);
+        touching_ = true;
+        if (ball_.sticks > 0)
+            held_until_ = s.t + ball_.sticks;
+    }
+
+    void touch(State& s, double until) {
+        const double h = std::min(contact_step, until - s.t);
+        const State next = stepped(s, h, [&](double y, double v) {
+            const double overlap = std::max(0.0, ball_.radius - y);
+            const double root = std::sqrt(overlap);
+            return stiffness_ * overlap * root - damping_ * std::sqrt(root) * v + drag(v) - ball_.gravity;
+        });
+        s = next;
+        if (h < contact_step)
+            s.t = until;
+        if (s.y > ball_.radius && s.v > 0)
+            touching_ = false;
+    }
+
+    const Ball& ball_;
+    bool touching_ = false;
+    double held_until_ = -1;
+    int impacts_ = 0;
+    double stiffness_ = 0, damping_ = 0;
+};
+
+} // namespace
+
+double Path::at(double t) const {
+    if (t <= 0)
+        return steps_.front().y;
+    if (t >= steps_.back().t)
+        return steps_.back().y;
+    const auto above =
+        std::upper_bound(steps_.begin(), steps_.end(), t, [](double time, const State& s) { return time < s.t; });
+    const State &a = *(above - 1), &b = *above;
+    const double h = b.t - a.t, x = (t - a.t) / h;
+    return (1 + 2 * x) * (1 - x) * (1 - x) * a.y + x * (1 - x) * (1 - x) * h * a.v + x * x * (3 - 2 * x) * b.y +
+           x * x * (x - 1) * h * b.v;
+}
+
+Path path_of(const Ball& ball, double height, double duration) {
+    return Path(Course(ball).steps_until({0, height, 0}, duration));
+}
+
+} // namespace blind

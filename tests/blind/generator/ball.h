@@ -1,0 +1,49 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+/// The generator's own physics: one ball above a plate, in one dimension. It shares no line with src/, so that a test
+/// that finds what it hid does not find a mistake of its own.
+namespace blind {
+
+/// What is true of an experiment, the hidden effects among it. Null values are those of the baseline.
+struct Ball {
+    double radius = 0;      // m
+    double mass = 0;        // kg
+    double modulus = 0;     // Pa, effective: 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2
+    double restitution = 0; // at 1 m/s
+    double gravity = 9.81;  // m/s2
+    // Listed effects.
+    double exponent = 0;  // restitution (v / 1 m/s)^-exponent
+    double linear = 0;    // N s/m
+    double quadratic = 0; // N s2/m2
+    // Effects that no library has.
+    double by_impact = 0;       // restitution changes by this share from impact to impact (warms up)
+    double plate_amplitude = 0; // m/s, speed of a plate that swings
+    double plate_frequency = 0; // Hz
+    double plate_phase = 0;     // rad
+    double sticks = 0;          // s, held at every impact
+};
+
+struct State {
+    double t = 0, y = 0, v = 0; // s, m, m/s
+};
+
+/// Where the ball was: its steps, read between them by Hermite's cubic (exact in a fall without air).
+class Path {
+public:
+    explicit Path(std::vector<State> steps) : steps_(std::move(steps)) {}
+    [[nodiscard]] double at(double t) const;
+    [[nodiscard]] double end() const { return steps_.back().t; }
+
+private:
+    std::vector<State> steps_;
+};
+
+/// The height of the ball's centre above the plate until `duration`, released at rest at `height` at time 0.
+/// Flights: exact where nothing drags, else Runge and Kutta's fourth order. Contacts: the same, of Hertz's spring with
+/// Tsuji's dashpot (Tsuji, Tanaka, Ishida 1992), at a seventh of the solver's step.
+Path path_of(const Ball& ball, double height, double duration);
+
+} // namespace blind

@@ -1,0 +1,63 @@
+// blindgen OUT COUNT SEED [KIND EFFECT SIZE]: writes cases OUT/case-0000 ... with measured data, and a commitment to
+// each answer; prints the answers with their salts, one JSON object a line, for whoever judges. Nothing else is
+// written.
+#include "case.h"
+#include "seal.h"
+
+#include <cstdio>
+#include <fmt/format.h>
+#include <fstream>
+#include <iostream>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace blind;
+
+void write(const fs::path& file, const std::string& text) {
+    std::ofstream(file, std::ios::binary) << text;
+}
+
+std::string leave(const Case& made, const fs::path& folder, Random& salts) {
+    fs::create_directories(folder);
+    write(folder / "measurement.toml", made.measurement);
+    for (std::size_t k = 0; k < made.files.size(); ++k)
+        write(folder / made.files[k], made.csv[k]);
+    const std::string salt = fmt::format("{:016x}{:016x}", salts.bits(), salts.bits());
+    const std::string answer = made.answer.dump();
+    write(folder / "commitment.txt", sha256(salt + answer) + "\n");
+    return nlohmann::ordered_json{{"case", folder.filename().string()}, {"salt", salt}, {"answer", answer}}.dump();
+}
+
+} // namespace
+
+int main(int count, char** words) {
+    if (count != 4 && count != 7) {
+        std::cerr << "blindgen OUT COUNT SEED [null|listed|two|unlisted EFFECT SIZE]\n";
+        return 2;
+    }
+    const fs::path out = words[1];
+    const int cases = std::stoi(words[2]);
+    const unsigned long long seed = std::stoull(words[3]);
+    Random random(seed),
+        salts((static_cast<unsigned long long>(std::random_device{}()) << 32) ^ std::random_device{}());
+    std::vector<Order> orders = mixed_orders(cases, random);
+    if (count == 7)
+        for (Order& order : orders) {
+            order.kind = words[4];
+            order.effects.clear();
+            if (order.kind != "null")
+                order.effects = {words[5]};
+            order.wanted = std::stod(words[6]);
+        }
+    std::vector<std::string> answers;
+    int number = 0;
+    for (const Order& order : orders) {
+        const Case made = make_case(order, random);
+        if (made.possible)
+            answers.push_back(leave(made, out / fmt::format("case-{:04}", number++), salts));
+    }
+    for (const std::string& answer : answers)
+        std::cout << answer << '\n';
+    return 0;
+}

@@ -1,0 +1,143 @@
+#include "separation.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+namespace blind {
+
+namespace {
+
+constexpr double offset_spread = 5e-3; // s, what is known of clock offsets beforehand
+constexpr int iterations = 12;
+constexpr double enough = 1e-3;  // fall of chi-square that ends a fit
+constexpr std::size_t close = 4; // rivals that are fitted: the nearest ones by slopes
+
+struct Point {
+    double restitution = 0;
+    std::vector<double> offsets;
+    double amplitude = 0;
+};
+
+class Explanation {
+public:
+    Explanation(const Setup& setup, const Truth& base, const Effect* rival, const Eigen::VectorXd& data)
+        : setup_(setup), base_(base), rival_(rival), data_(data) {}
+
+    [[nodiscard]] Eigen::VectorXd residual(const Eigen::VectorXd& p) const {
+        Truth truth = base_;
+        truth.ball.restitution = p[0];
+        const auto records = static_cast<Eigen::Index>(setup_.drops.size());
+        for (Eigen::Index k = 0; k < records; ++k)
+            truth.offsets[static_cast<std::size_t>(k)] = p[1 + k];
+        if (rival_ && p[1 + records] != 0)
+            rival_->hide(truth, p[1 + records]);
+        Eigen::VectorXd all(data_.size() + records);
+        all.head(data_.size()) = data_ - readings_of(setup_, truth);
+        all.tail(records) = -p.segment(1, records) / offset_spread;
+        return all;
+    }
+
+    [[nodiscard]] Eigen::VectorXd start() const {
+        const auto records = static_cast<Eigen::Index>(setup_.drops.size());
+        Eigen::VectorXd p = Eigen::VectorXd::Zero(1 + records + (rival_ ? 1 : 0));
+        p[0] = base_.ball.restitution;
+        for (Eigen::Index k = 0; k < records; ++k)
+            p[1 + k] = base_.offsets[static_cast<std::size_t>(k)];
+        return p;
+    }
+
+    [[nodiscard]] Eigen::MatrixXd slopes(const Eigen::VectorXd& p) const {
+        Eigen::MatrixXd all(data_.size() + static_cast<Eigen::Index>(setup_.drops.size()), p.size());
+        for (Eigen::Index k = 0; k < p.size(); ++k) {
+            const double step = k == 0 ? 1e-5 : k + 1 == p.size() && rival_ ? 0.05 * rival_->typical : 1e-5;
+            Eigen::VectorXd above = p, below = p;
+            above[k] += step;
+            if (!(k + 1 == p.size() && rival_ && rival_->one_sided && p[k] < step))
+                below[k] -= step;
+            all.col(k) = (residual(below) - residual(above)) / (above[k] - below[k]);
+        }
+        return all;
+    }
+
+    /// Least chi-square, by damped steps from `p`.
+    [[nodiscard]] double least(Eigen::VectorXd p) const {
+        Eigen::VectorXd now = residual(p);
+        for (int k = 0; k < iterations; ++k) {
+            const Eigen::VectorXd step = slopes(p).colPivHouseholderQr().solve(now);
+            double fall = 0;
+            for (double part = 1; part > 0.02 && fall <= 0; part /= 3) {
+                Eigen::VectorXd next = p + part * step;
+                if (rival_ && rival_->one_sided)
+                    next[next.size() - 1] = std::max(0.0, next[next.size() - 1]);
+                const Eigen::VectorXd then = residual(next);
+                fall = now.squaredNorm() - then.squaredNorm();
+                if (fall > 0) {
+                    p = next;
+                    now = then;
+                }
+            }
+            if (fall < enough)
+                break;
+        }
+        return now.squaredNorm();
+    }
+
+private:
+    const Setup& setup_;
+    const Truth& base_;
+    const Effect* rival_;
+    const Eigen::VectorXd& data_;
+};
+
+} // namespace
+
+Separation separation_of(const Setup& setup, const Truth& truth, const Truth& without, const std::string& own) {
+    const Eigen::VectorXd data = readings_of(setup, truth);
+    Separation result;
+    const Explanation none(setup, without, nullptr, data);
+    const Eigen::MatrixXd innocent_slopes = none.slopes(none.start());
+    const Eigen::VectorXd misfit = none.residual(none.start());
+    const auto left_by = [&](const Eigen::MatrixXd& slopes) {
+        return (misfit - slopes * slopes.colPivHouseholderQr().solve(misfit)).norm();
+    };
+    std::vector<std::pair<double, const Effect*>> rivals;
+    for (const Effect& effect : effects()) {
+        if (!effect.listed || effect.id == own)
+            continue;
+        const Explanation with(setup, without, &effect, data);
+        rivals.emplace_back(left_by(with.slopes(with.start())), &effect);
+    }
+    std::sort(rivals.begin(), rivals.end());
+    result.detectable = std::sqrt(none.least(none.start()));
+    result.separable = result.detectable;
+    for (std::size_t k = 0; k < std::min(close, rivals.size()); ++k) {
+        const Explanation with(setup, without, rivals[k].second, data);
+        const double left = std::sqrt(with.least(with.start()));
+        if (left < result.separable) {
+            result.separable = left;
+            result.nearest = rivals[k].second->id;
+        }
+    }
+    return result;
+}
+
+double amplitude_for(const Setup& setup, const Truth& without, const Effect& effect, double wanted, double sign) {
+    const auto at = [&](double amplitude) {
+        Truth truth = without;
+        effect.hide(truth, sign * amplitude);
+        return separation_of(setup, truth, without, effect.id).separable;
+    };
+    double amplitude = effect.typical, reached = at(amplitude);
+    for (int k = 0; k < 8; ++k) {
+        if (std::abs(reached / wanted - 1) < 0.02)
+            return sign * amplitude;
+        amplitude *= std::clamp(wanted / std::max(reached, 1e-3), 0.1, 10.0);
+        if (amplitude > effect.most)
+            return 0;
+        reached = at(amplitude);
+    }
+    return std::abs(reached / wanted - 1) < 0.1 ? sign * amplitude : 0;
+}
+
+} // namespace blind

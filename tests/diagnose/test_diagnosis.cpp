@@ -1,0 +1,209 @@
+#include "base/rng.h"
+#include "base/text.h"
+#include "diagnose/verdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <doctest/doctest.h>
+
+using namespace tumble;
+using namespace tumble::diagnose;
+
+namespace {
+
+const std::string floor_and_ball = R"(title = "ball"
+duration_s = 1
+time_step_s = 1e-4
+[domain]
+lo_m = [-1, -1, -1]
+hi_m = [1, 3, 1]
+[material.rubber]
+density_kg_m3 = 1000
+youngs_modulus_Pa = 1e7
+poisson_ratio = 0.3
+[pair.rubber-rubber]
+restitution = 0.8
+friction = 0.5
+[body.ball]
+radius_mm = 10
+material = "rubber"
+[[fill]]
+body = "ball"
+count = 1
+position_m = [0, 1, 0]
+[[wall]]
+name = "floor"
+shape = "plane"
+point_m = [0, 0, 0]
+normal = [0, 1, 0]
+material = "rubber"
+)";
+
+/// A point that falls and bounces at once: heights in closed form.
+double bouncing(double height, double g, double e, double t) {
+    double flight = std::sqrt(2 * height / g), speed = g * flight;
+    if (t < flight)
+        return height - 0.5 * g * t * t;
+    t -= flight;
+    for (int k = 0; k < 100; ++k) {
+        speed *= e;
+        flight = 2 * speed / g;
+        if (t < flight)
+            return speed * t - 0.5 * g * t * t;
+        t -= flight;
+    }
+    return 0;
+}
+
+Result<observe::Series> closed_form(const scene::Scene& scene) {
+    observe::Series series;
+    series.columns = {"time_s", "centre_of_mass_y_m"};
+    series.values.resize(2);
+    const double g = -scene.gravity.y(), e = scene.pair(0, 0).restitution, height = scene.fills[0].position->y();
+    for (double t = 0; t < scene.duration; t += scene.observe.every)
+        series.append({t, bouncing(height, g, e, t)});
+    return series;
+}
+
+struct Laboratory {
+    double sigma = 2e-3; // m
+    double offset = 0;   // s, of the first record's clock
+    std::uint64_t seed = 1;
+    double (*distort)(double y, double t) = [](double y, double) { return y; };
+    std::vector<double> heights{0.5, 0.8, 1.1, 1.5};
+
+    [[nodiscard]] Measurement measurement() const {
+        Rng rng(seed);
+        const auto normal = [&] {
+            return std::sqrt(-2 * std::log(1 - rng.uniform())) * std::cos(6.283185307179586 * rng.uniform());
+        };
+        Measurement all;
+        all.title = "drops";
+        all.causes = {"grav.g", "clock", "sensor scale", "filter"};
+        all.nuisances = {{.key = "pair.rubber-rubber.restitution", .instrument = "", .spread = 0.05},
+                         {.key = "", .instrument = "clock_offset", .per_record = true, .spread = 0.005}};
+        for (const double height : heights) {
+            Record record{.name = shortest(height),
+                          .condition = shortest(height),
+                          .file = "none.csv",
+                          .sets = {"fill.0.position_m.1=" + shortest(height)},
+                          .time = {},
+                          .channels = {}};
+            Channel channel{
+                .head = "height_m", .measure = "centre_of_mass_y", .unit = "m", .value = {}, .sigma = sigma};
+            for (int k = 0; k < 150; ++k) {
+                const double t = k / 120.0;
+                record.time.push_back(t);
+                const double y = bouncing(height, 9.81, 0.79, t - (all.records.empty() ? offset : 0));
+                channel.value.push_back(distort(y, t) + sigma * normal());
+            }
+            record.channels.push_back(std::move(channel));
+            all.records.push_back(std::move(record));
+        }
+        return all;
+    }
+    [[nodiscard]] Diagnosis diagnosis() const { return diagnosed(measurement()); }
+    [[nodiscard]] static Diagnosis diagnosed(const Measurement& measurement) {
+        auto result = diagnose::diagnose({floor_and_ball, "ball.toml"}, measurement, closed_form);
+        REQUIRE_MESSAGE(result, to_string(result.problems()));
+        return std::move(*result);
+    }
+};
+
+double two_per_cent(double y, double) {
+    return 1.02 * y;
+}
+
+const Seen& seen(const Diagnosis& diagnosis, const std::string& id) {
+    for (std::size_t k = 0; k < diagnosis.causes.size(); ++k)
+        if (diagnosis.causes[k].id == id)
+            return diagnosis.decision.seen[k];
+    FAIL(id);
+    return diagnosis.decision.seen[0];
+}
+
+} // namespace
+
+TEST_CASE("a simulation that is right agrees with its data, and its nuisances are found") {
+    const Diagnosis diagnosis = Laboratory{.offset = 0.003}.diagnosis();
+    CHECK_MESSAGE(diagnosis.decision.outcome == Outcome::consistent, verdict_of(diagnosis));
+    CHECK(diagnosis.nuisances[0].value == doctest::Approx(0.79).epsilon(1e-3));
+    CHECK(diagnosis.nuisances[1].value == doctest::Approx(0.003).epsilon(0.2));
+    CHECK(diagnosis.noise.ratio == doctest::Approx(1).epsilon(0.1));
+    CHECK(seen(diagnosis, "ins.gain").lower < 0);
+    CHECK(seen(diagnosis, "ins.gain").upper > 0);
+}
+
+TEST_CASE("a scale that reads two per cent too much is named, with its amplitude, and the gain is shown") {
+    const Diagnosis diagnosis = Laboratory{.distort = two_per_cent}.diagnosis();
+    REQUIRE_MESSAGE(diagnosis.decision.outcome == Outcome::named, verdict_of(diagnosis));
+    CHECK(diagnosis.causes[static_cast<std::size_t>(diagnosis.decision.causes[0])].id == "ins.gain");
+    const Refit& best = *diagnosis.decision.best;
+    CHECK(std::abs(best.amplitude[0] - 0.02) < 4 * best.error[0]);
+    CHECK(best.error[0] < 0.002);
+    REQUIRE(diagnosis.gain);
+    CHECK(diagnosis.gain->shown);
+    CHECK(diagnosis.gain->share_removed > 0.9);
+    CHECK(!diagnosis.extended); // a scale is no part of a scene
+}
+
+// docs/diagnosis.md, "What is not yet so".
+TEST_CASE("a clock's offset is absorbed by the nuisance that is there for it; without that nuisance it is found" *
+          doctest::should_fail()) {
+    Measurement measurement = Laboratory{.offset = 0.01}.measurement();
+    CHECK(Laboratory::diagnosed(measurement).decision.outcome == Outcome::consistent);
+    CHECK(!seen(Laboratory::diagnosed(measurement), "ins.clock_offset").visible);
+    measurement.nuisances.pop_back();
+    CHECK(Laboratory::diagnosed(measurement).decision.outcome != Outcome::consistent);
+}
+
+TEST_CASE("twice the scatter, half as sure; and the order of the series does not matter") {
+    const Diagnosis fine = Laboratory{.distort = two_per_cent}.diagnosis();
+    const Diagnosis coarse = Laboratory{.sigma = 4e-3, .distort = two_per_cent}.diagnosis();
+    CHECK(seen(coarse, "ins.gain").error == doctest::Approx(2 * seen(fine, "ins.gain").error).epsilon(0.05));
+    Measurement turned = Laboratory{.distort = two_per_cent}.measurement();
+    std::reverse(turned.records.begin(), turned.records.end());
+    const Diagnosis other = Laboratory::diagnosed(turned);
+    CHECK(other.decision.causes == fine.decision.causes);
+    CHECK(std::abs(other.decision.best->amplitude[0] - fine.decision.best->amplitude[0]) <
+          0.1 * fine.decision.best->error[0]);
+}
+
+// docs/diagnosis.md, "What is not yet so".
+TEST_CASE("in drops a clock that runs fast and a gravity that is wrong are one answer" * doctest::should_fail()) {
+    // y(t; g, h) = y(t sqrt(g); 1, h) where impacts take no time: only the product of g and the clock's rate squared
+    // counts.
+    Measurement measurement = Laboratory{}.measurement();
+    for (Record& record : measurement.records)
+        for (double& t : record.time)
+            t *= 1.01;
+    const Diagnosis diagnosis = Laboratory::diagnosed(measurement);
+    REQUIRE_MESSAGE(diagnosis.decision.outcome == Outcome::named, verdict_of(diagnosis));
+    CHECK(diagnosis.decision.one_class);
+    CHECK(diagnosis.decision.causes.size() == 2);
+}
+
+TEST_CASE("a series that is held out is not fitted, and the gain is measured on it") {
+    Measurement measurement = Laboratory{.distort = two_per_cent}.measurement();
+    measurement.records[3].held_out = true;
+    const Diagnosis diagnosis = Laboratory::diagnosed(measurement);
+    REQUIRE(diagnosis.gain);
+    CHECK(diagnosis.gain->held_out);
+    CHECK(diagnosis.gain->scores.size() == 1);
+    CHECK(diagnosis.gain->shown);
+    CHECK(diagnosis.readings == 450);
+}
+
+TEST_CASE("a scene that cannot be run, or data that are all held out, end in problems and not in a verdict") {
+    const auto broken = [](const scene::Scene&) -> Result<observe::Series> { return Problem{.what = "it fell apart"}; };
+    const auto result = diagnose::diagnose({floor_and_ball, "ball.toml"}, Laboratory{}.measurement(), broken);
+    REQUIRE(!result);
+    CHECK(result.problems()[0].what == "it fell apart");
+    Measurement held = Laboratory{}.measurement();
+    for (Record& record : held.records)
+        record.held_out = true;
+    CHECK(!diagnose::diagnose({floor_and_ball, "ball.toml"}, held, closed_form));
+    Measurement unknown = Laboratory{}.measurement();
+    unknown.nuisances[0].key = "pair.rubber-rubber.restitutoin";
+    CHECK(!diagnose::diagnose({floor_and_ball, "ball.toml"}, unknown, closed_form));
+}

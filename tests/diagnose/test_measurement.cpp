@@ -1,0 +1,123 @@
+#include "diagnose/measurement.h"
+#include "folder.h"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+using namespace tumble;
+using namespace tumble::diagnose;
+
+namespace {
+
+std::string rows(const std::vector<double>& values, const std::string& head = "time_s,height_mm") {
+    std::string csv = head + "\n";
+    for (std::size_t k = 0; k < values.size(); ++k)
+        csv += fmt::format("{},{}\n", 0.01 * static_cast<double>(k), values[k]);
+    return csv;
+}
+
+const std::vector<double> falling{200, 199.5, 198, 195.5, 192.1, 187.7, 182.3, 175.9, 168.6, 160.2};
+
+const std::string whole = R"(title = "a drop"
+[[nuisance]]
+key = "pair.leather-wood.restitution"
+spread = 0.05
+[[series]]
+name = "low"
+file = "low.csv"
+[[series.column]]
+head = "height"
+measure = "centre_of_mass_y"
+sigma = 1.5
+)";
+
+struct Laboratory {
+    test::Folder folder;
+
+    Result<Measurement> load(const std::string& toml, const std::string& csv) const {
+        test::put(folder.path / "m.toml", toml);
+        test::put(folder.path / "low.csv", csv);
+        return load_measurement(folder.path / "m.toml");
+    }
+    /// The only problem, with the folder left out of its text.
+    std::string refusal(const std::string& toml, const std::string& csv) const {
+        const auto read = load(toml, csv);
+        REQUIRE(!read);
+        REQUIRE(read.problems().size() == 1);
+        std::string text = to_string(read.problems()[0]);
+        const std::string here = folder.path.string() + "/";
+        for (std::size_t at; (at = text.find(here)) != std::string::npos;)
+            text.erase(at, here.size());
+        return text;
+    }
+};
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+    return text;
+}
+
+bool warns(const Measurement& measurement, const std::string& name) {
+    for (const Problem& warning : measurement.warnings)
+        if (warning.key == name)
+            return true;
+    return false;
+}
+
+} // namespace
+
+TEST_CASE("a measurement is read into SI, its sigma with its column's unit") {
+    const Laboratory laboratory;
+    const auto read = laboratory.load(whole, rows(falling));
+    REQUIRE(read);
+    const Record& record = read->records.at(0);
+    CHECK(record.condition == "low");
+    CHECK(record.time[3] == doctest::Approx(0.03));
+    CHECK(record.channels.at(0).value[1] == doctest::Approx(0.1995));
+    CHECK(record.channels[0].sigma == doctest::Approx(0.0015));
+    CHECK(read->nuisances.at(0).spread == 0.05);
+    CHECK(read->warnings.empty());
+}
+
+TEST_CASE("what is wrong with a measurement is told with its place and what to do") {
+    const Laboratory laboratory;
+    const auto says = [&](const std::string& toml, const std::string& csv, const std::string& start) {
+        const std::string text = laboratory.refusal(toml, csv);
+        CAPTURE(text);
+        CHECK(text.starts_with(start));
+    };
+    const std::string good = rows(falling);
+    says(replaced(whole, "sigma", "sigmma"), good, "m.toml:11:1: [[series.column]] has no key 'sigmma'");
+    says(replaced(whole, "low.csv", "high.csv"), good, "m.toml:7:8: high.csv");
+    says(replaced(whole, "centre_of_mass_y", "centre_of_mas_y"), good,
+         "m.toml:10:11: there is no measure 'centre_of_mas_y'");
+    says(replaced(whole, "\"height\"", "\"depth\""), good, "low.csv:1: no column for depth");
+    says(replaced(whole, "sigma = 1.5", "sigma = -1"), good, "m.toml:11:9: 'sigma' = -1 is out of range");
+    says("causes = [\"ins.gian\"]\n" + whole, good, "m.toml:1:10: there is no cause 'ins.gian'");
+    says(replaced(whole, "key = ", "instrument = \"gain\"\nkey = "), good,
+         "m.toml:2:1: [[nuisance]] has 2 of key or instrument");
+}
+
+TEST_CASE("time that does not rise, numbers that are none and records stored twice are refused") {
+    const Laboratory laboratory;
+    std::string back = rows(falling);
+    back = replaced(back, "0.05,", "0.02,");
+    CHECK(laboratory.refusal(whole, back).starts_with("low.csv:7:1: time does not rise: 0.02 after 0.04"));
+    CHECK(laboratory.refusal(whole, replaced(rows(falling), "195.5", "nan")).starts_with("low.csv:5:"));
+    const std::string again = whole + "[[series]]\nname = \"twin\"\nfile = \"low.csv\"\n[[series.column]]\nhead = "
+                                      "\"height\"\nmeasure = \"centre_of_mass_y\"\nsigma = 1.5\n";
+    CHECK(laboratory.refusal(again, rows(falling)).find("the same numbers") != std::string::npos);
+}
+
+TEST_CASE("what a reader should know is a warning: gaps, coarse steps, clipped ends, a sigma that is not stated") {
+    const Laboratory laboratory;
+    std::string gap = rows(falling);
+    gap = replaced(gap, "0.05,187.7\n", "");
+    CHECK(warns(*laboratory.load(whole, gap), "gaps"));
+    CHECK(warns(*laboratory.load(replaced(whole, "sigma = 1.5\n", ""), rows(falling)), "sigma missing"));
+    std::vector<double> clipped = falling;
+    clipped[0] = clipped[1] = clipped[2] = 198;
+    CHECK(warns(*laboratory.load(whole, rows(clipped)), "clipped"));
+    const std::vector<double> coarse{3, 3, 2, 2, 1, 1, 2, 2, 3, 3, 1, 2, 3, 2, 1};
+    CHECK(warns(*laboratory.load(whole, rows(coarse)), "quantised"));
+}

@@ -1,0 +1,34 @@
+#include "diagnose/statistics.h"
+
+#include <cmath>
+#include <doctest/doctest.h>
+
+using namespace tumble::diagnose;
+
+TEST_CASE("tails of chi-square and of the normal are those of the tables") {
+    CHECK(chi_square_tail(3.841, 1) == doctest::Approx(0.05).epsilon(1e-3));
+    CHECK(chi_square_tail(18.307, 10) == doctest::Approx(0.05).epsilon(1e-3));
+    CHECK(normal_tail(1.6449) == doctest::Approx(0.05).epsilon(1e-3));
+    CHECK(normal_quantile(0.025) == doctest::Approx(1.95996).epsilon(1e-4));
+}
+
+TEST_CASE("the best of independent causes needs Sidak's quantile, and of equal ones that of a single cause") {
+    // P(max of k chi-squares of one degree < x) = (1 - tail(x))^k; at alpha = 0.01 a fortieth of that is the drawing's
+    // error.
+    const double one = std::pow(normal_quantile(0.005), 2);
+    const double each = 1 - std::pow(0.99, 1.0 / 8);
+    const double eight = std::pow(normal_quantile(each / 2), 2);
+    CHECK(quantile_of_largest(MatrixXd::Identity(8, 8), 0.01, 3) == doctest::Approx(eight).epsilon(0.04));
+    CHECK(quantile_of_largest(MatrixXd::Ones(8, 8), 0.01, 3) == doctest::Approx(one).epsilon(0.05));
+}
+
+TEST_CASE("a projector takes out a span once, however often its columns say the same") {
+    MatrixXd columns(4, 3);
+    columns << 1, 2, 0, 1, 2, 0, 0, 0, 1, 0, 0, 1;
+    const Projector projector(columns);
+    CHECK(projector.rank() == 2);
+    const VectorXd vector = (VectorXd(4) << 3, 1, 5, 1).finished();
+    const VectorXd left = (VectorXd(4) << 1, -1, 2, -2).finished();
+    CHECK((projector.out(vector) - left).norm() == doctest::Approx(0).epsilon(1e-12));
+    CHECK(projector.inside(vector) == doctest::Approx(vector.squaredNorm() - left.squaredNorm()));
+}

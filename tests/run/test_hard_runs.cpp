@@ -10,6 +10,7 @@
 #include <cmath>
 #include <doctest/doctest.h>
 #include <fstream>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -124,6 +125,31 @@ TEST_CASE("of a run of Box2D the losses are known in sum: the bounce's, as the s
     CHECK(hard.last("stored_normal_J") == 0);
     for (const std::string& warning : hard.summary.warnings)
         CHECK(warning.find("energy balance") == std::string::npos);
+}
+
+TEST_CASE("a run of Box2D leaves no checkpoint, and to ask for one or to resume is refused at the solver's line") {
+    const Ran hard(disc({"solver=box2d", "duration_s=0.01"}));
+    CHECK(hard.summary.checkpoints == 0);
+    CHECK(!std::filesystem::exists(hard.folder.path / "run" / "state"));
+    const auto scene = scene::load_scene_text("solver = \"box2d\"\n" + dropped_disc, "disc.toml");
+    REQUIRE_MESSAGE(scene.ok(), to_string(scene.problems()));
+    const Folder folder;
+    const auto refusal = [&](const std::function<void(run::RunOptions&)>& ask) {
+        run::RunOptions options;
+        options.folder = folder.path / "run";
+        ask(options);
+        run::RunListener silent;
+        const auto ran = run::run_scene(*scene, options, silent);
+        REQUIRE(!ran.ok());
+        CHECK(!std::filesystem::exists(options.folder));
+        return to_string(ran.problems());
+    };
+    CHECK(refusal([](run::RunOptions& options) { options.resume = true; }) ==
+          "disc.toml:1:10: a run of solver = \"box2d\" keeps no checkpoints to resume from\n"
+          "    leave out --resume; --force runs it again from the start\n");
+    CHECK(refusal([](run::RunOptions& options) { options.checkpoint_every = 5; }) ==
+          "disc.toml:1:10: a run of solver = \"box2d\" can keep no checkpoints\n"
+          "    leave out --checkpoint-every, or write solver = \"soft\"\n");
 }
 
 TEST_CASE("keys that Box2D does not read are doubted once, with the way back") {

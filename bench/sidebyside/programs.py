@@ -46,6 +46,15 @@ def ours(name):
     raise Missing(f"bench_{name} is not built: cmake --preset release && cmake --build --preset release")
 
 
+def tumble():
+    """Path of the program: TUMBLE_BENCH_DIR's, else of the first build folder that has it, release first."""
+    folders = [Path(os.environ["TUMBLE_BENCH_DIR"]).parent] if "TUMBLE_BENCH_DIR" in os.environ else []
+    for folder in [*folders, ROOT / "build" / "release", ROOT / "build" / "dev"]:
+        if (folder / "tumble").exists():
+            return str(folder / "tumble")
+    raise Missing("tumble is not built: cmake --preset release && cmake --build --preset release")
+
+
 def peer_file(path):
     """A file of the peers' decks, or Missing."""
     full = PEERS / path

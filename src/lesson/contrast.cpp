@@ -46,10 +46,14 @@ Result<Push> strike(scene::Scene scene, const std::vector<scene::Sphere>& parts,
     put(scene, 0, {0, height}, {0, -speed});
     Push push;
     const double dt = scene.step(), touch = 2.5 * hard_step;
-    double before = -speed;
+    // Of springs the velocity in the middle of each step: what a frame tells is reckoned ahead from there.
+    double before = -speed, place = height + speed * dt;
     const auto look = [&](const observe::Frame& frame) {
-        const double now = frame.velocity[0].y(), force = mass * (now - before) / dt;
+        const double y = frame.position[0].y(), middle = (y - place) / dt;
+        const double now = scene.solver == scene::Solver::box2d ? frame.velocity[0].y() : middle;
+        const double force = mass * (now - before) / dt;
         before = now;
+        place = y;
         push.time.push_back(frame.time - touch);
         push.force.push_back(force);
         push.deepest = std::max(push.deepest, radius - frame.position[0].y());

@@ -12,8 +12,8 @@
 namespace tumble::render {
 
 struct PairArrangement {
-    Layout lettering; // title: the left label
-    Area right_label;
+    Layout lettering; // title: the first label
+    Area second_label;
     std::array<Area, 2> halves;
 };
 
@@ -28,7 +28,8 @@ constexpr double clock_width = 150;
 constexpr int least_width = 480;
 constexpr int least_height = 240;
 
-PairArrangement arrange(int width, int height) {
+/// Side by side, or for wide scenes one above the other. Both halves are of one size.
+PairArrangement arrange(int width, int height, bool stacked) {
     PairArrangement all;
     Layout& layout = all.lettering;
     const double w = width, h = height;
@@ -37,9 +38,15 @@ PairArrangement arrange(int width, int height) {
     const double pad = std::round(pair_gap * layout.unit), middle = std::round(w / 2);
     const double top = std::round(pad + label_height * layout.unit);
     const double bottom = std::round(h - pad - strip_height * layout.unit);
-    all.halves = {Area{pad, top, middle - pad, bottom}, Area{middle + pad, top, w - pad, bottom}};
     layout.title = {pad, pad, middle - pad, top};
-    all.right_label = {middle + pad, pad, w - pad, top};
+    if (stacked) {
+        const double each = std::floor((bottom - 2 * top) / 2), second = 2 * top + each;
+        all.halves = {Area{pad, top, w - pad, top + each}, Area{pad, second, w - pad, second + each}};
+        all.second_label = {pad, second - top + pad, w - pad, second};
+    } else {
+        all.halves = {Area{pad, top, middle - pad, bottom}, Area{middle + pad, top, w - pad, bottom}};
+        all.second_label = {middle + pad, pad, w - pad, top};
+    }
     const double strip = bottom + pad;
     layout.scale_bar = {pad, strip, pad + 0.2 * w, h - pad};
     layout.time = {w - pad - clock_width * layout.unit, strip + 0.5 * pad, w - pad, h - pad};
@@ -47,6 +54,18 @@ PairArrangement arrange(int width, int height) {
     layout.legend = {(layout.scale_bar.right + layout.time.left - legend) / 2, strip - 0.5 * pad,
                      (layout.scale_bar.right + layout.time.left + legend) / 2, h - pad};
     return all;
+}
+
+/// Whichever shows a flat scene larger; scenes in space stand side by side.
+PairArrangement arrange(const scene::Render& settings, const observe::FrameLayout& layout) {
+    const PairArrangement beside = arrange(settings.width, settings.height, false);
+    if (layout.dimension != 2)
+        return beside;
+    const Eigen::Vector3d size =
+        settings.view ? settings.view->hi - settings.view->lo : layout.domain_hi - layout.domain_lo;
+    const auto zoom = [&](const Area& area) { return std::min(area.width() / size.x(), area.height() / size.y()); };
+    const PairArrangement stacked = arrange(settings.width, settings.height, true);
+    return zoom(stacked.halves[0]) > zoom(beside.halves[0]) ? stacked : beside;
 }
 
 scene::Render of_half(scene::Render settings, const Area& half) {
@@ -95,7 +114,7 @@ Result<PairPainter> PairPainter::open(const scene::Render& settings, const Layou
         return Problem{.key = "render.range",
                        .what = "two runs side by side need one range of colours",
                        .fix = "give the values at the ends of the colour scale"};
-    const PairArrangement arrangement = arrange(settings.width, settings.height);
+    const PairArrangement arrangement = arrange(settings, *layouts[0]);
     const auto theme = find_theme(settings.background);
     auto context = GlContext::open();
     if (!context)
@@ -151,7 +170,7 @@ Picture PairPainter::draw(const observe::Frame& left, const observe::Frame& righ
     const Camera& camera = in.painters[0].camera();
     OverlayContent content;
     content.title = in.labels[0];
-    content.headings = {{in.arrangement.right_label, in.labels[1]}};
+    content.headings = {{in.arrangement.second_label, in.labels[1]}};
     content.time = time_stamp(left.time, in.settings.every);
     content.legend = in.legend_for(left, right);
     content.now = left.time;

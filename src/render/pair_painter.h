@@ -7,7 +7,8 @@
 
 namespace tumble::render {
 
-/// Draws frames of two runs side by side: a label over each, one view, one scale, one legend and one clock for both.
+/// Draws frames of two runs side by side, or one above the other where a wide flat scene is larger so: a label over
+/// each, one view, one scale, one legend and one clock for both.
 class PairPainter {
 public:
     using Layouts = std::array<std::shared_ptr<const observe::FrameLayout>, 2>;

@@ -57,7 +57,7 @@ struct Figure {
     std::string title;
     Axis x, y;
     std::vector<Curve> curves{};
-    bool equal_scales = false; // a metre along x is as long as one along y
+    double stretch = 0; // a unit of y is drawn so many times as long as one of x; 0: each axis fills the picture
 };
 
 /// A picture that is drawn elsewhere, NAME.png among the sheet's figures.

@@ -73,6 +73,21 @@ TEST_CASE("two frames side by side have one scale and one meaning of the colours
     }
 }
 
+TEST_CASE("a wide flat scene is drawn one above the other, so that it fills the picture's width") {
+    const auto layout = flat();
+    scene::Render settings = wide();
+    settings.view = scene::Box{{-2, -0.3, -1}, {2, 0.3, 1}};
+    const PairPainter painter = pair_of(settings, layout);
+    const auto& [upper, lower] = painter.halves();
+    CHECK(upper.width() > 0.95 * 1280);
+    CHECK(upper.width() == lower.width());
+    CHECK(upper.height() == lower.height());
+    CHECK(upper.bottom < lower.top);
+    CHECK(lower.bottom < 720);
+    settings.view = scene::Box{{-1, -1, -1}, {1, 1, 1}};
+    CHECK(pair_of(settings, layout).halves()[0].right < 640);
+}
+
 TEST_CASE("a pair of frames needs one range of colours and room for its lettering") {
     const auto layout = flat();
     scene::Render settings = wide();

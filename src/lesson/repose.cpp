@@ -17,14 +17,14 @@ namespace {
 
 constexpr std::array<double, 2> radii{3.5e-3, 4.5e-3}; // m, of discs: equal ones would lie in rows
 constexpr double half = 0.50;                          // m, from the middle to either side
-constexpr double settling = 0.8;                       // s, after the last bodies
+constexpr double settling = 1.0;                       // s, after the last bodies
 constexpr double batch = 0.05;                         // s, between bodies that come in
-constexpr double bodies_a_batch = 16;
-constexpr double dt = 5e-5;       // s
-constexpr double stiffness = 5e3; // N/m
-constexpr double picture = 0.04;  // s, between those of the film
-constexpr int fills = 3;          // of each kind
-constexpr double stretch = 2.5;   // of heights, in the figure
+constexpr double bodies_a_batch = 24;                  // fewer than fit
+constexpr double dt = 5e-5;                            // s
+constexpr double stiffness = 5e3;                      // N/m
+constexpr double picture = 0.04;                       // s, between those of the film
+constexpr int fills = 3;                               // of each kind
+constexpr double stretch = 2.5;                        // of heights, in the figure
 
 struct Heap {
     observe::Surface surface;
@@ -74,11 +74,12 @@ scene::Scene pouring(const Kind& kind, double count, int seed) {
     for (const double side : {-half, half})
         add_wall(scene, scene::Outline(scene::SegmentShape{{side, -0.02}, {side, 0.5}}));
     const double poured = batch * std::ceil(count / bodies_a_batch);
-    for (const std::vector<scene::Sphere>& body : kind.bodies) {
+    for (const std::size_t size : {0, 1}) {
         scene::Fill fill;
-        fill.body = add_body(scene, body);
+        fill.body = add_body(scene, kind.bodies[size]);
         fill.count = std::llround(count / 2);
-        fill.region = {{-0.025, 0.16, -0.005}, {0.025, 0.24, 0.005}};
+        const double low = size == 0 ? 0.16 : 0.20; // m, a region for each size, so that both come at once
+        fill.region = {{-0.025, low, -0.005}, {0.025, low + 0.04, 0.005}};
         fill.velocity = {0, -0.5, 0};
         fill.until = poured;
         fill.every = batch;
@@ -105,16 +106,15 @@ Result<Heap> pour(const Kind& kind, double count, int seed) {
     return heap;
 }
 
-/// The free surface, and the flanks where there is a heap.
+/// The free surface and the flanks.
 void draw(const Heap& heap, const Kind& kind, std::size_t color, Figure& figure) {
     Curve curve{kind.name, Style::line, {}, {}, color};
     for (const Eigen::Vector2d& point : heap.surface.points)
         curve.add(1e3 * point.x(), 1e3 * point.y());
     figure.curves.push_back(std::move(curve));
-    if (kind.friction > 0)
-        for (const auto& [from, to] : heap.flanks())
-            figure.curves.push_back(
-                {"", Style::dashes, {1e3 * from.x(), 1e3 * to.x()}, {1e3 * from.y(), 1e3 * to.y()}, color});
+    for (const auto& [from, to] : heap.flanks())
+        figure.curves.push_back(
+            {"", Style::dashes, {1e3 * from.x(), 1e3 * to.x()}, {1e3 * from.y(), 1e3 * to.y()}, color});
 }
 
 std::vector<Kind> kinds_of(double mu) {
@@ -181,11 +181,12 @@ Result<Walk> teach(const Values& values) {
     walk.parts.emplace_back(figure);
     walk.show(std::move(film));
     walk.say(fmt::format(
-        "The dashed lines are the flanks whose slopes the table has. Without friction discs run apart until "
-        "the side walls hold them. With it they still roll, so their heap is flat, below arctan μ, at which "
-        "a block would begin to slide (`tumble lesson friction`). Three discs bound together do not roll so "
-        "easily; here their heap stands {:.2g} times as steep. Friction and shape both raise it: a "
-        "measured angle of repose alone does not tell one from the other.",
+        "The dashed lines are the flanks whose slopes the table has. Without friction a heap is low, yet not "
+        "flat: what lies in a hollow has to climb before it runs (beads in space that know no friction stand "
+        "at 5.8 deg, Peyneau and Roux 2008). With it discs still roll, so their heap stays below arctan μ, "
+        "at which a block would begin to slide (`tumble lesson friction`). Three discs bound together do "
+        "not roll so easily; here their heap stands {:.2g} times as steep. Friction and shape both raise "
+        "it: a measured angle of repose alone does not tell one from the other.",
         walk.fact("angle_wedges") / walk.fact("angle_discs")));
     walk.say("Three fills that differ in nothing but where their bodies begin differ by as much as the table's columns "
              "from and to are apart: one heap is a sample of one. A slope does not depend on how many grains there "
@@ -194,7 +195,8 @@ Result<Walk> teach(const Values& values) {
     walk.question = "A code has only single discs, and its heap is too flat beside the experiment. What is often added "
                     "to the law in place of the shape?";
     walk.answer = "A moment that resists rolling. It stands for the corners that a disc does not have, and must be "
-                  "fitted. There is no such law for discs here yet; clumps take the shape itself.";
+                  "fitted: `rolling = \"epsd\"` in a scene (`tumble lesson rolling-resistance`). Clumps take the shape "
+                  "itself.";
     return walk;
 }
 

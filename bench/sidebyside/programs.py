@@ -23,6 +23,7 @@ class Missing(Exception):
 class Ran:
     output: str
     seconds: float
+    processor_s: float
     peak_rss_MB: float
     folder: Path
 
@@ -78,4 +79,4 @@ def run(command, cores=None, folder=None, environment=None, may_fail=False):
     text = (folder / "output.txt").read_text(errors="replace")
     if process.returncode != 0 and not may_fail:
         raise Missing(f"{' '.join(command[:6])} ... ended with {process.returncode}:\n{text[-1500:]}")
-    return Ran(text, time.monotonic() - start, usage.ru_maxrss / 1024, folder)
+    return Ran(text, time.monotonic() - start, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024, folder)

@@ -118,18 +118,18 @@ std::optional<Problem> parallel(Walk& walk, const Setup& s) {
              "last column has `share_among_body_contacts = true`: while n contacts of one pair of bodies touch, each "
              "dashpot counts 1/√n, and the pair is damped as one contact is.");
     Figure figure{.name = "landing",
-                  .title = "Restitution of a flat landing on n spheres",
+                  .title = "Restitution of a flat landing on n spheres: lines theory, points solver",
                   .x = {"restitution of one contact", ""},
                   .y = {"restitution of the body", ""},
                   .curves = {}};
     for (const int n : {1, 2, 4, 9}) {
-        Curve theory{fmt::format("{} of them, theory", n), Style::line, {}, {}};
+        Curve theory{fmt::format("n = {}", n), Style::line, {}, {}};
         for (int k = 5; k <= 100; ++k)
             theory.add(k / 100.0, landing_theory(k / 100.0, n));
         figure.curves.push_back(std::move(theory));
     }
     for (const int n : {1, 2, 4, 9}) {
-        Curve points{fmt::format("{}, solver", n), Style::points};
+        Curve points{"", Style::points};
         points.color = figure.curves.size() - 4;
         for (const double e : {0.3, 0.5, 0.7, 0.9}) {
             Setup other = s;

@@ -227,7 +227,8 @@ std::string ending(const Course& course) {
 /// Peak force and restitution of an undamped impact, against how finely it is stepped.
 std::optional<Problem> accuracy(Walk& walk, const Setup& s) {
     Grid grid{{{"steps in a contact"}, {"step / (2/ω)"}, {"restitution (1)", "", 6}, {"peak force / true", "", 6}}, {}};
-    const double omega = std::sqrt(s.k / s.mass), speed = 0.1;
+    const double omega = std::sqrt(s.k / s.mass);
+    const double speed = 0.01 * struck_radius * omega; // sinks a hundredth of its radius, however soft the spring
     for (const int steps : {4, 10, 20, 50, 100}) {
         const double dt = std::numbers::pi / omega / steps;
         const Result<Impact> impact = strike_disc(linear_pair(s.k, 1, 1, 0), s.mass, speed, dt);

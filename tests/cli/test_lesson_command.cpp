@@ -73,19 +73,19 @@ TEST_CASE("an absurd value is one problem with the range beside it, exit code 2 
         words.insert(words.end(), one.words.begin(), one.words.end());
         const Outcome outcome = tumble_in(folder, words);
         CHECK(outcome.code == 2);
-        CHECK(outcome.err == one.said);
+        CHECK(outcome.err == "error: " + one.said);
         CHECK(outcome.out.empty());
     }
 }
 
-TEST_CASE("several wrong values are told at once, each of them once") {
+TEST_CASE("several wrong values are told at once, each of them once, in the order of the lesson's parameters") {
     const Folder folder;
     const Outcome outcome =
         tumble_in(folder, {"lesson", "soft-and-hard", "--friction", "-1", "--speed_m_s", "fast", "--restitution", "2"});
     CHECK(outcome.code == 2);
-    CHECK(outcome.err == "--friction is -1, out of its range\n    0.05 to 1\n"
-                         "--speed_m_s takes a number, not 'fast'\n    m/s, 0.1 to 2\n"
-                         "--restitution is 2, out of its range\n    0.05 to 1\n");
+    CHECK(outcome.err == "error: --restitution is 2, out of its range\n    0.05 to 1\n"
+                         "error: --friction is -1, out of its range\n    0.05 to 1\n"
+                         "error: --speed_m_s takes a number, not 'fast'\n    m/s, 0.1 to 2\n");
 }
 
 TEST_CASE("a flag that another lesson has, one without its value, or a second lesson is told, and nothing is walked") {

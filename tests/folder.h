@@ -30,6 +30,13 @@ inline std::string content_of(const std::filesystem::path& file) {
     return text.str();
 }
 
+inline std::size_t count_files(const std::filesystem::path& folder, const std::string& extension) {
+    std::size_t count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        count += entry.path().extension() == extension ? 1 : 0;
+    return count;
+}
+
 inline void put(const std::filesystem::path& file, const std::string& content) {
     std::ofstream(file, std::ios::binary) << content;
 }

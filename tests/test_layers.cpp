@@ -30,8 +30,9 @@ using Faults = std::vector<std::string>;
 constexpr std::size_t longest_file = 500; // lines
 
 /// Headers that only one folder may see, so that the library behind them can be exchanged there.
-const std::vector<std::pair<std::string, std::string>> private_libraries{
-    {"toml++", "scene"}, {"GL/", "render"}, {"imgui", "render"}, {"stb/", "render"}, {"CLI/", "cli"}};
+const std::vector<std::pair<std::string, std::string>> private_libraries{{"toml++", "scene"}, {"GL/", "render"},
+                                                                         {"imgui", "render"}, {"stb/", "render"},
+                                                                         {"CLI/", "cli"},     {"box2d/", "hard2d"}};
 
 Layers read_layers(const std::string& list, Faults& faults) {
     Layers layers;

@@ -23,6 +23,7 @@ class Missing(Exception):
 class Ran:
     output: str
     seconds: float
+    processor_s: float
     peak_rss_MB: float
     folder: Path
 
@@ -44,6 +45,15 @@ def ours(name):
         if path.exists():
             return str(path)
     raise Missing(f"bench_{name} is not built: cmake --preset release && cmake --build --preset release")
+
+
+def tumble():
+    """Path of the program: TUMBLE_BENCH_DIR's, else of the first build folder that has it, release first."""
+    folders = [Path(os.environ["TUMBLE_BENCH_DIR"]).parent] if "TUMBLE_BENCH_DIR" in os.environ else []
+    for folder in [*folders, ROOT / "build" / "release", ROOT / "build" / "dev"]:
+        if (folder / "tumble").exists():
+            return str(folder / "tumble")
+    raise Missing("tumble is not built: cmake --preset release && cmake --build --preset release")
 
 
 def peer_file(path):
@@ -69,4 +79,4 @@ def run(command, cores=None, folder=None, environment=None, may_fail=False):
     text = (folder / "output.txt").read_text(errors="replace")
     if process.returncode != 0 and not may_fail:
         raise Missing(f"{' '.join(command[:6])} ... ended with {process.returncode}:\n{text[-1500:]}")
-    return Ran(text, time.monotonic() - start, usage.ru_maxrss / 1024, folder)
+    return Ran(text, time.monotonic() - start, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024, folder)

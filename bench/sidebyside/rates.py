@@ -1,4 +1,5 @@
-"""Steps per second, ours and the peer's, in turn on the same core: spheres (LAMMPS), trough (LIGGGHTS); discs alone."""
+"""Steps per second, ours and the peer's, in turn on the same core: spheres (LAMMPS), trough (LIGGGHTS), a drum and what a
+lecture shows (Box2D); discs alone."""
 
 import json
 import tempfile
@@ -116,6 +117,75 @@ def discs(repeats=3, steps=10000, core=0, other=1):
                 keep.append(got)
     return result("discs", "disc-steps/s", one, None, [], problems,
                   two_threads=gain([rate for rate, _ in two], [rate for rate, _ in one], []))
+
+
+def flat(core, name, sets, *times):
+    """What bench_scene2d prints of a shipped scene; all of it, or as `times` say."""
+    scene = programs.ROOT / "scenes" / f"{name}.toml"
+    ran = programs.run([programs.ours("scene2d"), f"scene={scene}", f"sets={','.join(sets)}", *times], [core])
+    return json.loads([line for line in ran.output.splitlines() if line.startswith("{")][-1])
+
+
+def drum(core, sets):
+    """The half-full drum: 800 discs, mean over 3 s."""
+    return flat(core, "drum-2d", sets, "from=2", "until=5")
+
+
+def video_seconds(name, cores):
+    """From the scene to its video: seconds by the clock and of all cores together, and simulated seconds."""
+    with tempfile.TemporaryDirectory(prefix="tumble-bench-") as folder:
+        ran = programs.run([programs.tumble(), "run", programs.ROOT / "scenes" / f"{name}.toml", "--video", "--json", "--quiet",
+                            "--out", f"{folder}/run"], cores)
+    return {"seconds": ran.seconds, "processor_s": ran.processor_s, "simulated_s": json.loads(ran.output)["time_s"]}
+
+
+LIVE = ("repose-2d", "hopper-2d", "drum-2d", "shaken-bed-2d", "trough-2d")
+
+
+def live(repeats=1, core=0, **_):
+    """What a lecture can show while it runs: the shipped scenes of two dimensions, whole, under soft contacts and under Box2D in
+    turn, and how long the trough takes to its video."""
+    problems, runs, soft, boxed = [], [], [], []
+    for name in LIVE:
+        kept = {"tumble": [], "peer": []}
+        for _ in range(repeats):
+            for side, sets in (("tumble", []), ("peer", ["solver=box2d"])):
+                got = attempt(problems, flat, core, name, sets)
+                if got is not None:
+                    kept[side].append(got)
+        row = {side: {"rate": median(got["rate"] for got in all_of), "step_s": all_of[0]["step_s"],
+                      "bodies": all_of[0]["bodies"]} for side, all_of in kept.items() if all_of}
+        if len(row) == 2:
+            row["peer"]["ratio"] = row["tumble"]["rate"] / row["peer"]["rate"]
+        runs.append({"run": name, "tumble": row.get("tumble", {}), "peer": row.get("peer")})
+        soft += [(got["rate"], got) for got in kept["tumble"]]
+        boxed += [(got["rate"], got["peak_rss_MB"]) for got in kept["peer"]]
+    ratios = [run["peer"]["ratio"] for run in runs if run["peer"] and "ratio" in run["peer"]]
+    return result("live", "simulated s per s of processor time", soft, "box2d", boxed, problems, runs=runs,
+                  ratio=median(ratios) if ratios else None, trough_2d_video=attempt(problems, video_seconds, "trough-2d", None))
+
+
+def hard(repeats=2, core=0, **_):
+    """The drum under soft contacts and under Box2D, in turn: simulated seconds per second of processor
+    time. Each once more in half its step
+    (Box2D also with twice the iterations): the slopes of the surface say whether the steps were short enough."""
+    box = ["solver=box2d"]
+    soft, boxed, problems = [], [], []
+    for _ in range(repeats):
+        for keep, sets in ((soft, []), (boxed, box)):
+            got = attempt(problems, drum, core, sets)
+            if got is not None:
+                keep.append((got["rate"], got))
+    finer = {}
+    if soft and boxed:
+        half = f"box2d.time_step_s={boxed[0][1]['step_s'] / 2}"
+        finer = {"soft": attempt(problems, drum, core, [f"time_step_s={soft[0][1]['step_s'] / 2}"]),
+                 "box2d": attempt(problems, drum, core, [*box, half]),
+                 "box2d_iterations": attempt(problems, drum, core, [*box, "box2d.velocity_iterations=40",
+                                                                   "box2d.position_iterations=16"])}
+    theirs = [(rate, summary["peak_rss_MB"]) for rate, summary in boxed]
+    return result("hard", "simulated s per s of processor time", soft, "box2d", theirs, problems,
+                  peer_summary=boxed[-1][1] if boxed else None, finer=finer)
 
 
 def our_trough(blocks, steps, vibrate_blocks, vibrate_steps, cores, threads=1):

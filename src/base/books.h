@@ -27,6 +27,8 @@ struct Books {
     double lost_global_damping = 0; // by mass-proportional damping of bodies
     double lost_air_drag = 0;       // to still air
     double lost_adhesion = 0;       // with necks of adhesion that tore
+    bool splits_losses = true;      // false: of losses only the sum is known, as what the balance lacks
+    double lost_in_sum = 0;         // then
     double wall_work = 0;           // done by walls on bodies
     double inserted = 0;            // energy that came with inserted bodies
     double closure = 0;             // left side minus right side
@@ -41,16 +43,18 @@ struct Books {
 template <class Archive, As<Books> B> void carry(Archive& archive, B& books) {
     auto& [time, step, bodies, contacts, kinetic_translation, kinetic_rotation, gravity, stored_normal,
            stored_tangential, stored_rolling, lost_normal_damping, lost_tangential_damping, lost_sliding, lost_rolling,
-           lost_history, lost_global_damping, lost_air_drag, lost_adhesion, wall_work, inserted, closure, overlap_max,
-           overlap_ratio_max, overlap_ratio_peak, speed_max, angular_speed_max] = books;
+           lost_history, lost_global_damping, lost_air_drag, lost_adhesion, splits_losses, lost_in_sum, wall_work,
+           inserted, closure, overlap_max, overlap_ratio_max, overlap_ratio_peak, speed_max, angular_speed_max] = books;
     archive(time, step, bodies, contacts, kinetic_translation, kinetic_rotation, gravity, stored_normal,
             stored_tangential, stored_rolling, lost_normal_damping, lost_tangential_damping, lost_sliding, lost_rolling,
-            lost_history, lost_global_damping, lost_air_drag, lost_adhesion, wall_work, inserted, closure, overlap_max,
-            overlap_ratio_max, overlap_ratio_peak, speed_max, angular_speed_max);
+            lost_history, lost_global_damping, lost_air_drag, lost_adhesion, splits_losses, lost_in_sum, wall_work,
+            inserted, closure, overlap_max, overlap_ratio_max, overlap_ratio_peak, speed_max, angular_speed_max);
 }
 
 /// Energy lost so far, J.
 inline double lost_of(const Books& b) {
+    if (!b.splits_losses)
+        return b.lost_in_sum;
     return b.lost_normal_damping + b.lost_tangential_damping + b.lost_sliding + b.lost_history + b.lost_global_damping +
            b.lost_rolling + b.lost_air_drag + b.lost_adhesion;
 }

@@ -2,6 +2,7 @@
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/sheet_flags.h"
+#include "lesson/film.h"
 #include "lesson/show.h"
 #include "observe/whole_file.h"
 #include "sheet/plot.h"
@@ -29,6 +30,30 @@ struct WalkArguments {
     bool answer = false;
 };
 
+/// The picture that stands for each film.
+Result<std::vector<fs::path>> draw_posters(const lesson::Walk& walk, const fs::path& folder) {
+    std::vector<fs::path> files;
+    for (const lesson::Film& film : walk.films) {
+        files.push_back(folder / (film.name + ".png"));
+        if (const Result<Done> drawn = lesson::draw_poster(film, files.back()); !drawn)
+            return drawn.problems();
+    }
+    return files;
+}
+
+/// Films move only where ffmpeg is; their pictures are there without.
+int film_and_note(const lesson::Walk& walk, const fs::path& folder, bool json) {
+    const auto posters = draw_posters(walk, folder);
+    if (!posters)
+        return refuse(posters.problems(), json, failed);
+    for (const lesson::Film& film : walk.films) {
+        const fs::path file = folder / (film.name + ".mp4");
+        const Result<Done> shot = lesson::shoot(film, file);
+        note(shot ? "video: " + file.string() : "no video: " + to_string(shot.problems().front()));
+    }
+    return fine;
+}
+
 int walk_through(const Lesson& lesson, const WalkArguments& arguments) {
     const Result<lesson::Values> values = lesson::read_values(lesson, arguments.typed);
     if (!values)
@@ -36,9 +61,12 @@ int walk_through(const Lesson& lesson, const WalkArguments& arguments) {
     const Result<lesson::Walk> walk = lesson.teach(*values);
     if (!walk)
         return refuse(walk.problems(), arguments.json, wrong);
-    if (!arguments.folder.empty())
+    if (!arguments.folder.empty()) {
         if (const int code = draw_and_note(*walk, arguments.folder, arguments.json); code != fine)
             return code;
+        if (const int code = film_and_note(*walk, arguments.folder, arguments.json); code != fine)
+            return code;
+    }
     if (arguments.json)
         say_json(lesson::to_json(lesson, *values, *walk));
     else if (arguments.answer)
@@ -56,6 +84,8 @@ int write_pages(const fs::path& folder) {
             return refuse(walk.problems(), false, failed);
         if (const auto files = sheet::draw_all(*walk, folder / lesson.name, {".svg"}); !files)
             return refuse(files.problems(), false, failed);
+        if (const auto posters = draw_posters(*walk, folder / lesson.name); !posters)
+            return refuse(posters.problems(), false, failed);
         const fs::path page = folder / (lesson.name + ".md");
         if (const auto written = observe::write_whole(page, to_page(lesson, *values, *walk)); !written)
             return refuse(written.problems(), false, failed);
@@ -90,7 +120,9 @@ void add_lesson(CLI::App& all, const Lesson& lesson, Action& action) {
                                                                     example_of(lesson.parameters), lesson.title));
     const auto arguments = std::make_shared<WalkArguments>();
     add_parameters(*command, lesson.parameters, arguments->typed);
-    command->add_option("--out", arguments->folder, "Folder for the figures, as PNG and SVG (needs gnuplot)")
+    command
+        ->add_option("--out", arguments->folder,
+                     "Folder for the figures, as PNG and SVG (needs gnuplot), and videos (ffmpeg)")
         ->type_name("DIR");
     command->add_flag("--answer", arguments->answer, "Print the question and its answer instead of the walk");
     command->add_flag("--json", arguments->json, "Print the walk as JSON: facts, tables, curves, question, answer");

@@ -8,6 +8,7 @@
 #include "cli/scene_arguments.h"
 #include "cli/stop_flag.h"
 #include "cli/time_range.h"
+#include "run/beside.h"
 #include "run/redraw.h"
 #include "run/run_scene.h"
 
@@ -20,7 +21,9 @@ namespace tumble::cli {
 namespace {
 
 struct RenderArguments {
-    std::filesystem::path what; // a run's folder or a scene file
+    std::filesystem::path what;   // a run's folder or a scene file
+    std::filesystem::path beside; // another run's folder; empty: none
+    std::string labels;
     SceneArguments scene;
     std::filesystem::path out;
     std::filesystem::path video;
@@ -31,7 +34,8 @@ struct RenderArguments {
     bool json = false;
 };
 
-int tell_replayed(const run::Replayed& done, const run::RedrawOptions& options, const RenderArguments& arguments) {
+int tell_replayed(const run::Replayed& done, const run::PictureTargets& targets, const scene::Render& settings,
+                  const RenderArguments& arguments) {
     for (const std::string& warning : done.warnings)
         if (!arguments.quiet)
             note("warning: " + warning);
@@ -40,15 +44,57 @@ int tell_replayed(const run::Replayed& done, const run::RedrawOptions& options, 
                                         {"first_s", done.first},
                                         {"last_s", done.last},
                                         {"stopped", done.stopped},
-                                        {"pictures", options.pictures.string()},
-                                        {"video", options.video.string()},
+                                        {"pictures", targets.folder.string()},
+                                        {"video", targets.video.string()},
                                         {"warnings", done.warnings}});
     else if (!arguments.quiet)
         say(fmt::format("{}: {} from t = {:.4g} to {:.4g} s{}",
-                        options.pictures.empty() ? options.video.string() : options.pictures.string(),
+                        targets.folder.empty() ? targets.video.string() : targets.folder.string(),
                         counted(done.frames, "picture", "pictures"), done.first, done.last,
-                        options.video.empty() ? "" : "; the video " + video_pace(options.settings.slowdown())));
+                        targets.video.empty() ? "" : "; the video " + video_pace(settings.slowdown())));
     return done.stopped ? stop_code() : static_cast<int>(fine);
+}
+
+/// Folder and file that pictures go to; `name` is that of the folder for PNG files where none was given.
+run::PictureTargets targets_of(const RenderArguments& arguments, const std::string& name) {
+    run::PictureTargets targets{{}, arguments.video};
+    if (arguments.frames || arguments.video.empty() || !arguments.out.empty())
+        targets.folder = !arguments.out.empty() ? arguments.out : arguments.what / "redrawn" / name;
+    return targets;
+}
+
+int tell_drawn(const Result<run::Replayed>& done, const run::PictureTargets& targets, const scene::Render& settings,
+               const RenderArguments& arguments) {
+    if (!done)
+        return refuse(done.problems(), arguments.json, wrong);
+    if (!done->reason.empty())
+        return refuse(done->reason, arguments.json, failed);
+    return tell_replayed(*done, targets, settings, arguments);
+}
+
+int draw_both(const RenderArguments& arguments, const scene::Scene& scene) {
+    if (const auto found = run::find_run(arguments.beside); !found)
+        return refuse(found.problems(), arguments.json, wrong);
+    run::BesideOptions options;
+    options.settings = scene.render;
+    options.overwrite = arguments.force;
+    options.when.stop = &watch_for_stop();
+    if (const auto problem = read_time_range(arguments.time, options.when.from, options.when.to))
+        return refuse({*problem}, arguments.json, wrong);
+    if (!arguments.labels.empty()) {
+        const std::size_t comma = arguments.labels.find(',');
+        if (comma == std::string::npos)
+            return refuse({{.what = "--labels takes two words, for the left and the right run",
+                            .fix = "write --labels LEFT,RIGHT"}},
+                          arguments.json, wrong);
+        options.labels = {arguments.labels.substr(0, comma), arguments.labels.substr(comma + 1)};
+    }
+    options.targets = targets_of(arguments, fmt::format("beside_{}", run::folder_name(arguments.beside)));
+    ProgressLine line(arguments.quiet);
+    const auto done = run::draw_beside({arguments.what, arguments.beside}, options,
+                                       [&](std::int64_t n, std::int64_t all) { line.frames(n, all); });
+    line.end();
+    return tell_drawn(done, options.targets, options.settings, arguments);
 }
 
 int redraw_run(RenderArguments& arguments) {
@@ -60,32 +106,25 @@ int redraw_run(RenderArguments& arguments) {
     const Result<scene::Scene> scene = arguments.scene.load();
     if (!scene)
         return refuse(scene.problems(), arguments.json, wrong);
+    if (!arguments.beside.empty())
+        return draw_both(arguments, *scene);
     run::RedrawOptions options;
     options.settings = scene->render;
     options.title = scene->title;
     for (const scene::Wall& wall : scene->walls)
         options.wall_opacity.push_back(wall.opacity);
-    options.video = arguments.video;
     options.overwrite = arguments.force;
     options.when.duration = scene->duration;
     options.when.stop = &watch_for_stop();
     const auto problem = read_time_range(arguments.time, options.when.from, options.when.to);
     if (problem)
         return refuse({*problem}, arguments.json, wrong);
-    if (arguments.frames || arguments.video.empty() || !arguments.out.empty())
-        options.pictures =
-            !arguments.out.empty()
-                ? arguments.out
-                : arguments.what / "redrawn" / fmt::format("{}_{}", options.settings.camera, options.settings.color);
+    options.targets = targets_of(arguments, fmt::format("{}_{}", options.settings.camera, options.settings.color));
     ProgressLine line(arguments.quiet);
     const auto done =
         run::redraw(arguments.what, options, [&](std::int64_t n, std::int64_t all) { line.frames(n, all); });
     line.end();
-    if (!done)
-        return refuse(done.problems(), arguments.json, wrong);
-    if (!done->reason.empty())
-        return refuse(done->reason, arguments.json, failed);
-    return tell_replayed(*done, options, arguments);
+    return tell_drawn(done, options.targets, options.settings, arguments);
 }
 
 int draw_scene(RenderArguments& arguments) {
@@ -93,6 +132,10 @@ int draw_scene(RenderArguments& arguments) {
     const Result<scene::Scene> scene = arguments.scene.load();
     if (!scene)
         return refuse(scene.problems(), arguments.json, wrong);
+    if (!arguments.beside.empty())
+        return refuse({{.what = "--beside stands two runs side by side, and this is a scene",
+                        .fix = "run it first, then give the run's folder"}},
+                      arguments.json, wrong);
     if (!arguments.time.empty())
         return refuse({{.what = "--time chooses among the frames of a run, and this is a scene",
                         .fix = "run it first, then give the run's folder; or use --set duration_s=..."}},
@@ -123,6 +166,12 @@ void add_render_command(CLI::App& program, Action& action) {
     const auto arguments = std::make_shared<RenderArguments>();
     command->add_option("RUN|SCENE", arguments->what, "Folder of a run, or a scene file")->required();
     add_render_settings(*command, arguments->scene.sets);
+    command
+        ->add_option("--beside", arguments->beside,
+                     "A second run, drawn on the right at the same times with the same view and colours")
+        ->type_name("RUN");
+    command->add_option("--labels", arguments->labels, "What stands over the two, in place of their titles or folders")
+        ->type_name("L,R");
     command->add_option("--video", arguments->video, "Make an MP4 (needs ffmpeg)")->type_name("F.mp4");
     command->add_flag("--frames", arguments->frames, "PNG files; the default without --video");
     command->add_option("--out", arguments->out, "Folder for the PNG files, or for the run of a scene")

@@ -33,8 +33,9 @@ void add_resume_flags(CLI::App& command, run::RunOptions& options, CLI::Option& 
                   "Go on although the scene's materials, laws, gravity or motions were changed since")
         ->needs(resume);
     command
-        .add_option("--checkpoint-every", options.checkpoint_every,
-                    "Wall time between checkpoints in state/, which --resume needs; 0: none; 60 without it")
+        .add_option(
+            "--checkpoint-every", options.checkpoint_every,
+            "Wall time between checkpoints in state/, which --resume needs; 0: none; 60 without it. Box2D has none")
         ->type_name("S")
         ->check(CLI::Range(0.0, 1e6));
 }

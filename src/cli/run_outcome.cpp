@@ -39,8 +39,11 @@ std::string sentences(const run::RunSummary& summary) {
     if (summary.pictures > 0 || summary.video || summary.waited_s > 0.1 * summary.wall_s)
         text += fmt::format("  drawing and writing frames took {} beside the steps, which waited {} for it\n",
                             duration(summary.frames_s), duration(summary.waited_s));
-    text += fmt::format("  the energy balance misses {} of {}", format_si(summary.books.closure, "J", 3),
-                        format_si(summary.energy_turnover, "J", 3));
+    if (std::isfinite(summary.books.closure))
+        text += fmt::format("  the energy balance misses {} of {}", format_si(summary.books.closure, "J", 3),
+                            format_si(summary.energy_turnover, "J", 3));
+    else
+        text += fmt::format("  losses are known in sum only: {}", format_si(summary.books.lost_in_sum, "J", 3));
     return text;
 }
 

@@ -71,7 +71,7 @@ sheet::Figure orbit_figure(const Record& record, const Excitation& found, std::s
                                     {"all orders", sheet::Style::line},
                                     {"the record begins", sheet::Style::points},
                                     {"a tenth of a turn later", sheet::Style::points}},
-                         .equal_scales = true};
+                         .stretch = 1};
     const bool halves =
         std::any_of(found.lines.begin(), found.lines.end(), [](const Line& line) { return line.halves % 2 == 1; });
     const Line& first = found.first_order();

@@ -1,5 +1,6 @@
 #include "lesson/each.h"
 #include "lesson/impact.h"
+#include "lesson/packing.h"
 #include "lesson/stage.h"
 
 #include <algorithm>
@@ -117,18 +118,18 @@ std::optional<Problem> parallel(Walk& walk, const Setup& s) {
              "last column has `share_among_body_contacts = true`: while n contacts of one pair of bodies touch, each "
              "dashpot counts 1/√n, and the pair is damped as one contact is.");
     Figure figure{.name = "landing",
-                  .title = "Restitution of a flat landing on n spheres",
+                  .title = "Restitution of a flat landing on n spheres: lines theory, points solver",
                   .x = {"restitution of one contact", ""},
                   .y = {"restitution of the body", ""},
                   .curves = {}};
     for (const int n : {1, 2, 4, 9}) {
-        Curve theory{fmt::format("{} of them, theory", n), Style::line, {}, {}};
+        Curve theory{fmt::format("n = {}", n), Style::line, {}, {}};
         for (int k = 5; k <= 100; ++k)
             theory.add(k / 100.0, landing_theory(k / 100.0, n));
         figure.curves.push_back(std::move(theory));
     }
     for (const int n : {1, 2, 4, 9}) {
-        Curve points{fmt::format("{}, solver", n), Style::points};
+        Curve points{"", Style::points};
         points.color = figure.curves.size() - 4;
         for (const double e : {0.3, 0.5, 0.7, 0.9}) {
             Setup other = s;
@@ -187,6 +188,8 @@ Result<Walk> teach(const Values& values) {
     for (const auto add : {parallel, mass})
         if (const auto problem = add(walk, s))
             return *problem;
+    if (const auto problem = add_packing(walk, values["friction"]))
+        return *problem;
     const double zeta = damping_ratio(s.e);
     walk.question = fmt::format("On how many spheres at once must a body land so that it does not rebound at all, with "
                                 "e = {:.4g} of one contact?",
@@ -212,7 +215,12 @@ Lesson clumps() {
                             {.lo = 0.05, .hi = 1},
                             "Restitution of one contact (thesis, table 4.4: media on media)"},
                            {"speed_m_s", "m/s", 0.5, {.lo = 1e-3, .hi = 1}, "Speed of the landing"},
-                           {"radius_mm", "mm", 5, {.lo = 2, .hi = 100}, "Radius of the spheres, R"}},
+                           {"radius_mm", "mm", 5, {.lo = 2, .hi = 100}, "Radius of the spheres, R"},
+                           {"friction",
+                            "",
+                            0.58,
+                            {.lo = 0.05, .hi = 1},
+                            "Friction of the media that are packed (thesis, table 4.1: media on media)"}},
             .teach = teach};
 }
 

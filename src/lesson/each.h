@@ -14,5 +14,6 @@ Lesson friction();
 Lesson rolling_resistance();
 Lesson clumps();
 Lesson repose();
+Lesson soft_and_hard();
 
 } // namespace tumble::lesson

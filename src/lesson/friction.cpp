@@ -142,6 +142,23 @@ Result<double> sliding_angle(double mu) {
     return 0.5 * (rests + slides);
 }
 
+Result<Film> film_of_slip(double mu, double speed, double until) {
+    scene::Scene scene = incline(0, mu);
+    put(scene, add_body(scene, disc()), {0, radius}, {speed, 0});
+    constexpr int pictures = 75;
+    Film shown{.name = "slipping-disc",
+               .title = "A disc that slips, then rolls",
+               .reels = {},
+               .every = one_digit(until / pictures),
+               .range = {0, speed},
+               .view = scene::Box{{-radius, 0, -0.5}, {until * speed + radius, 3 * radius, 0.5}}};
+    Result<Reel> reel = film(scene, "", until, shown.every);
+    if (!reel)
+        return reel.problems();
+    shown.reels.push_back(std::move(*reel));
+    return shown;
+}
+
 std::optional<Problem> slip_to_roll(Walk& walk, double mu, double speed) {
     const double until = speed / (3 * mu * g);
     const Result<Ride> seen = ride(0, mu, disc(), speed, 1.6 * until);
@@ -181,6 +198,10 @@ std::optional<Problem> slip_to_roll(Walk& walk, double mu, double speed) {
     walk.parts.emplace_back(figure);
     walk.fact("rolls_from", rolls_from, "s");
     walk.fact("rolling_speed", seen->speed.back(), "m/s");
+    Result<Film> shown = film_of_slip(mu, speed, 1.6 * until);
+    if (!shown)
+        return shown.problems().front();
+    walk.show(std::move(*shown));
     return std::nullopt;
 }
 

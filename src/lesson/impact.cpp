@@ -45,7 +45,7 @@ template <class World> Result<Impact> follow(World& world, double radius, double
 
 Result<Impact> strike_disc(const contact::PairProperties& pair, double mass, double speed, double dt,
                            bool limit_force) {
-    const double radius = 0.1; // m
+    const double radius = struck_radius;
     scene::Scene scene = plane_stage(pair, dt);
     scene.contact.limit_force = limit_force;
     add_round(scene, radius, mass);

@@ -18,6 +18,8 @@ struct Impact {
     std::vector<double> time, overlap, force; // s, m, N
 };
 
+constexpr double struck_radius = 0.1; // m, of the disc that strikes
+
 /// A disc of that mass (kg) strikes a wall at `speed` (m/s) under the linear law. Problems: those of the solver.
 /// `limit_force` true: the contact never pulls.
 Result<Impact> strike_disc(const contact::PairProperties& pair, double mass, double speed, double dt,

@@ -8,8 +8,9 @@
 namespace tumble::lesson {
 
 const std::vector<Lesson>& all_lessons() {
-    static const std::vector<Lesson> lessons{two_discs(), force_law(),          time_step(), restitution(), energy(),
-                                             friction(),  rolling_resistance(), clumps(),    repose()};
+    static const std::vector<Lesson> lessons{two_discs(), force_law(),    time_step(),          restitution(),
+                                             energy(),    friction(),     rolling_resistance(), clumps(),
+                                             repose(),    soft_and_hard()};
     return lessons;
 }
 

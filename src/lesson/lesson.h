@@ -19,7 +19,7 @@ struct Lesson {
     std::string name;
     std::string title;
     std::vector<Parameter> parameters;
-    /// Takes a few seconds at most. Problems: values that each are in range but together make no lesson.
+    /// Takes some seconds. Problems: values that each are in range but together make no lesson.
     Result<Walk> (*teach)(const Values&) = nullptr;
 };
 

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr int steps_per_contact = 1000;
+constexpr double fastest = 4; // times the speed asked for
 const contact::Material glass{"glass", 2500, 5e7, 0.25};
 
 struct Setup {
@@ -143,7 +144,7 @@ std::optional<Problem> speeds(Walk& walk, const Setup& s) {
                   .x = {"speed", "m/s", true},
                   .y = {"contact time", "us"},
                   .curves = {{"Hertz, closed form", Style::line, {}, {}}, {"solver", Style::points, {}, {}}}};
-    for (const double factor : {0.01, 0.1, 1.0, 4.0}) {
+    for (const double factor : {0.01, 0.1, 1.0, fastest}) {
         const double v = factor * s.speed;
         const Result<Impact> linear = s.linear(1, v), hertz = s.hertz(1, v);
         if (!linear || !hertz)
@@ -165,8 +166,24 @@ std::optional<Problem> speeds(Walk& walk, const Setup& s) {
     return std::nullopt;
 }
 
+/// Values of which no impact can be made: the disc would sink half into the wall.
+std::optional<Problem> refuse(const Setup& s) {
+    const double speed = fastest * s.speed, deepest = speed / s.omega(), most = struck_radius / 2;
+    if (deepest <= most)
+        return std::nullopt;
+    return Problem{
+        .key = "--normal_stiffness_N_per_m",
+        .what = fmt::format("a disc of {:.4g} kg on a spring of {:.4g} N/m sinks {:.3g} m into the wall at {:.3g} "
+                            "m/s, the fastest impact of this lesson, and its radius is {:.3g} m",
+                            s.mass, s.k, deepest, speed, struck_radius),
+        .fix = fmt::format("give a spring of at least {:.3g} N/m, less mass or less speed",
+                           s.mass * std::pow(speed / most, 2))};
+}
+
 Result<Walk> teach(const Values& values) {
     const Setup s(values);
+    if (const auto problem = refuse(s))
+        return *problem;
     Walk walk;
     walk.say("Nobody owns a gauge for a dashpot. What can be measured is how high a ball comes back: the coefficient "
              "of restitution e, whose square is the ratio of rebound height to drop height. How does the law get from "

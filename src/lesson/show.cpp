@@ -31,12 +31,19 @@ std::string to_page(const Lesson& lesson, const Values& values, const Walk& walk
 
 std::string contents_page() {
     std::string page =
-        "# Lessons\n\nFundamentals of the discrete element method, step by step; numbers in round brackets are the "
-        "thesis' equations. Every number\nis computed when the page is made, by the solvers themselves (`tumble lesson "
-        "--pages docs/lessons`).\n\n| lesson | title |\n| --- | --- |\n";
+        "# Lessons\n\n"
+        "Fundamentals of the discrete element method, step by step; numbers in round brackets are the thesis' "
+        "equations. "
+        "Every number\n"
+        "is computed when the page is made, by the solvers themselves (`tumble lesson --pages docs/lessons`).\n\n"
+        "`tumble lesson NAME` prints one, `--help` lists the numbers that can be changed in it, `--out DIR` draws its "
+        "figures\n"
+        "and videos, `--answer` tells the answer to the question at its end.\n\n"
+        "| lesson | title |\n"
+        "| --- | --- |\n";
     for (const Lesson& lesson : all_lessons())
         page += fmt::format("| [{0}]({0}.md) | {1} |\n", lesson.name, escaped(lesson.title));
-    return page + "\nThere is no lesson on rolling resistance: no law for it exists yet.\n";
+    return page;
 }
 
 nlohmann::ordered_json to_json(const Lesson& lesson, const Values& values, const Walk& walk) {

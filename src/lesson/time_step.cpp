@@ -173,6 +173,43 @@ Result<Course> swings(Walk& walk, const Setup& s) {
     return last;
 }
 
+/// A heap of discs whose weight presses the lowest together by a thousandth of a radius. In steps that the caged disc
+/// bears with ease, it boils: each disc has more contacts.
+Result<Film> film_of_heap(const Setup& s) {
+    constexpr int rows = 6, columns = 8, pictures = 75;
+    const double limit = s.critical_step(), until = 100 * limit;
+    const double width = columns * radius, row = std::sqrt(3.0) * radius * (1 + 1e-6);
+    Film shown{.name = "exploding-heap",
+               .title = "A heap in steps that are short enough, and too long",
+               .reels = {},
+               .every = one_digit(until / pictures),
+               .range = {0, 0.5 * radius * s.omega},
+               .view = scene::Box{{-width, -0.5 * radius, -0.5}, {width, 2 * width, 0.5}},
+               .poster = std::size_t{30}};
+    for (const double factor : {0.2, 0.8}) {
+        scene::Scene scene = plane_stage(linear_pair(s.k, 1, s.restitution, 0.3), factor * limit);
+        scene.gravity = {0, -1e-3 * radius * s.k / s.mass / rows, 0};
+        const int disc = add_round(scene, radius, s.mass);
+        add_wall(scene, scene::Outline(scene::PolylineShape{{{-width - 0.51 * radius, 2 * width},
+                                                             {-width - 0.51 * radius, 0},
+                                                             {width + 0.51 * radius, 0},
+                                                             {width + 0.51 * radius, 2 * width}},
+                                                            false}));
+        for (int k = 0; k < rows * columns; ++k) {
+            const double shift = (k / columns) % 2 == 0 ? -0.5 : 0.5;
+            put(scene, disc,
+                {(2 * (k % columns) - columns + 1 + shift) * radius * (1 + 1e-6),
+                 radius * (1 + 1e-6) + k / columns * row},
+                {0, 0});
+        }
+        Result<Reel> reel = film(scene, fmt::format("step {} of the limit", factor), until, shown.every);
+        if (!reel)
+            return reel.problems();
+        shown.reels.push_back(std::move(*reel));
+    }
+    return shown;
+}
+
 /// How the course beyond the limit went on.
 std::string ending(const Course& course) {
     if (!course.stopped.empty())
@@ -190,7 +227,8 @@ std::string ending(const Course& course) {
 /// Peak force and restitution of an undamped impact, against how finely it is stepped.
 std::optional<Problem> accuracy(Walk& walk, const Setup& s) {
     Grid grid{{{"steps in a contact"}, {"step / (2/ω)"}, {"restitution (1)", "", 6}, {"peak force / true", "", 6}}, {}};
-    const double omega = std::sqrt(s.k / s.mass), speed = 0.1;
+    const double omega = std::sqrt(s.k / s.mass);
+    const double speed = 0.01 * struck_radius * omega; // sinks a hundredth of its radius, however soft the spring
     for (const int steps : {4, 10, 20, 50, 100}) {
         const double dt = std::numbers::pi / omega / steps;
         const Result<Impact> impact = strike_disc(linear_pair(s.k, 1, 1, 0), s.mass, speed, dt);
@@ -246,6 +284,10 @@ Result<Walk> teach(const Values& values) {
     if (const auto problem = around_the_limit(walk, s))
         return *problem;
     walk.say(ending(*wild));
+    Result<Film> heap = film_of_heap(s);
+    if (!heap)
+        return heap.problems();
+    walk.show(std::move(*heap));
 
     walk.head("Stable is not yet accurate");
     walk.say(

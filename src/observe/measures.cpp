@@ -82,6 +82,11 @@ std::vector<Measure> contacts_of_the_solver() {
     };
 }
 
+/// Not a number where the solver cannot tell its losses apart and closes its balance with them.
+double if_split(const Seen& s, double value) {
+    return s.books.splits_losses ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
 std::vector<Measure> books_of_the_solver() {
     return {
         {"gravity_energy", "energies", "J", "Potential energy in gravity, relative to the origin.",
@@ -93,29 +98,32 @@ std::vector<Measure> books_of_the_solver() {
         {"stored_rolling", "energies", "J", "Elastic energy in contacts, rolling.",
          [](const Seen& s) { return s.books.stored_rolling; }},
         {"lost_normal_damping", "energies", "J", "Energy lost so far to damping of normal motion.",
-         [](const Seen& s) { return s.books.lost_normal_damping; }},
+         [](const Seen& s) { return if_split(s, s.books.lost_normal_damping); }},
         {"lost_tangential_damping", "energies", "J", "Energy lost so far to damping of tangential motion.",
-         [](const Seen& s) { return s.books.lost_tangential_damping; }},
+         [](const Seen& s) { return if_split(s, s.books.lost_tangential_damping); }},
         {"lost_sliding", "energies", "J", "Energy lost so far to sliding friction.",
-         [](const Seen& s) { return s.books.lost_sliding; }},
+         [](const Seen& s) { return if_split(s, s.books.lost_sliding); }},
         {"lost_rolling", "energies", "J", "Energy lost so far to resistance against rolling.",
-         [](const Seen& s) { return s.books.lost_rolling; }},
+         [](const Seen& s) { return if_split(s, s.books.lost_rolling); }},
         {"lost_history", "energies", "J", "Spring energy that the law dropped so far with its contact histories.",
-         [](const Seen& s) { return s.books.lost_history; }},
+         [](const Seen& s) { return if_split(s, s.books.lost_history); }},
         {"lost_global_damping", "energies", "J",
          "Energy lost so far to the mass-proportional damping of bodies (two dimensions).",
-         [](const Seen& s) { return s.books.lost_global_damping; }},
+         [](const Seen& s) { return if_split(s, s.books.lost_global_damping); }},
         {"lost_air_drag", "energies", "J", "Energy lost so far to the drag of air.",
-         [](const Seen& s) { return s.books.lost_air_drag; }},
+         [](const Seen& s) { return if_split(s, s.books.lost_air_drag); }},
         {"lost_adhesion", "energies", "J", "Energy lost so far with necks of adhesion that tore.",
-         [](const Seen& s) { return s.books.lost_adhesion; }},
+         [](const Seen& s) { return if_split(s, s.books.lost_adhesion); }},
+        {"lost_energy", "", "J",
+         "Energy lost so far, all losses together; with solver = \"box2d\" what the balance lacks.",
+         [](const Seen& s) { return lost_of(s.books); }},
         {"wall_work", "energies", "J", "Work done so far by walls on bodies.",
          [](const Seen& s) { return s.books.wall_work; }},
         {"inserted_energy", "energies", "J", "Energy that came so far with inserted bodies.",
          [](const Seen& s) { return s.books.inserted; }},
         {"energy_closure", "", "J",
          "What the energy balance misses: everything there and lost, less everything put in.",
-         [](const Seen& s) { return s.books.closure; }},
+         [](const Seen& s) { return if_split(s, s.books.closure); }},
     };
 }
 

@@ -147,4 +147,23 @@ void resolve_samples(const Canvas& canvas, GLbitfield what) {
     }
 }
 
+Picture read_picture(const Canvas& canvas) {
+    Picture picture{canvas.width, canvas.height, {}};
+    const std::size_t row = 4 * static_cast<std::size_t>(canvas.width);
+    picture.rgba.resize(row * static_cast<std::size_t>(canvas.height));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas.resolved.name());
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, canvas.width, canvas.height, GL_RGBA, GL_UNSIGNED_BYTE, picture.rgba.data());
+    const auto begin = picture.rgba.begin();
+    for (int y = 0; y < canvas.height / 2; ++y) {
+        const auto top = begin + static_cast<std::ptrdiff_t>(row) * y;
+        const auto bottom = begin + static_cast<std::ptrdiff_t>(row) * (canvas.height - 1 - y);
+        std::swap_ranges(top, top + static_cast<std::ptrdiff_t>(row), bottom);
+    }
+    for (std::size_t i = 3; i < picture.rgba.size(); i += 4) {
+        picture.rgba[i] = 255;
+    }
+    return picture;
+}
+
 } // namespace tumble::render

@@ -2,6 +2,7 @@
 
 #include "base/problem.h"
 #include "render/gl.h"
+#include "render/picture.h"
 
 #include <string>
 #include <utility>
@@ -70,5 +71,8 @@ Result<Canvas> make_canvas(int width, int height, int samples);
 /// Takes samples together, of colours the mean, from the bound read framebuffer into the bound draw framebuffer; the
 /// whole picture, whatever the scissor.
 void resolve_samples(const Canvas& canvas, GLbitfield what);
+
+/// What has been resolved, rows from the top and without translucent pixels.
+Picture read_picture(const Canvas& canvas);
 
 } // namespace tumble::render

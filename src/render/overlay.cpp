@@ -96,6 +96,10 @@ static Area draw_panels(Pen& pen, const OverlayContent& content, const Layout& l
         const std::string title = pen.shortened(content.title, Lettering::large, layout.title.width());
         pen.text(layout.title.left, layout.title.top, title, Lettering::large, Align::left, theme.text);
     }
+    for (const Heading& heading : content.headings) {
+        const std::string text = pen.shortened(heading.text, Lettering::large, heading.area.width());
+        pen.text(heading.area.left, heading.area.top, text, Lettering::large, Align::left, theme.text);
+    }
     // In a column the time stands in line with the panels below it.
     const bool in_column = layout.column;
     pen.text(in_column ? layout.time.left : layout.time.right, layout.time.top, content.time, Lettering::large,

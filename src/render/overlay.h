@@ -5,12 +5,20 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace tumble::render {
+
+/// A further title.
+struct Heading {
+    Area area;
+    std::string text;
+};
 
 /// Everything that is written over one picture.
 struct OverlayContent {
     std::string title;
+    std::vector<Heading> headings;
     std::string time;
     Legend legend;
     const PlotLine* plot = nullptr;

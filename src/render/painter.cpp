@@ -87,7 +87,6 @@ struct Painter::Inside {
     void keep_to_window() const;
     void resolve(GLbitfield what);
     void write(const observe::Frame& frame, const PlotLine& plot, const Legend& legend);
-    [[nodiscard]] Picture read() const;
 };
 
 static Problem bad_range(double lo, double hi) {
@@ -325,25 +324,6 @@ void Painter::Inside::write(const observe::Frame& frame, const PlotLine& plot, c
     legend_bar = drawers->overlay->draw(content, arrangement, settings.width, settings.height);
 }
 
-Picture Painter::Inside::read() const {
-    Picture picture{settings.width, settings.height, {}};
-    const std::size_t row = 4 * static_cast<std::size_t>(settings.width);
-    picture.rgba.resize(row * static_cast<std::size_t>(settings.height));
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, drawers->canvas.resolved.name());
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadPixels(0, 0, settings.width, settings.height, GL_RGBA, GL_UNSIGNED_BYTE, picture.rgba.data());
-    const auto begin = picture.rgba.begin();
-    for (int y = 0; y < settings.height / 2; ++y) {
-        const auto top = begin + static_cast<std::ptrdiff_t>(row) * y;
-        const auto bottom = begin + static_cast<std::ptrdiff_t>(row) * (settings.height - 1 - y);
-        std::swap_ranges(top, top + static_cast<std::ptrdiff_t>(row), bottom);
-    }
-    for (std::size_t i = 3; i < picture.rgba.size(); i += 4) {
-        picture.rgba[i] = 255;
-    }
-    return picture;
-}
-
 /// What a frame changes for those after it: the depth that the camera sees, the range of the colours.
 std::vector<std::uint32_t> Painter::Inside::take_in(const observe::Frame& frame, Legend& legend) {
     if (!arranged) {
@@ -394,7 +374,7 @@ Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
         glBindFramebuffer(GL_FRAMEBUFFER, canvas.resolved.name());
         in.write(frame, plot, legend);
     }
-    return in.read();
+    return read_picture(canvas);
 }
 
 const Camera& Painter::camera() const {

@@ -1,18 +1,12 @@
 #pragma once
 
 #include "run/frame_sink.h"
+#include "run/picture_files.h"
 #include "scene/scene.h"
 
 #include <Eigen/Geometry>
-#include <filesystem>
 
 namespace tumble::run {
-
-/// Where pictures go; an empty path: nowhere.
-struct PictureTargets {
-    std::filesystem::path folder; // PNG files frame_000000.png and so on
-    std::filesystem::path video;  // MP4
-};
 
 /// Draws every frame and hands it to PNG files, a video or both. Problems: those of the painter (unknown names, no
 /// OpenGL), a folder or video that cannot be made. `fit` (m) will be in the picture; when it is empty the first frame.

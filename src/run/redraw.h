@@ -1,5 +1,6 @@
 #pragma once
 
+#include "run/picture_files.h"
 #include "run/replay.h"
 #include "scene/scene.h"
 
@@ -9,8 +10,7 @@ struct RedrawOptions {
     scene::Render settings;
     std::string title;                // empty: the run's
     std::vector<double> wall_opacity; // one a wall of the scene; empty: the run's
-    std::filesystem::path pictures;   // folder for PNG files; empty: none
-    std::filesystem::path video;      // MP4; empty: none
+    PictureTargets targets;
     bool overwrite = false;
     ReplayOptions when;
 };

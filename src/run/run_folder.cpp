@@ -259,6 +259,11 @@ Result<FolderInWork> FolderInWork::open(const fs::path& root, bool overwrite, st
     return folder;
 }
 
+std::string folder_name(const fs::path& folder) {
+    const fs::path path = folder.lexically_normal();
+    return (path.has_filename() ? path : path.parent_path()).filename().string();
+}
+
 Result<FolderInWork> FolderInWork::go_on(const fs::path& root) {
     FolderInWork folder(RunFolder{root});
     folder.alive_ = false; // nothing of it may be taken away

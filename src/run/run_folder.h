@@ -61,6 +61,9 @@ private:
     std::optional<Problem> lock();
 };
 
+/// Its own name, without the way to it: "a" of "out/a" and of "out/a/".
+std::string folder_name(const std::filesystem::path& folder);
+
 /// Whether all that lies in the folder is of the kinds that a run puts there.
 bool holds_only_a_run(const std::filesystem::path& root);
 

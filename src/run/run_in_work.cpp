@@ -23,6 +23,7 @@ namespace tumble::run {
 namespace {
 
 constexpr double refresh_every = 1; // s of wall time between versions of run.json
+constexpr double keep_every = 60;   // the same between checkpoints, where the run is not told
 
 /// A frame with numbers that are none could not be read again.
 bool finite(const observe::Frame& frame) {
@@ -43,9 +44,26 @@ std::int64_t count_pictures(const std::filesystem::path& folder) {
 /// What the frames of the whole run will take at least.
 std::uintmax_t bytes_of_frames(const scene::Scene& scene, const Simulation& simulation) {
     const auto bodies = static_cast<std::size_t>(all_bodies_wanted(scene, simulation.bodies()));
-    const std::int64_t last = std::llround(scene.duration / scene.time_step);
-    const auto count = static_cast<std::size_t>(Schedule(scene.render.every, scene.time_step).count_with_last(last));
+    const std::int64_t last = std::llround(scene.duration / scene.step());
+    const auto count = static_cast<std::size_t>(Schedule(scene.render.every, scene.step()).count_with_last(last));
     return count * observe::frame_bytes(bodies, scene.walls.size());
+}
+
+/// Box2D does not give away what it remembers of its contacts.
+bool keeps_checkpoints(const scene::Scene& scene) {
+    return scene.solver != scene::Solver::box2d;
+}
+
+Problems check_options(const scene::Scene& scene, const RunOptions& options) {
+    if (keeps_checkpoints(scene))
+        return {};
+    if (options.resume)
+        return {scene::problem_about(scene, "solver", "a run of solver = \"box2d\" keeps no checkpoints to resume from",
+                                     "leave out --resume; --force runs it again from the start")};
+    if (options.checkpoint_every.value_or(0) > 0)
+        return {scene::problem_about(scene, "solver", "a run of solver = \"box2d\" can keep no checkpoints",
+                                     "leave out --checkpoint-every, or write solver = \"soft\"")};
+    return {};
 }
 
 void append(Problems& all, const Problems& more) {
@@ -74,11 +92,14 @@ RunInWork::RunInWork(const scene::Scene& scene, const RunOptions& options, RunLi
                      SimulationPtr simulation, FolderInWork folder, std::string toml)
     : scene_(scene), options_(options), listener_(listener), simulation_(std::move(simulation)),
       folder_(std::move(folder)), toml_(std::move(toml)), layout_(simulation_->layout()),
-      rows_(scene.observe.every, scene.time_step), frames_(scene.render.every, scene.time_step),
-      all_steps_(std::llround(scene.duration / scene.time_step)) {}
+      rows_(scene.observe.every, scene.step()), frames_(scene.render.every, scene.step()),
+      all_steps_(std::llround(scene.duration / scene.step())),
+      keep_every_(keeps_checkpoints(scene) ? options.checkpoint_every.value_or(keep_every) : 0) {}
 
 Result<std::unique_ptr<RunInWork>> RunInWork::prepare(const scene::Scene& scene, const RunOptions& options,
                                                       RunListener& listener) {
+    if (Problems problems = check_options(scene, options); !problems.empty())
+        return problems;
     if (const Problems problems = check_measures(scene); !problems.empty())
         return in_scene(problems, scene);
     const Result<std::vector<MeshCopy>> meshes = read_meshes(scene);
@@ -117,7 +138,8 @@ Result<Done> RunInWork::open_all(const std::vector<MeshCopy>& meshes) {
     summary_.scene = scene_.file;
     summary_.title = scene_.title;
     summary_.duration = scene_.duration;
-    summary_.time_step = scene_.time_step;
+    summary_.solver = scene_.solver;
+    summary_.time_step = scene_.step();
     summary_.seed = scene_.seed;
     summary_.threads = options_.threads;
     summary_.video = options_.video;
@@ -236,7 +258,7 @@ void RunInWork::step_to_the_end() {
             fail({*problem});
         else
             observe_now();
-        if (summary_.state == "running" && pace_.since_made() >= kept_at_ + options_.checkpoint_every)
+        if (summary_.state == "running" && pace_.since_made() >= kept_at_ + keep_every_)
             keep_checkpoint();
         refresh_summary();
         listener_.progressed(progress());

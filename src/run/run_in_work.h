@@ -89,6 +89,7 @@ private:
     Schedule frames_;
     Pace pace_;
     std::int64_t all_steps_ = 0;
+    double keep_every_ = 0; // s of wall time between checkpoints; 0: none
     std::int64_t shots_ = 0;
     std::int64_t last_shot_ = -1; // step
     double refreshed_ = 0;        // s of wall time since the run was made

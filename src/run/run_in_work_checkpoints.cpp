@@ -15,7 +15,7 @@ namespace tumble::run {
 /// After observe_now and before keep_last_state, so that it holds neither more nor less than a run without end would
 /// have seen by then.
 void RunInWork::keep_checkpoint() {
-    if (options_.checkpoint_every <= 0 || kept_step_ == simulation_->steps())
+    if (keep_every_ <= 0 || kept_step_ == simulation_->steps())
         return;
     const double begun = pace_.since_made();
     queue_->settle();

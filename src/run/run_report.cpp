@@ -57,6 +57,7 @@ nlohmann::ordered_json to_json(const RunSummary& summary) {
     json["title"] = summary.title;
     json["folder"] = summary.folder.string();
     json["duration_s"] = summary.duration;
+    json["solver"] = summary.solver == scene::Solver::box2d ? "box2d" : "soft";
     json["time_step_s"] = summary.time_step;
     json["time_s"] = summary.time;
     json["steps"] = summary.steps;

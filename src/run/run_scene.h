@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,7 @@ struct RunOptions {
     bool overwrite = false;           // replace what a run left in the folder
     bool resume = false;              // go on where a run in the folder ended, or begin where there is none
     bool accept_changes = false;      // even when the scene was changed since
-    double checkpoint_every = 60;     // s of wall time; 0: no checkpoints at all
+    std::optional<double> checkpoint_every; // s of wall time; 0: no checkpoints; 60 without it, where the solver can
     bool pictures = false;            // PNG frames
     bool video = false;               // MP4, through ffmpeg
     std::filesystem::path video_file; // empty: video.mp4 in the folder
@@ -66,7 +67,8 @@ struct RunSummary {
     std::filesystem::path folder;
     std::filesystem::path scene;
     std::string title;
-    double duration = 0;  // s
+    double duration = 0; // s
+    scene::Solver solver = scene::Solver::soft;
     double time_step = 0; // s
     std::uint64_t seed = 0;
     int threads = 1;
@@ -100,7 +102,8 @@ struct RunSummary {
 /// Runs a scene and leaves its folder as docs/run-folder.md says. A value comes back once a folder stands: finished,
 /// stopped or failed. Problems: nothing was started and nothing left behind (scene that cannot be built, unknown
 /// measure, folder that holds something or cannot be written or is another run's at this moment, too little space,
-/// ffmpeg missing; no checkpoint that can be resumed, a scene that was changed since; a stop before there was a world).
+/// ffmpeg missing; no checkpoint that can be resumed, a scene that was changed since; checkpoints asked of Box2D; a stop
+/// before there was a world).
 Result<RunSummary> run_scene(const scene::Scene& scene, const RunOptions& options, RunListener& listener);
 
 } // namespace tumble::run

@@ -29,10 +29,12 @@ std::vector<std::string> verdict(const RunSummary& summary, const scene::Scene& 
     for (const std::string& sentence : summary.unfilled)
         sentences.push_back("not all bodies found room: " + sentence);
     if (summary.overlap_ratio_max > scene.contact.accepted_overlap)
-        sentences.push_back(
-            fmt::format("bodies overlapped by up to {:.1f} % of the smaller sphere's radius, and the scene expects at "
-                        "most {:.3g} %: take stiffer materials or slower impacts, or say contact.accepted_overlap",
-                        100 * summary.overlap_ratio_max, 100 * scene.contact.accepted_overlap));
+        sentences.push_back(fmt::format(
+            "bodies overlapped by up to {:.1f} % of the smaller sphere's radius, and the scene expects at "
+            "most {:.3g} %: {}, or say contact.accepted_overlap",
+            100 * summary.overlap_ratio_max, 100 * scene.contact.accepted_overlap,
+            scene.solver == scene::Solver::box2d ? "Box2D finds impacts at the end of a step, shorten box2d.time_step_s"
+                                                 : "take stiffer materials or slower impacts"));
     const double missed = std::abs(summary.books.closure);
     if (missed > closure_worth_a_word * summary.energy_turnover && missed > rounding_of(summary.books))
         sentences.push_back(fmt::format("the energy balance misses {:.3g} J of {:.3g} J: try a smaller time step",

@@ -25,6 +25,7 @@ namespace {
 constexpr double clump_rate = 3e6;
 constexpr double sphere_rate = 1.5e7;
 constexpr double disc_rate = 3e7; // discs, those of clumps too
+constexpr double hard_rate = 1e6; // bodies of Box2D at its usual iterations
 constexpr double bytes_per_body = 2500;
 constexpr double bytes_per_sphere = 60;
 constexpr double bytes_of_program = 2e7;
@@ -59,9 +60,9 @@ void check_walls(const scene::Scene& scene, SceneCheck& check) {
 }
 
 void check_cost(const scene::Scene& scene, std::size_t columns, SceneCheck& check) {
-    check.steps = std::llround(scene.duration / scene.time_step);
-    check.rows = Schedule(scene.observe.every, scene.time_step).count(check.steps);
-    check.frames = Schedule(scene.render.every, scene.time_step).count_with_last(check.steps);
+    check.steps = std::llround(scene.duration / scene.step());
+    check.rows = Schedule(scene.observe.every, scene.step()).count(check.steps);
+    check.frames = Schedule(scene.render.every, scene.step()).count_with_last(check.steps);
     const auto bodies = static_cast<double>(check.wanted);
     check.memory_bytes =
         bytes_of_program + bodies * bytes_per_body + static_cast<double>(check.parts) * bytes_per_sphere;
@@ -72,9 +73,11 @@ void check_cost(const scene::Scene& scene, std::size_t columns, SceneCheck& chec
         static_cast<double>(check.rows) * bytes_per_cell * static_cast<double>(columns + 1);
     check.body_steps = bodies * static_cast<double>(check.steps);
     const bool clumps = check.parts > static_cast<std::size_t>(check.wanted);
-    check.assumed_rate = scene.dimension == 2 ? disc_rate * bodies / std::max(bodies, static_cast<double>(check.parts))
-                         : clumps             ? clump_rate
-                                              : sphere_rate;
+    check.assumed_rate = scene.solver == scene::Solver::box2d ? hard_rate
+                         : scene.dimension == 2
+                             ? disc_rate * bodies / std::max(bodies, static_cast<double>(check.parts))
+                         : clumps ? clump_rate
+                                  : sphere_rate;
     check.hours = check.body_steps / check.assumed_rate / 3600;
 }
 
@@ -87,9 +90,9 @@ void look_for_oddities(const scene::Scene& scene, SceneCheck& check) {
         say("no fill asks for bodies: nothing will move");
     if (scene.walls.empty())
         say("there is no wall: bodies fall out of the domain unless it is periodic");
-    if (scene.observe.every < scene.time_step)
+    if (scene.observe.every < scene.step())
         say(fmt::format("observe.every_s is shorter than a step: every step gets one row, {} in all", check.rows));
-    if (scene.render.every < scene.time_step)
+    if (scene.render.every < scene.step())
         say(fmt::format(
             "render.every_s is shorter than a step: every step gets one frame, {} in all; the run writes {}",
             check.frames, scene::in_words(static_cast<std::size_t>(check.disk_bytes))));

@@ -6,6 +6,8 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -31,6 +33,8 @@ public:
         densities();
         gravity();
         fills();
+        if (scene_.solver == scene::Solver::box2d)
+            keys_without_springs();
         for (const scene::Wall& wall : scene_.walls) {
             size_of(wall);
             motion_of(wall);
@@ -84,6 +88,32 @@ private:
                                 bodies_[static_cast<std::size_t>(fill.body)].name, fill.start, scene_.duration),
                     "lengthen duration_s, or give an earlier start_s");
         }
+    }
+
+    /// What was written for springs and dashpots, and Box2D has no use for.
+    void keys_without_springs() {
+        static const std::map<std::string, std::set<std::string>> unread{
+            {"", {"skin_m"}},
+            {"air", {"density_kg_m3", "drag_coefficient", "viscosity_Pa_s"}},
+            {"contact", {"normal", "tangential", "limit_force", "rolling", "adhesion"}},
+            {"material", {"youngs_modulus_Pa", "poisson_ratio"}},
+            {"pair",
+             {"normal_stiffness_N_per_m", "contact_time_s", "tangential_stiffness_N_per_m", "stiffness_ratio",
+              "cohesion_N", "rolling_friction", "rolling_damping", "restitution_speed_m_s", "restitution_most",
+              "sliding_friction", "sliding_speed_m_s", "cohesion_energy_J_m3", "work_of_adhesion_J_m2"}}};
+        std::set<std::string> seen;
+        for (const auto& [path, place] : scene_.written) {
+            const auto dot = path.find('.'), last = path.rfind('.');
+            const auto table = unread.find(dot == std::string::npos ? "" : path.substr(0, dot));
+            const std::string key = last == std::string::npos ? path : path.substr(last + 1);
+            if (table != unread.end() && table->second.contains(key))
+                seen.insert(key);
+        }
+        if (!seen.empty())
+            say("solver",
+                fmt::format("solver = \"box2d\" does not read {}: its contacts are hard, without spring or dashpot",
+                            fmt::join(seen, ", ")),
+                "docs/hard-contacts.md says what it goes by; solver = \"soft\" reads them");
     }
 
     void size_of(const scene::Wall& wall) {

@@ -51,7 +51,8 @@ public:
     /// What fills still owe, a sentence each.
     [[nodiscard]] virtual std::vector<std::string> unfilled() const = 0;
     [[nodiscard]] virtual std::vector<PhaseTime> phase_times() const = 0;
-    /// All that the steps to come depend on beside the scene; restore() goes on from it by the same bits.
+    /// All that the steps to come depend on beside the scene; restore() goes on from it by the same
+    /// bits. Empty where the solver cannot (Box2D).
     [[nodiscard]] virtual std::string state() const = 0;
 };
 
@@ -61,12 +62,13 @@ using SimulationPtr = std::unique_ptr<Simulation>;
 /// Problems: those of the solver's build_world, and that a stop was wanted meanwhile.
 Result<SimulationPtr> simulate(const scene::Scene& scene, int threads, StopFlag stop = nullptr);
 
-/// The same in a state that state() gave. Problems: those of the solver's restore_world.
+/// The same in a state that state() gave. Problems: those of the solver's restore_world; a scene of Box2D.
 Result<SimulationPtr> restore(const scene::Scene& scene, int threads, const std::string& state,
                               StopFlag stop = nullptr);
 
 /// The solvers to choose from, one file each. Without a state they begin at t = 0.
 Result<SimulationPtr> simulate_in_2d(const scene::Scene& scene, int threads, StopFlag stop, const std::string* state);
+Result<SimulationPtr> simulate_hard(const scene::Scene& scene, StopFlag stop); // discs with hard contacts
 Result<SimulationPtr> simulate_in_3d(const scene::Scene& scene, int threads, StopFlag stop, const std::string* state);
 
 } // namespace tumble::run

@@ -1,3 +1,4 @@
+#include "hard2d/solver.h"
 #include "run/simulation.h"
 #include "scene/outline.h"
 #include "sim2d/solver.h"
@@ -59,29 +60,54 @@ std::shared_ptr<const observe::FrameLayout> layout_of(const scene::Scene& scene,
     return layout;
 }
 
-class Simulation2d final : public Simulation {
-public:
-    Simulation2d(const scene::Scene& scene, sim2d::WorldPtr world)
-        : scene_(scene), world_(std::move(world)), layout_(layout_of(scene, sim2d::shapes_of(*world_))) {}
+scene::TimeStepReport report_of(const sim2d::World& world, const scene::Scene& scene) {
+    return sim2d::time_step_report(scene, shapes_of(world));
+}
 
-    std::optional<Problem> advance(std::int64_t steps) override { return sim2d::advance(*world_, steps); }
-    [[nodiscard]] double time() const override { return sim2d::time_of(*world_); }
-    [[nodiscard]] std::int64_t steps() const override { return sim2d::steps_of(*world_); }
-    [[nodiscard]] Books books() const override { return sim2d::books_of(*world_); }
-    [[nodiscard]] std::shared_ptr<const observe::FrameLayout> layout() const override { return layout_; }
-    [[nodiscard]] std::vector<std::string> unfilled() const override { return sim2d::unfilled(*world_); }
-    [[nodiscard]] std::vector<PhaseTime> phase_times() const override { return sim2d::phase_times(*world_); }
-    [[nodiscard]] std::string state() const override { return sim2d::state_of(*world_); }
-    [[nodiscard]] scene::TimeStepReport time_step() const override {
-        return sim2d::time_step_report(scene_, sim2d::shapes_of(*world_));
+scene::TimeStepReport report_of(const hard2d::World& /*world*/, const scene::Scene& scene) {
+    return hard2d::time_step_report(scene);
+}
+
+std::string whole_state(const sim2d::World& world) {
+    return sim2d::state_of(world);
+}
+
+/// What Box2D remembers of its contacts is its own.
+std::string whole_state(const hard2d::World& /*world*/) {
+    return "";
+}
+
+/// A world of discs; its functions are found by its type, in sim2d or in hard2d.
+template <class WorldPtr> class Simulation2d final : public Simulation {
+public:
+    Simulation2d(const scene::Scene& scene, WorldPtr world)
+        : scene_(scene), world_(std::move(world)), layout_(layout_of(scene, shapes_of(*world_))) {}
+
+    std::optional<Problem> advance(std::int64_t steps) override {
+        using hard2d::advance, sim2d::advance;
+        return advance(*world_, steps);
     }
+    [[nodiscard]] double time() const override { return time_of(*world_); }
+    [[nodiscard]] std::int64_t steps() const override { return steps_of(*world_); }
+    [[nodiscard]] Books books() const override { return books_of(*world_); }
+    [[nodiscard]] std::shared_ptr<const observe::FrameLayout> layout() const override { return layout_; }
+    [[nodiscard]] std::vector<std::string> unfilled() const override {
+        using hard2d::unfilled, sim2d::unfilled;
+        return unfilled(*world_);
+    }
+    [[nodiscard]] std::vector<PhaseTime> phase_times() const override {
+        using hard2d::phase_times, sim2d::phase_times;
+        return phase_times(*world_);
+    }
+    [[nodiscard]] std::string state() const override { return whole_state(*world_); }
+    [[nodiscard]] scene::TimeStepReport time_step() const override { return report_of(*world_, scene_); }
 
     [[nodiscard]] observe::Frame frame() const override {
         observe::Frame frame;
         frame.layout = layout_;
         frame.time = time();
         frame.step = steps();
-        for (const sim2d::BodyState& body : sim2d::bodies_of(*world_)) {
+        for (const sim2d::BodyState& body : bodies_of(*world_)) {
             frame.id.push_back(body.id);
             frame.shape.push_back(body.shape);
             frame.position.push_back(in_space(body.position));
@@ -89,14 +115,14 @@ public:
             frame.velocity.push_back(in_space(body.velocity));
             frame.angular_velocity.emplace_back(0, 0, body.angular_velocity);
         }
-        for (const scene::WallPose& pose : sim2d::walls_of(*world_))
+        for (const scene::WallPose& pose : walls_of(*world_))
             frame.walls.push_back({pose.rotation, pose.translation, pose.velocity, pose.angular_velocity});
         return frame;
     }
 
     [[nodiscard]] std::vector<SimulatedBody> bodies() const override {
         std::vector<SimulatedBody> bodies;
-        for (const sim2d::BodyShape& shape : sim2d::shapes_of(*world_))
+        for (const sim2d::BodyShape& shape : shapes_of(*world_))
             bodies.push_back({shape.name, shape.discs.size(), shape.area * scene_.depth, shape.mass,
                               shape.inertia * Vector3d::UnitZ(), shape.bounding_radius});
         return bodies;
@@ -104,18 +130,26 @@ public:
 
 private:
     scene::Scene scene_;
-    sim2d::WorldPtr world_;
+    WorldPtr world_;
     std::shared_ptr<const observe::FrameLayout> layout_;
 };
+
+template <class WorldPtr> Result<SimulationPtr> simulation_of(const scene::Scene& scene, Result<WorldPtr> world) {
+    if (!world)
+        return world.problems();
+    return SimulationPtr(std::make_unique<Simulation2d<WorldPtr>>(scene, std::move(*world)));
+}
 
 } // namespace
 
 Result<SimulationPtr> simulate_in_2d(const scene::Scene& scene, int threads, StopFlag stop, const std::string* state) {
-    Result<sim2d::WorldPtr> world =
-        state ? sim2d::restore_world(scene, threads, *state, stop) : sim2d::build_world(scene, threads, stop);
-    if (!world)
-        return world.problems();
-    return SimulationPtr(std::make_unique<Simulation2d>(scene, std::move(*world)));
+    return simulation_of(scene,
+                         state ? sim2d::restore_world(scene, threads, *state, stop)
+                                : sim2d::build_world(scene, threads, stop));
+}
+
+Result<SimulationPtr> simulate_hard(const scene::Scene& scene, StopFlag stop) {
+    return simulation_of(scene, hard2d::build_world(scene, stop));
 }
 
 } // namespace tumble::run

@@ -150,7 +150,10 @@ KeyTable fill() {
         integer("count", from(1, 100000000), "How many.").one_of("amount"),
         number("mass_kg", "kg", above(0, 1e9), "How much: as many bodies as come nearest to this mass.")
             .one_of("amount"),
-        vector("region_lo_m", "m", from(-1e4, 1e4), "Lowest corner of the box that bodies lie wholly inside of.")
+        vector("region_lo_m", "m", from(-1e4, 1e4),
+               "Lowest corner of the box that bodies lie wholly inside of; in two dimensions also on one side of each "
+               "closed "
+               "wall, that on which most of the box lies.")
             .one_of("place"),
         vector("region_hi_m", "m", from(-1e4, 1e4), "Highest corner of that box."),
         vector("position_m", "m", from(-1e4, 1e4), "Centre of mass of a single body, put there exactly (count = 1).")

@@ -14,6 +14,11 @@ KeyTable top_level() {
         number("depth_m", "m", above(0, 1e4), "Length of discs and walls across the plane: masses are kg and forces N.")
             .in_2d()
             .must(),
+        word("solver", {"soft", "box2d"},
+             "What moves the discs: \"soft\" contacts of springs and dashpots, or the hard ones of Box2D "
+             "(docs/hard-contacts.md).")
+            .in_2d()
+            .otherwise(std::string("soft")),
         number("duration_s", "s", above(0, 1e6), "Simulated time from start to end.").must(),
         number("time_step_s", "s", above(0, 1), "Length of one step; `tumble check` says what is stable.").must(),
         flag("allow_large_step", "Run even when the step is above the stable limit."),
@@ -47,6 +52,29 @@ KeyTable domain() {
         words("periodic", {"x", "y"}, "Directions in which what leaves at one end enters at the other.")
             .in_2d()
             .otherwise(std::vector<std::string>{}),
+    };
+    return table;
+}
+
+KeyTable box2d() {
+    KeyTable table{.path = "box2d", .head = "[box2d]"};
+    table.sentence = "How Box2D works, where `solver = \"box2d\"`; docs/hard-contacts.md says what its contacts are.";
+    table.keys = {
+        number(
+            "time_step_s", "s", above(0, 1),
+            "Length of one step of Box2D; without it the shortest of: a fall from rest through Box2D's slop, half of "
+            "the smallest radius at the fastest impact, a fortieth of a wall's period; rounded down.")
+            .in_2d(),
+        integer("velocity_iterations", from(1, 1000), "How often a step goes over all contacts to agree on impulses.")
+            .in_2d()
+            .otherwise(std::int64_t{20}),
+        integer("position_iterations", from(1, 1000), "How often a step goes over all contacts to take overlaps back.")
+            .in_2d()
+            .otherwise(std::int64_t{8}),
+        number("rebound_above_m_s", "m/s", from(0, 1e4),
+               "Slower impacts do not rebound; without it twice the speed that gravity adds in a step, so that what "
+               "rests does not bounce.")
+            .in_2d(),
     };
     return table;
 }
@@ -125,7 +153,7 @@ KeyTable air() {
 } // namespace
 
 std::vector<KeyTable> world_tables() {
-    return {top_level(), domain(), contact(), air()};
+    return {top_level(), domain(), contact(), box2d(), air()};
 }
 
 } // namespace tumble::scene

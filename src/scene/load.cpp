@@ -90,6 +90,7 @@ Result<Scene> load_scene_text(std::string_view toml, const std::filesystem::path
     resolve_fills(top, to);
     resolve_walls(top, to);
     resolve_output(top, to);
+    resolve_box2d(top, to);
     check_pairs(top, to);
     if (!report.clean())
         return report.sorted(file.string());

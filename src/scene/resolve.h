@@ -35,6 +35,8 @@ void resolve_output(const View& root, const Resolving& to);    // observe, rende
 void resolve_additions(const View& pair, const Resolving& to, contact::PairProperties& properties);
 /// A law that no pair gives a parameter for is reported at the law.
 void check_additions(const View& root, const Resolving& to);
+/// After all of those: what Box2D is told, with the steps that the scene's bodies and walls ask for.
+void resolve_box2d(const View& root, const Resolving& to);
 
 /// After all of them: every two materials that can meet have a pair.
 void check_pairs(const View& root, const Resolving& to);

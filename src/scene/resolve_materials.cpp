@@ -55,6 +55,7 @@ void check_either(const View& view, const Resolving& to, const std::string& one,
 /// The linear law's keys in two dimensions; docs/theory-2d.md.
 void resolve_disc_pair(const View& view, const Resolving& to, contact::PairProperties& pair) {
     const ContactLaws& laws = to.scene.contact;
+    const bool springs = to.scene.solver == Solver::soft;
     if (view.given("contact_damping_s"))
         pair.restitution = 1;
     pair.contact_time = view.number("contact_time_s");
@@ -62,9 +63,13 @@ void resolve_disc_pair(const View& view, const Resolving& to, contact::PairPrope
     pair.damping_time = view.number("contact_damping_s");
     pair.cohesion = view.number("cohesion_N");
     check_either(view, to, "normal_stiffness_N_per_m", "contact_time_s",
-                 laws.normal == NormalLaw::linear ? "normal = \"linear\"" : "");
+                 springs && laws.normal == NormalLaw::linear ? "normal = \"linear\"" : "");
     check_either(view, to, "tangential_stiffness_N_per_m", "stiffness_ratio",
-                 laws.tangential == TangentialLaw::linear ? "tangential = \"linear\"" : "");
+                 springs && laws.tangential == TangentialLaw::linear ? "tangential = \"linear\"" : "");
+    if (!springs && view.written("contact_damping_s"))
+        to.refuse(view, "contact_damping_s",
+                  "'contact_damping_s' is a share of a spring, and the contacts of solver = \"box2d\" have none",
+                  "give restitution, or write solver = \"soft\"");
     if (view.written("contact_damping_s") && view.written("contact_time_s"))
         to.refuse(view, "contact_time_s", "'contact_time_s' follows from restitution, not from 'contact_damping_s'",
                   "give normal_stiffness_N_per_m, or restitution in place of contact_damping_s");
@@ -173,7 +178,7 @@ void resolve_materials(const View& root, const Resolving& to) {
         material.density = view.number("density_kg_m3");
         material.youngs_modulus = view.number("youngs_modulus_Pa");
         material.poisson_ratio = view.number("poisson_ratio");
-        if (scene.dimension == 2 && scene.contact.normal == NormalLaw::hertz)
+        if (scene.dimension == 2 && scene.solver == Solver::soft && scene.contact.normal == NormalLaw::hertz)
             for (const char* key : {"youngs_modulus_Pa", "poisson_ratio"})
                 if (!view.written(key))
                     to.refuse(view, key,

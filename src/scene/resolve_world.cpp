@@ -55,6 +55,7 @@ void resolve_top(const View& root, const Resolving& to) {
     scene.dimension = static_cast<int>(root.integer("dimension"));
     if (scene.dimension == 2)
         scene.depth = root.given("depth_m") ? root.number("depth_m") : 1.0;
+    scene.solver = root.text("solver") == "box2d" ? Solver::box2d : Solver::soft;
     scene.duration = root.number("duration_s");
     scene.time_step = root.number("time_step_s");
     if (root.given("duration_s") && root.given("time_step_s") && scene.time_step > scene.duration)

@@ -59,6 +59,14 @@ struct BodyTemplate {
     std::optional<Vector3d> tracer_point; // m, template frame: where a tracer's sensor sits; else the centre of mass
 };
 
+/// How Box2D is told to work; docs/hard-contacts.md. Two dimensions only.
+struct Box2dSettings {
+    double time_step = 0;        // s
+    int velocity_iterations = 0; // per step, over all contacts
+    int position_iterations = 0; // the same, that take overlaps back
+    double rebound_above = 0;    // m/s, slower impacts come back with nothing
+};
+
 enum class Orientation { random, as_written };
 
 struct Fill {
@@ -212,7 +220,9 @@ struct Scene {
     int dimension = 3;
     double depth = 0;     // m, of discs and walls; two dimensions only
     double duration = 0;  // s
-    double time_step = 0; // s
+    double time_step = 0; // s, of the soft solvers; a run takes step()
+    Solver solver = Solver::soft;
+    Box2dSettings box2d;
     std::uint64_t seed = 1;
     bool allow_large_step = false; // expert: run even above the stable limit
     Vector3d gravity{0, -9.81, 0}; // m/s2
@@ -243,6 +253,8 @@ struct Scene {
                                dimension == 2 ? contact::rolling_stiffness_of_discs
                                               : contact::rolling_stiffness_of_spheres);
     }
+    /// Length of the steps that the scene's solver takes, s.
+    [[nodiscard]] double step() const { return solver == Solver::box2d ? box2d.time_step : time_step; }
     [[nodiscard]] const contact::PairProperties& pair(int a, int b) const {
         return pairs[static_cast<std::size_t>(a) * materials.size() + static_cast<std::size_t>(b)];
     }

@@ -100,32 +100,6 @@ double height_along(const Vector3d& up, const Box& box, bool top) {
     return height;
 }
 
-/// The fall from each fill's top to the domain's bottom on top of its own velocity, plus the fastest wall; or two fills
-/// thrown at each other.
-double impact_speed(const Scene& scene) {
-    const double g = scene.gravity.norm();
-    const Vector3d up = g > 0 ? Vector3d(-scene.gravity / g) : Vector3d::Zero();
-    const double bottom = height_along(up, scene.domain.box, false);
-    double fall = 0, meeting = 0;
-    for (const Fill& fill : scene.fills) {
-        const double top = fill.position ? up.dot(*fill.position) : height_along(up, fill.region, true);
-        fall = std::max(fall, std::sqrt(fill.velocity.squaredNorm() + 2 * g * std::max(0.0, top - bottom)));
-        for (const Fill& other : scene.fills)
-            meeting = std::max(meeting, (fill.velocity - other.velocity).norm());
-    }
-    if (scene.fills.empty())
-        fall = std::sqrt(2 * g * (height_along(up, scene.domain.box, true) - bottom));
-    const Vector3d middle = (scene.domain.box.lo + scene.domain.box.hi) / 2;
-    Vector3d across = scene.domain.box.hi - scene.domain.box.lo;
-    if (scene.dimension == 2)
-        across.z() = 0;
-    const double reach = across.norm() / 2;
-    double wall_speed = 0;
-    for (const Wall& wall : scene.walls)
-        wall_speed = std::max(wall_speed, speed_bound(wall.motion, middle, reach));
-    return std::max({fall + wall_speed, meeting, speed_least});
-}
-
 void keep_smallest(double& time, double candidate) {
     if (candidate < time || time == 0)
         time = candidate;
@@ -169,6 +143,30 @@ void add_contact(TimeStepReport& report, const Scene& scene, const Contact& cont
 }
 
 } // namespace
+
+double impact_speed(const Scene& scene) {
+    const double g = scene.gravity.norm();
+    const Vector3d up = g > 0 ? Vector3d(-scene.gravity / g) : Vector3d::Zero();
+    const double bottom = height_along(up, scene.domain.box, false);
+    double fall = 0, meeting = 0;
+    for (const Fill& fill : scene.fills) {
+        const double top = fill.position ? up.dot(*fill.position) : height_along(up, fill.region, true);
+        fall = std::max(fall, std::sqrt(fill.velocity.squaredNorm() + 2 * g * std::max(0.0, top - bottom)));
+        for (const Fill& other : scene.fills)
+            meeting = std::max(meeting, (fill.velocity - other.velocity).norm());
+    }
+    if (scene.fills.empty())
+        fall = std::sqrt(2 * g * (height_along(up, scene.domain.box, true) - bottom));
+    const Vector3d middle = (scene.domain.box.lo + scene.domain.box.hi) / 2;
+    Vector3d across = scene.domain.box.hi - scene.domain.box.lo;
+    if (scene.dimension == 2)
+        across.z() = 0;
+    const double reach = across.norm() / 2;
+    double wall_speed = 0;
+    for (const Wall& wall : scene.walls)
+        wall_speed = std::max(wall_speed, speed_bound(wall.motion, middle, reach));
+    return std::max({fall + wall_speed, meeting, speed_least});
+}
 
 TimeStepReport time_step_report(const Scene& scene, const std::vector<ContactSide>& bodies,
                                 const std::vector<NamedRadius>& parts) {

@@ -24,6 +24,10 @@ struct TimeStepReport {
     [[nodiscard]] bool stable() const { return step <= limit; }
 };
 
+/// The fastest impact that the scene lets expect, m/s: the fall from each fill's top to the domain's bottom on top of
+/// its own velocity, plus the fastest wall; or two fills thrown at each other.
+double impact_speed(const Scene& scene);
+
 /// One side of a contact: a body at its outermost sphere or disc, or a wall.
 struct ContactSide {
     std::string name;

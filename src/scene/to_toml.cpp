@@ -8,13 +8,23 @@
 namespace tumble::scene {
 namespace {
 
+void write_box2d(const Box2dSettings& settings, TomlWriter& to) {
+    to.table("box2d", "[box2d]");
+    to.number("time_step_s", settings.time_step);
+    to.integer("velocity_iterations", settings.velocity_iterations);
+    to.integer("position_iterations", settings.position_iterations);
+    to.number("rebound_above_m_s", settings.rebound_above);
+}
+
 void write_world(const Scene& scene, TomlWriter& to) {
     to.table("", "");
     to.text("title", scene.title);
     to.text("claim", scene.claim);
     to.integer("dimension", scene.dimension);
-    if (scene.dimension == 2)
+    if (scene.dimension == 2) {
         to.number("depth_m", scene.depth);
+        to.text("solver", scene.solver == Solver::box2d ? "box2d" : "soft");
+    }
     to.number("duration_s", scene.duration);
     to.number("time_step_s", scene.time_step);
     to.flag("allow_large_step", scene.allow_large_step);
@@ -47,6 +57,8 @@ void write_world(const Scene& scene, TomlWriter& to) {
         to.number("global_damping_per_s", scene.contact.global_damping);
     else
         to.flag("share_among_body_contacts", scene.contact.share_among_body_contacts);
+    if (scene.dimension == 2)
+        write_box2d(scene.box2d, to);
 }
 
 void write_air(const Scene& scene, TomlWriter& to) {
@@ -102,7 +114,7 @@ void write_materials(const Scene& scene, TomlWriter& to) {
         for (int b = a; b < n; ++b) {
             const contact::PairProperties& pair = scene.pair(a, b);
             const bool springless = pair.normal_stiffness == 0 && pair.contact_time == 0;
-            if (scene.contact.normal == NormalLaw::linear && springless)
+            if (scene.solver == Solver::soft && scene.contact.normal == NormalLaw::linear && springless)
                 continue; // a pair that never meets was not given
             const auto name = [&](int i) { return scene.materials[static_cast<std::size_t>(i)].name; };
             to.table("pair", fmt::format("[pair.{}]", TomlWriter::name(name(a) + "-" + name(b))));

@@ -65,18 +65,18 @@ double span_of(const Figure& figure, const Axis& axis, std::vector<double> Curve
     return hi - lo;
 }
 
-/// A drawing of equal scales that is low for its width gets a canvas as low, and ticks that leave each other room.
+/// A drawing of bound scales that is low for its width gets a canvas as low, and ticks that leave each other room.
 std::string canvas(const Figure& figure, bool svg) {
     const int width = svg ? 800 : 1200, usual = svg ? 500 : 750;
     std::string ticks;
     int height = usual;
-    if (figure.equal_scales) {
+    if (figure.stretch > 0) {
         const double up = span_of(figure, figure.y, &Curve::y), across = span_of(figure, figure.x, &Curve::x);
-        const double plot = 0.87 * width * up / across;
+        const double plot = 0.87 * width * figure.stretch * up / across;
         height = static_cast<int>(std::min(1.0 * usual, plot + 0.36 * usual));
         if (plot < 0.3 * usual)
             ticks = fmt::format("set ytics {:.1g}\n", up / 2);
-        ticks += "set size ratio -1\n";
+        ticks += fmt::format("set size ratio {:.6g}\n", -figure.stretch);
     }
     return fmt::format("set terminal {} size {},{} font 'DejaVu Sans,{}' background 'white' noenhanced\n",
                        svg ? "svg" : "pngcairo", width, height, svg ? 13 : 14) +

@@ -57,10 +57,17 @@ struct Figure {
     std::string title;
     Axis x, y;
     std::vector<Curve> curves{};
-    bool equal_scales = false; // a metre along x is as long as one along y
+    double stretch = 0; // a unit of y is drawn so many times as long as one of x; 0: each axis fills the picture
 };
 
-using Part = std::variant<Heading, Paragraph, Formula, Grid, Figure>;
+/// A picture that is drawn elsewhere, NAME.png among the sheet's figures.
+struct Picture {
+    std::string name;
+    std::string title;
+    std::string note; // what else there is of it
+};
+
+using Part = std::variant<Heading, Paragraph, Formula, Grid, Figure, Picture>;
 
 /// A number that the sheet rests on, under a name that stays.
 struct Fact {

@@ -37,6 +37,10 @@ Json json_of(const Figure& figure) {
             {"curves", curves}};
 }
 
+Json json_of(const Picture& picture) {
+    return {{"picture", picture.name}, {"title", picture.title}, {"note", picture.note}};
+}
+
 } // namespace
 
 Json to_json(const Sheet& sheet) {

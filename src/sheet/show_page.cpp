@@ -62,6 +62,10 @@ struct PageWriter {
     std::string operator()(const Figure& figure) const {
         return fmt::format("![{}]({}/{}.svg)\n", figure.title, folder, figure.name);
     }
+    std::string operator()(const Picture& picture) const {
+        return fmt::format("![{0}]({1}/{2}.png)\n\n", picture.title, folder, picture.name) +
+               wrapped(prose(picture.title + "; " + picture.note + "."), 120);
+    }
 };
 
 } // namespace

@@ -66,6 +66,10 @@ std::string text_of(const Figure& figure) {
                    text_width);
 }
 
+std::string text_of(const Picture& picture) {
+    return wrapped(fmt::format("[picture {}: {}; {}]", picture.name, picture.title, picture.note), text_width);
+}
+
 } // namespace
 
 std::size_t letters(const std::string& text) {

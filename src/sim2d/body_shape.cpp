@@ -112,4 +112,26 @@ std::vector<int> contact_discs(const BodyShape& shape) {
     return kept;
 }
 
+Result<std::vector<ShapeData>> shapes_for(const scene::Scene& scene) {
+    std::vector<ShapeData> shapes;
+    Problems problems;
+    for (const scene::BodyTemplate& body : scene.bodies) {
+        const auto shape = make_body_shape(body, scene.materials[static_cast<std::size_t>(body.material)], scene.depth);
+        if (!shape) {
+            const Problems more = shape.problems();
+            problems.insert(problems.end(), more.begin(), more.end());
+            continue;
+        }
+        ShapeData data{*shape, body.material, {}};
+        for (const int k : contact_discs(*shape)) {
+            const Disc& disc = shape->discs[static_cast<std::size_t>(k)];
+            data.exposed.insert(data.exposed.end(), {disc.centre.x(), disc.centre.y(), disc.radius});
+        }
+        shapes.push_back(std::move(data));
+    }
+    if (!problems.empty())
+        return problems;
+    return shapes;
+}
+
 } // namespace tumble::sim2d

@@ -19,4 +19,14 @@ Result<BodyShape> make_body_shape(const scene::BodyTemplate& body, const contact
 /// rim lies inside others.
 std::vector<int> contact_discs(const BodyShape& shape);
 
+/// A template with what touching and placing need of it.
+struct ShapeData {
+    BodyShape shape;
+    int material = 0;
+    std::vector<double> exposed; // x y r of the discs that can touch anything, about the centre of mass
+};
+
+/// Parallel to the scene's bodies. Problems: those of make_body_shape.
+Result<std::vector<ShapeData>> shapes_for(const scene::Scene& scene);
+
 } // namespace tumble::sim2d

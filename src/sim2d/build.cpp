@@ -25,15 +25,6 @@ constexpr double near_skin_per_skin = 0.3;
 // Walls do not take part in the mean flow, so discs may pass them long before they pass each other.
 constexpr double wall_skin_per_skin = 4;
 
-ShapeData prepare_shape(const BodyShape& shape, int material) {
-    ShapeData data{shape, material, {}};
-    for (const int k : contact_discs(shape)) {
-        const Disc& disc = shape.discs[static_cast<std::size_t>(k)];
-        data.exposed.insert(data.exposed.end(), {disc.centre.x(), disc.centre.y(), disc.radius});
-    }
-    return data;
-}
-
 ShapeConstants constants_of(const ShapeData& data) {
     ShapeConstants constants{};
     constants.mass = data.shape.mass;
@@ -51,23 +42,15 @@ ShapeConstants constants_of(const ShapeData& data) {
 }
 
 Problems make_shapes(World& world) {
-    Problems problems;
-    for (const scene::BodyTemplate& body : world.scene.bodies) {
-        if (stop_wanted(world.stop))
-            break;
-        const auto shape =
-            make_body_shape(body, world.scene.materials[static_cast<std::size_t>(body.material)], world.scene.depth);
-        if (!shape) {
-            const Problems more = shape.problems();
-            problems.insert(problems.end(), more.begin(), more.end());
-            continue;
-        }
-        world.plain_shapes.push_back(*shape);
-        world.shapes.push_back(prepare_shape(*shape, body.material));
-    }
-    for (const ShapeData& data : world.shapes)
+    Result<std::vector<ShapeData>> shapes = shapes_for(world.scene);
+    if (!shapes)
+        return shapes.problems();
+    world.shapes = std::move(*shapes);
+    for (const ShapeData& data : world.shapes) {
+        world.plain_shapes.push_back(data.shape);
         world.shape_constants.push_back(constants_of(data));
-    return problems;
+    }
+    return {};
 }
 
 void make_walls(World& world) {

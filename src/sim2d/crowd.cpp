@@ -1,6 +1,7 @@
 #include "sim2d/crowd.h"
 
 #include "scene/period.h"
+#include "sim2d/cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,41 +10,47 @@ namespace tumble::sim2d {
 
 using Eigen::Vector2d;
 
-std::vector<Disc> discs_of(const World& world, const Placement& body) {
-    const ShapeConstants& shape = world.shape_constants[static_cast<std::size_t>(body.shape)];
+std::vector<Disc> discs_of(const std::vector<ShapeData>& shapes, const Placement& body) {
+    const std::vector<double>& exposed = shapes[static_cast<std::size_t>(body.shape)].exposed;
     const double c = std::cos(body.angle), s = std::sin(body.angle);
     std::vector<Disc> discs;
-    for (int k = 0; k < shape.exposed_count; ++k) {
-        const double* disc = shape.exposed + 3 * static_cast<std::ptrdiff_t>(k);
-        discs.push_back({body.position + Vector2d(c * disc[0] - s * disc[1], s * disc[0] + c * disc[1]), disc[2]});
+    for (std::size_t k = 0; k < exposed.size(); k += 3) {
+        const double x = exposed[k], y = exposed[k + 1];
+        discs.push_back({body.position + Vector2d(c * x - s * y, s * x + c * y), exposed[k + 2]});
     }
     return discs;
 }
 
-bool in_wall(const World& world, const std::vector<Disc>& discs) {
+bool in_wall(const std::vector<StandingWall>& walls, const std::vector<Disc>& discs) {
     std::vector<int> pieces;
-    for (const WallState& wall : world.walls)
+    for (const StandingWall& wall : walls)
         for (const Disc& disc : discs) {
-            wall.line.pieces_near(wall.frame.to_wall(disc.centre), disc.radius, pieces);
+            wall.line->pieces_near(wall.frame.to_wall(disc.centre), disc.radius, pieces);
             if (!pieces.empty())
                 return true;
         }
     return false;
 }
 
-Crowd::Crowd(const World& world, std::int64_t more) : world_(world) {
-    double width = std::max(2 * world.largest_radius, 1e-9);
-    const Vector2d length = (world.scene.domain.box.hi - world.scene.domain.box.lo).head<2>();
-    const double room = cells_per_point * (static_cast<double>(more) + world.tags) + 64;
-    while ((length / width).array().floor().max(1).prod() > room)
+Crowd::Crowd(const scene::Domain& domain, const std::vector<ShapeData>& shapes, const std::vector<Placement>& bodies,
+             std::int64_t more)
+    : domain_(domain) {
+    double largest = 0;
+    for (const ShapeData& data : shapes)
+        for (std::size_t k = 2; k < data.exposed.size(); k += 3)
+            largest = std::max(largest, data.exposed[k]);
+    double points = static_cast<double>(more);
+    for (const Placement& body : bodies)
+        points += static_cast<double>(shapes[static_cast<std::size_t>(body.shape)].exposed.size()) / 3;
+    double width = std::max(2 * largest, 1e-9);
+    const Vector2d length = (domain.box.hi - domain.box.lo).head<2>();
+    while ((length / width).array().floor().max(1).prod() > cells_per_point * points + 64)
         width *= 1.41;
     for (int k = 0; k < 2; ++k)
         size_[static_cast<std::size_t>(k)] = std::max(static_cast<int>(length[k] / width), 1);
     first_.assign(static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]), -1);
-    for (int slot = 0; slot < world.bodies(); ++slot)
-        add(discs_of(world, {world.shape[static_cast<std::size_t>(slot)],
-                             {world.row(slot).x, world.row(slot).y},
-                             world.angle[static_cast<std::size_t>(slot)]}));
+    for (const Placement& body : bodies)
+        add(discs_of(shapes, body));
 }
 
 void Crowd::add(const std::vector<Disc>& discs) {
@@ -69,16 +76,15 @@ bool Crowd::leaves_room_for(const std::vector<Disc>& discs) const {
 }
 
 bool Crowd::cell_leaves_room(const Disc& disc, std::array<int, 2> at) const {
-    const scene::Domain& domain = world_.scene.domain;
     Vector2d shift = Vector2d::Zero();
     for (std::size_t k = 0; k < 2; ++k) {
         if (at[k] >= 0 && at[k] < size_[k])
             continue;
-        if (!domain.periodic[k])
+        if (!domain_.periodic[k])
             return true;
         const auto axis = static_cast<Eigen::Index>(k);
         const int turn = at[k] < 0 ? -1 : 1;
-        shift[axis] = turn * (domain.box.hi[axis] - domain.box.lo[axis]);
+        shift[axis] = turn * (domain_.box.hi[axis] - domain_.box.lo[axis]);
         at[k] -= turn * size_[k];
     }
     for (int k = first_[index(at)]; k >= 0; k = next_[static_cast<std::size_t>(k)]) {
@@ -91,14 +97,14 @@ bool Crowd::cell_leaves_room(const Disc& disc, std::array<int, 2> at) const {
 }
 
 Vector2d Crowd::into_box(Vector2d centre) const {
-    const scene::Domain& domain = world_.scene.domain;
+    const scene::Box& box = domain_.box;
     for (int axis = 0; axis < 2; ++axis)
-        centre[axis] -= scene::periods_past(domain, axis, centre[axis]) * (domain.box.hi[axis] - domain.box.lo[axis]);
+        centre[axis] -= scene::periods_past(domain_, axis, centre[axis]) * (box.hi[axis] - box.lo[axis]);
     return centre;
 }
 
 std::array<int, 2> Crowd::place(const Vector2d& centre) const {
-    const scene::Box& box = world_.scene.domain.box;
+    const scene::Box& box = domain_.box;
     std::array<int, 2> at{};
     for (std::size_t k = 0; k < 2; ++k) {
         const auto axis = static_cast<Eigen::Index>(k);

@@ -12,6 +12,7 @@ using scene::OutlinePiece;
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
+constexpr int lines_per_turn = 180; // of the rim, which is asked only about points further from the wall than a disc
 
 double cross(const Vector2d& a, const Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
@@ -78,6 +79,27 @@ WallLine::WallLine(const scene::Outline& outline, const scene::Domain& domain)
     const double tolerance = 1e-9 * (bounds.hi - bounds.lo).norm();
     for (const OutlinePiece& piece : pieces_)
         joints_.push_back({joint_at(piece.from, tolerance), joint_at(piece.to, tolerance)});
+    std::vector<int> ends_at(ends_.size(), 0);
+    for (const auto& piece : joints_)
+        for (const int joint : piece)
+            ++ends_at[static_cast<std::size_t>(joint)];
+    if (std::any_of(ends_at.begin(), ends_at.end(), [](int count) { return count != 2; }))
+        return;
+    for (const OutlinePiece& piece : pieces_) {
+        const std::vector<Vector2d> points = scene::points_along(piece, turn / lines_per_turn);
+        for (std::size_t k = 1; k < points.size(); ++k)
+            rim_.push_back({points[k - 1], points[k]});
+    }
+}
+
+/// A ray to the right leaves a closed wall once more than it enters.
+bool WallLine::encloses(const Vector2d& point) const {
+    bool inside = false;
+    for (const auto& [a, b] : rim_)
+        if ((a.y() > point.y()) != (b.y() > point.y()) &&
+            point.x() < a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+            inside = !inside;
+    return inside;
 }
 
 int WallLine::joint_at(const Vector2d& end, double tolerance) {

@@ -73,6 +73,11 @@ public:
     int touches(const Eigen::Vector2d& centre, double radius, std::span<const int> pieces,
                 std::span<WallTouch> out) const;
 
+    /// Whether the wall comes back to its beginning everywhere, so that it has an inside: a circle, a box, ...
+    [[nodiscard]] bool closed() const { return !rim_.empty(); }
+    /// Whether the point lies inside of a closed wall.
+    [[nodiscard]] bool encloses(const Eigen::Vector2d& point) const;
+
 private:
     /// The closest point of a piece; `joint` is where it is an end, else -1.
     struct Nearest {
@@ -84,8 +89,9 @@ private:
 
     std::vector<scene::OutlinePiece> pieces_;
     PieceGrid grid_;
-    std::vector<std::array<int, 2>> joints_; // per piece, of its two ends; equal for a whole circle
-    std::vector<Eigen::Vector2d> ends_;      // per joint, m
+    std::vector<std::array<int, 2>> joints_;          // per piece, of its two ends; equal for a whole circle
+    std::vector<Eigen::Vector2d> ends_;               // per joint, m
+    std::vector<std::array<Eigen::Vector2d, 2>> rim_; // straight lines along a closed wall; empty for an open one
 };
 
 } // namespace tumble::sim2d

@@ -4,7 +4,6 @@
 #include "base/lines.h"
 #include "base/parallel_for.h"
 #include "base/phases.h"
-#include "base/rng.h"
 #include "base/stop.h"
 #include "contact/air_drag.h"
 #include "contact/material.h"
@@ -12,6 +11,7 @@
 #include "sim2d/cells.h"
 #include "sim2d/kept_memory.h"
 #include "sim2d/kernels.h"
+#include "sim2d/placing.h"
 #include "sim2d/solver.h"
 #include "sim2d/wall_line.h"
 
@@ -27,13 +27,6 @@
 /// number of threads; whatever a chunk does, it does in one fixed order, and chunks hand each other forces through
 /// outboxes that are emptied in a fixed order. That is why one thread and two give the same bits.
 namespace tumble::sim2d {
-
-/// Per template, what the solver needs beside BodyShape.
-struct ShapeData {
-    BodyShape shape;
-    int material = 0;
-    std::vector<double> exposed; // x y r of the discs that can touch anything, about the centre of mass
-};
 
 /// The smooth velocity field that neighbours share. Lists wear by what rows do beside it, so a bed that shakes as one
 /// or shears evenly keeps its lists for long.
@@ -144,15 +137,6 @@ struct WallState {
     WallFrame frame;      // at the step's time
     WallFrame half_frame; // half a step earlier, where leapfrog's velocities live
     double travel = 0;    // m, odometer: way beside the mean flow since the last rebuild
-};
-
-struct FillState {
-    scene::Fill fill;
-    Rng rng{0};
-    std::int64_t asked = 0;
-    std::int64_t placed = 0;
-    std::int64_t next_step = 0;
-    bool over = false;
 };
 
 /// Running sums, J. Losses are sums of force * velocity * dt at the steps; the books take the last one half.

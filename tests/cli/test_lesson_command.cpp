@@ -2,6 +2,8 @@
 #include "process.h"
 
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
 using namespace tumble::test;
 
@@ -45,6 +47,61 @@ TEST_CASE("a name, a flag or a value that no lesson takes is told with the right
     CHECK(contains(value.err, "0.05 to 1"));
     for (const Outcome& outcome : {name, flag, value})
         CHECK(outcome.out.empty());
+}
+
+TEST_CASE("an absurd value is one problem with the range beside it, exit code 2 and nothing on stdout") {
+    const Folder folder;
+    struct Absurd {
+        std::vector<std::string> words;
+        std::string said;
+    };
+    const std::vector<Absurd> all{
+        {{"clumps", "--radius_mm", "-1"}, "--radius_mm is -1, out of its range\n    mm, 2 to 100\n"},
+        {{"clumps", "--radius_mm=-1"}, "--radius_mm is -1, out of its range\n    mm, 2 to 100\n"},
+        {{"clumps", "--radius_mm", "0"}, "--radius_mm is 0, out of its range\n    mm, 2 to 100\n"},
+        {{"repose", "--count", "1e99"}, "--count is 1e+99, out of its range\n    60 to 800\n"},
+        {{"friction", "--friction", "nan"}, "--friction takes a number, not 'nan'\n    0.05 to 1\n"},
+        {{"friction", "--friction", "inf"}, "--friction takes a number, not 'inf'\n    0.05 to 1\n"},
+        {{"friction", "--friction", "1e999"}, "--friction takes a number, not '1e999'\n    0.05 to 1\n"},
+        {{"friction", "--friction", "0,3"}, "--friction takes a number, not '0,3'\n    0.05 to 1\n"},
+        {{"friction", "--friction", ""}, "--friction takes a number, not ''\n    0.05 to 1\n"},
+    };
+    for (const Absurd& one : all) {
+        CAPTURE(one.said);
+        std::vector<std::string> words{"lesson"};
+        words.insert(words.end(), one.words.begin(), one.words.end());
+        const Outcome outcome = tumble_in(folder, words);
+        CHECK(outcome.code == 2);
+        CHECK(outcome.err == "error: " + one.said);
+        CHECK(outcome.out.empty());
+    }
+}
+
+TEST_CASE("several wrong values are told at once, each of them once, in the order of the lesson's parameters") {
+    const Folder folder;
+    const Outcome outcome =
+        tumble_in(folder, {"lesson", "soft-and-hard", "--friction", "-1", "--speed_m_s", "fast", "--restitution", "2"});
+    CHECK(outcome.code == 2);
+    CHECK(outcome.err == "error: --restitution is 2, out of its range\n    0.05 to 1\n"
+                         "error: --friction is -1, out of its range\n    0.05 to 1\n"
+                         "error: --speed_m_s takes a number, not 'fast'\n    m/s, 0.1 to 2\n");
+}
+
+TEST_CASE("a flag that another lesson has, one without its value, or a second lesson is told, and nothing is walked") {
+    const Folder folder;
+    for (const auto& [words, said] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+             {{"lesson", "two-discs", "--steps", "1e99"}, "`tumble lesson two-discs` has no flag '--steps'"},
+             {{"lesson", "two-discs", "--radius", "-1"}, "`tumble lesson two-discs` has no flag '--radius'"},
+             {{"lesson", "friction", "--friction"}, "--friction"},
+             {{"lesson", "friction", "repose"}, "repose"},
+             {{"lesson", "sofd-and-hard"}, "did you mean 'soft-and-hard'?"},
+             {{"lesson", "quicksort"}, "there is no lesson 'quicksort'\n    `tumble lesson` lists all there are"}}) {
+        CAPTURE(said);
+        const Outcome outcome = tumble_in(folder, words);
+        CHECK(outcome.code == 2);
+        CHECK(contains(outcome.err, said));
+        CHECK(outcome.out.empty());
+    }
 }
 
 TEST_CASE("a lesson as JSON carries its facts and the data of its curves") {

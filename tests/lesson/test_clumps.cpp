@@ -33,3 +33,17 @@ TEST_CASE("clumps: mass is that of the union") {
         CHECK(walk.fact(fmt::format("mass_at_{}", share)) == about(volume * density, 1e-6));
     }
 }
+
+TEST_CASE(
+    "clumps: spheres pack between the closest and the loosest random packing, and friction keeps every body loose") {
+    const Walk walk = taught("clumps");
+    // Random close packing leaves 0.36 empty (Scott 1960), random loose packing 0.445 (Onoda and Liniger 1990). Soft
+    // spheres without friction may lie a little closer, and a layer of 60 bodies scatters by 0.02.
+    CHECK(walk.fact("voidage_spheres_smooth") > 0.31);
+    CHECK(walk.fact("voidage_spheres_smooth") < 0.38);
+    CHECK(walk.fact("voidage_spheres") > 0.37);
+    CHECK(walk.fact("voidage_spheres") < 0.445);
+    CHECK(walk.fact("voidage_spheres") > walk.fact("voidage_spheres_smooth") + 0.02);
+    CHECK(walk.fact("voidage_cones") > walk.fact("voidage_cones_smooth") + 0.04);
+    CHECK(walk.fact("voidage_cones_smooth") < 0.34);
+}

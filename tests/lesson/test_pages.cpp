@@ -27,6 +27,8 @@ TEST_CASE("docs/lessons says what the program teaches, and every figure shows it
             CHECK_MESSAGE(svg.find(mark_of(*figure)) != std::string::npos,
                           lesson.name << "/" << figure->name << remedy);
         }
+        for (const Film& film : walk.films)
+            CHECK(std::filesystem::exists(pages / lesson.name / (film.name + ".png")));
     }
     const bool fresh = test::content_of(pages / "index.md") == contents_page();
     CHECK_MESSAGE(fresh, "docs/lessons/index.md" << remedy);

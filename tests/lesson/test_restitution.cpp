@@ -46,3 +46,18 @@ TEST_CASE("restitution: a contact that may not pull rebounds as Schwager and Pö
     const double expected = std::exp(-zeta / root * (std::numbers::pi - angle));
     CHECK(taught("restitution").fact("limited_restitution") == about(expected, 5e-3));
 }
+
+TEST_CASE("restitution: a spring too soft for the impact is refused in the lesson's own words, with one that is stiff "
+          "enough") {
+    const auto lesson = find_lesson("restitution");
+    REQUIRE(lesson.ok());
+    const auto soft = read_values(**lesson, {{"normal_stiffness_N_per_m", "1e4"}, {"speed_m_s", "2"}});
+    REQUIRE(soft.ok());
+    const auto refused = (*lesson)->teach(*soft);
+    REQUIRE(!refused.ok());
+    // 1 kg at 4 * 2 m/s sinks 8 / sqrt(1e4) = 0.08 m; half of the radius 0.1 m asks for (8 / 0.05)^2 N/m.
+    CHECK(refused.problems()[0].what.find("sinks 0.08 m into the wall at 8 m/s") != std::string::npos);
+    CHECK(refused.problems()[0].fix == "give a spring of at least 2.56e+04 N/m, less mass or less speed");
+    const auto stiff = read_values(**lesson, {{"normal_stiffness_N_per_m", "2.6e4"}, {"speed_m_s", "2"}});
+    CHECK((*lesson)->teach(*stiff).ok());
+}

@@ -32,6 +32,12 @@ TEST_CASE("time-step: dashpots bring the limit down") {
     CHECK(walk.fact("limit_seen") == about(limit, 2e-3));
 }
 
+TEST_CASE("time-step: the softest spring with the largest mass makes the lesson, and so do their opposites") {
+    for (const auto& [stiffness, mass] : {std::pair{"1", "1000"}, std::pair{"1e9", "1e-6"}}) // slowest, fastest swing
+        CHECK(taught("time-step", {{"normal_stiffness_N_per_m", stiffness}, {"mass_kg", mass}})
+                  .fact("force_of_50_steps") == about(1, 2e-3));
+}
+
 TEST_CASE("time-step: fifty steps in a contact give the peak force to two in a thousand") {
     CHECK(taught("time-step").fact("force_of_50_steps") == about(1, 2e-3));
 }

@@ -25,13 +25,6 @@ fs::path finished_run(const Folder& folder) {
 
 void silent(std::int64_t, std::int64_t) {}
 
-std::size_t count_files(const fs::path& folder, const std::string& extension) {
-    std::size_t count = 0;
-    for (const auto& entry : fs::directory_iterator(folder))
-        count += entry.path().extension() == extension ? 1 : 0;
-    return count;
-}
-
 } // namespace
 
 TEST_CASE("a run is redrawn with other settings, in whole or in part, without simulating") {
@@ -42,7 +35,7 @@ TEST_CASE("a run is redrawn with other settings, in whole or in part, without si
     options.settings = loaded(falling_ball).render;
     options.settings.camera = "top";
     options.settings.color = "vy";
-    options.pictures = folder.path / "drawn";
+    options.targets.folder = folder.path / "drawn";
     options.when.from = 0.004;
     options.when.to = 0.016;
     const auto done = run::redraw(run, options, silent);
@@ -50,7 +43,7 @@ TEST_CASE("a run is redrawn with other settings, in whole or in part, without si
     CHECK(done->frames == 3); // 0.005, 0.010, 0.015
     CHECK(done->first == about(0.005));
     CHECK(done->last == about(0.015));
-    CHECK(count_files(options.pictures, ".png") == 3);
+    CHECK(count_files(options.targets.folder, ".png") == 3);
     CHECK(content_of(run / "series.csv") == series);
 
     const Problems again = run::redraw(run, options, silent).problems();
@@ -59,7 +52,7 @@ TEST_CASE("a run is redrawn with other settings, in whole or in part, without si
     options.overwrite = true;
     options.when.from = 0.012;
     REQUIRE(run::redraw(run, options, silent).ok());
-    CHECK(count_files(options.pictures, ".png") == 1); // older pictures do not stay among the new ones
+    CHECK(count_files(options.targets.folder, ".png") == 1); // older pictures do not stay among the new ones
 }
 
 TEST_CASE("a cut takes the frames at its ends, which sit at the nearest step, and keeps their numbers") {
@@ -82,11 +75,11 @@ TEST_CASE("a cut takes the frames at its ends, which sit at the nearest step, an
         CHECK_MESSAGE(fs::exists(options.paraview / name), name);
     run::RedrawOptions drawing;
     drawing.settings = loaded(falling_ball).render;
-    drawing.pictures = folder.path / "drawn";
+    drawing.targets.folder = folder.path / "drawn";
     drawing.when = options.when;
     REQUIRE(run::redraw(running.folder, drawing, silent).ok());
-    CHECK(fs::exists(drawing.pictures / "frame_000004.png"));
-    CHECK_FALSE(fs::exists(drawing.pictures / "frame_000000.png"));
+    CHECK(fs::exists(drawing.targets.folder / "frame_000004.png"));
+    CHECK_FALSE(fs::exists(drawing.targets.folder / "frame_000000.png"));
 }
 
 TEST_CASE("a redrawing may give walls another opacity and the picture another title") {
@@ -97,9 +90,9 @@ TEST_CASE("a redrawing may give walls another opacity and the picture another ti
         loaded(falling_ball, {"render.camera=top", "render.width_px=640", "render.height_px=360"}).render;
     options.when.to = 0;
     const auto drawn = [&](const char* name) {
-        options.pictures = folder.path / name;
+        options.targets.folder = folder.path / name;
         REQUIRE(run::redraw(run, options, silent).ok());
-        return content_of(options.pictures / "frame_000000.png");
+        return content_of(options.targets.folder / "frame_000000.png");
     };
     const std::string usual = drawn("usual");
     options.title = "A ball that falls";
@@ -167,7 +160,7 @@ TEST_CASE("what is no run, or has no frame in the time asked for, is refused and
     const Folder folder;
     run::RedrawOptions options;
     options.settings = loaded(falling_ball).render;
-    options.pictures = folder.path / "drawn";
+    options.targets.folder = folder.path / "drawn";
     CHECK(run::redraw(folder.path / "none", options, silent).problems()[0].what == "there is no such folder");
     CHECK(run::redraw(folder.path, options, silent).problems()[0].what.find("not the folder of a run") !=
           std::string::npos);

@@ -1,0 +1,74 @@
+// A scene of two dimensions under either solver: simulated seconds per second of processor time, and the mean slope of
+// the free surface, where there is one, by which a step is seen to be short enough.
+#include "observe/surface.h"
+#include "run/simulation.h"
+#include "scene/load.h"
+#include "support/arguments.h"
+
+#include <cmath>
+#include <ctime>
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+using namespace tumble;
+
+namespace {
+
+scene::Scene load(const std::string& file, const std::vector<std::string>& sets) {
+    std::vector<scene::Override> overrides;
+    for (const std::string& set : sets)
+        overrides.push_back({set});
+    const auto scene = scene::load_scene(file, overrides);
+    if (!scene)
+        bench::refuse(to_string(scene.problems()));
+    return *scene;
+}
+
+/// Of this process, which has one thread: what others do meanwhile does not count.
+double processor_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+void advance_to(run::Simulation& simulation, double time, double step) {
+    if (const auto problem = simulation.advance(std::llround(time / step) - simulation.steps()))
+        bench::refuse(to_string(*problem));
+}
+
+} // namespace
+
+/// A number of JSON, which knows no NaN.
+std::string number(double value) {
+    return std::isfinite(value) ? fmt::format("{:.5g}", value) : "null";
+}
+
+/// scene=scenes/drum-2d.toml sets=KEY=VALUE,... from=0 until=(the scene's duration)
+int main(int count, char** words) {
+    bench::Arguments arguments(count, words);
+    const scene::Scene scene = load(arguments.text("scene", "scenes/drum-2d.toml"), arguments.words("sets"));
+    const double from = arguments.number("from", 0), until = arguments.number("until", scene.duration);
+    arguments.finish();
+    const auto built = run::simulate(scene, 1);
+    if (!built)
+        bench::refuse(to_string(built.problems()));
+    run::Simulation& simulation = **built;
+    advance_to(simulation, from, scene.step());
+    constexpr double every = 0.05; // s, between looks at the surface
+    double seconds = 0, slope = 0, overlap = 0;
+    int looks = 0;
+    for (double time = from + every; time < until + 0.01 * every; time += every, ++looks) {
+        const double start = processor_seconds();
+        advance_to(simulation, time, scene.step());
+        seconds += processor_seconds() - start;
+        slope += observe::surface_slope(observe::free_surface(simulation.frame()));
+        overlap += simulation.books().overlap_ratio_max;
+    }
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    fmt::print(R"({{"step_s": {:.6g}, "bodies": {}, "contacts": {}, "seconds": {:.6g}, "rate": {:.6g}, )"
+               R"("surface_slope_deg": {}, "overlap_ratio_max": {:.4g}, "peak_rss_MB": {:.1f}}})"
+               "\n",
+               scene.step(), simulation.books().bodies, simulation.books().contacts, seconds, (until - from) / seconds,
+               number(slope / looks), overlap / looks, static_cast<double>(usage.ru_maxrss) / 1024);
+}

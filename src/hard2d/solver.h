@@ -1,0 +1,62 @@
+#pragma once
+
+#include "base/books.h"
+#include "base/phases.h"
+#include "base/problem.h"
+#include "base/stop.h"
+#include "scene/motion.h"
+#include "scene/scene.h"
+#include "scene/time_step.h"
+#include "sim2d/solver.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Discs with hard contacts: sim2d's bodies, walls and fills, moved by Box2D's impulses in place of springs. The same
+/// functions as src/sim2d/solver.h, for the scenes with solver = "box2d"; docs/hard-contacts.md says what it is good
+/// for.
+namespace tumble::hard2d {
+
+using sim2d::BodyShape;
+using sim2d::BodyState;
+
+struct World;
+
+struct WorldDeleter {
+    void operator()(World* world) const;
+};
+using WorldPtr = std::unique_ptr<World, WorldDeleter>;
+
+/// Ready to step at t = 0, fills that are due at 0 inserted; takes steps of scene.box2d.time_step on one thread.
+/// Problems: a fill that cannot fit at once, periodic sides, a wall too fast for its steps.
+Result<WorldPtr> build_world(const scene::Scene& scene, StopFlag stop = nullptr);
+
+/// Takes `steps` steps, inserting fills when they are due. A state that stopped being sane ends it early with a
+/// problem. A stop that is wanted ends a search for room as in sim2d.
+std::optional<Problem> advance(World& world, std::int64_t steps);
+
+/// Puts bodies exactly where they are said to be (ids are given anew, in order), whatever they overlap. Problems: as
+/// those of sim2d::insert.
+std::optional<Problem> insert(World& world, const std::vector<BodyState>& bodies);
+
+double time_of(const World& world); // s
+std::int64_t steps_of(const World& world);
+/// The account of time_of(world). Losses are known only in sum, as what the balance lacks; contacts store nothing.
+Books books_of(const World& world);
+const std::vector<BodyShape>& shapes_of(const World& world);
+/// Ordered by id.
+std::vector<BodyState> bodies_of(const World& world);
+/// Poses of scene.walls at the world's time.
+std::vector<scene::WallPose> walls_of(const World& world);
+/// What a fill still owes after its last attempt, a sentence each.
+std::vector<std::string> unfilled(const World& world);
+/// Seconds spent per phase since the world was built.
+std::vector<PhaseTime> phase_times(const World& world);
+
+/// Box2D's step has no limit of stability.
+scene::TimeStepReport time_step_report(const scene::Scene& scene);
+
+} // namespace tumble::hard2d

@@ -1,0 +1,187 @@
+#include "run/beside.h"
+
+#include "observe/frame_file.h"
+#include "render/color_range.h"
+#include "render/pair_painter.h"
+#include "render/quantity.h"
+#include "run/run_folder.h"
+#include "run/target.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace tumble::run {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Frames are taken at the steps nearest to their times: those of one instant may be a step apart, those of different
+/// ones are further apart than this share of their distance.
+constexpr double same_instant = 0.4;
+
+using Recordings = std::array<Recording, 2>;
+
+struct Dated {
+    double time = 0; // s
+    fs::path file;
+};
+
+struct Moment {
+    fs::path left, right;
+};
+
+struct Shown {
+    std::vector<Dated> frames;
+    render::Span colors{0, 0};
+};
+
+/// Times of the frames that can be read, and the range of colours that holds them all.
+Shown look_through(const Recording& recording, const render::Quantity& quantity) {
+    Shown found;
+    for (const fs::path& file : recording.frames)
+        if (const Result<observe::Frame> frame = observe::read_frame(file, recording.layout)) {
+            found.frames.push_back({frame->time, file});
+            render::ColorRange range({}, quantity.has_sign);
+            const render::Span span = range.next(render::values_of(quantity, *frame));
+            if (span.hi != 1) // of a frame without motion
+                found.colors = {std::min(found.colors.lo, span.lo), std::max(found.colors.hi, span.hi)};
+        }
+    return found;
+}
+
+double spacing_of(const std::vector<Dated>& frames) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 1; k < frames.size(); ++k)
+        least = std::min(least, frames[k].time - frames[k - 1].time);
+    return least;
+}
+
+std::vector<Moment> common(const std::vector<Dated>& left, const std::vector<Dated>& right) {
+    std::vector<Moment> moments;
+    // A single frame goes with whatever stands beside it.
+    const double apart = same_instant * std::max(spacing_of(left), spacing_of(right));
+    for (const Dated& frame : left) {
+        const auto nearest = std::min_element(right.begin(), right.end(), [&](const Dated& a, const Dated& b) {
+            return std::abs(a.time - frame.time) < std::abs(b.time - frame.time);
+        });
+        if (nearest != right.end() && std::abs(nearest->time - frame.time) <= apart)
+            moments.push_back({frame.file, nearest->file});
+    }
+    return moments;
+}
+
+std::array<std::string, 2> labels_for(const std::array<fs::path, 2>& runs, const Recordings& recordings,
+                                      const std::array<std::string, 2>& wanted) {
+    std::array<std::string, 2> labels{recordings[0].layout->title, recordings[1].layout->title};
+    if (labels[0] == labels[1])
+        labels = {folder_name(runs[0]), folder_name(runs[1])};
+    for (std::size_t side = 0; side < 2; ++side)
+        if (!wanted[side].empty())
+            labels[side] = wanted[side];
+    return labels;
+}
+
+/// What both runs show at the same times, and the range of colours that holds it.
+struct Comparison {
+    Recordings recordings;
+    std::vector<Moment> moments;
+    render::Span colors{0, 0};
+    std::vector<std::string> warnings;
+};
+
+Result<Comparison> compare(const std::array<fs::path, 2>& runs, const BesideOptions& options) {
+    Result<Recording> left = open_recording(runs[0], options.when), right = open_recording(runs[1], options.when);
+    if (!left || !right)
+        return (left ? right : left).problems();
+    Comparison found{{std::move(*left), std::move(*right)}, {}, {0, 0}, {}};
+    std::array<Shown, 2> sides;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const Recording& recording = found.recordings[side];
+        const auto quantity = render::find_quantity(options.settings.color, recording.layout->dimension);
+        if (!quantity)
+            return quantity.problems();
+        sides[side] = look_through(recording, *quantity);
+        found.colors = {std::min(found.colors.lo, sides[side].colors.lo),
+                        std::max(found.colors.hi, sides[side].colors.hi)};
+    }
+    found.moments = common(sides[0].frames, sides[1].frames);
+    if (found.moments.empty())
+        return Problem{.file = runs[1].string(),
+                       .what = "no frame of it is of the same time as one of " + runs[0].string(),
+                       .fix = "compare runs with the same render.every_s"};
+    for (std::size_t side = 0; side < 2; ++side) {
+        for (const std::string& warning : found.recordings[side].warnings)
+            found.warnings.push_back(runs[side].string() + ": " + warning);
+        if (const std::size_t alone = sides[side].frames.size() - found.moments.size(); alone > 0)
+            found.warnings.push_back(
+                fmt::format("{}: {} of its frames have none beside them", runs[side].string(), alone));
+    }
+    return found;
+}
+
+/// Both frames of a moment; a problem where one cannot be read again.
+Result<Done> draw(const Moment& moment, const Recordings& recordings, render::PairPainter& painter, PictureFiles& files,
+                  Replayed& done) {
+    const Result<observe::Frame> left = observe::read_frame(moment.left, recordings[0].layout);
+    const Result<observe::Frame> right = observe::read_frame(moment.right, recordings[1].layout);
+    if (!left || !right)
+        return (left ? right : left).problems();
+    done.first = done.frames == 0 ? left->time : done.first;
+    done.last = left->time;
+    return files.add(painter.draw(*left, *right), done.frames++);
+}
+
+/// Until the last moment, a stop or a problem.
+void draw_all(const Comparison& shown, const BesideOptions& options, render::PairPainter& painter, PictureFiles& files,
+              const TellFrames& tell, Replayed& done) {
+    for (const Moment& moment : shown.moments) {
+        done.stopped = options.when.stop && options.when.stop->load(std::memory_order_relaxed);
+        if (done.stopped)
+            break;
+        done.reason = draw(moment, shown.recordings, painter, files, done).problems();
+        if (!done.reason.empty())
+            break;
+        tell(done.frames, static_cast<std::int64_t>(shown.moments.size()));
+    }
+    if (const Problems problems = files.finish().problems(); done.reason.empty())
+        done.reason = problems;
+}
+
+} // namespace
+
+Result<Replayed> draw_beside(const std::array<fs::path, 2>& runs, const BesideOptions& options,
+                             const TellFrames& tell) {
+    const Result<Comparison> shown = compare(runs, options);
+    if (!shown)
+        return shown.problems();
+    const Recordings& recordings = shown->recordings;
+    scene::Render settings = options.settings;
+    if (!settings.range)
+        settings.range = shown->colors.hi > shown->colors.lo ? std::array<double, 2>{shown->colors.lo, shown->colors.hi}
+                                                             : std::array<double, 2>{0, 1};
+    Target pictures(options.targets.folder), video(options.targets.video);
+    for (auto [target, extension] : {std::pair{&pictures, ".png"}, std::pair{&video, ".mp4"}})
+        if (const auto problem = target->claim(options.overwrite, extension))
+            return *problem;
+    Result<render::PairPainter> painter = render::PairPainter::open(
+        settings, {recordings[0].layout, recordings[1].layout}, labels_for(runs, recordings, options.labels));
+    if (!painter)
+        return painter.problems();
+    painter->fit(recordings[0].bounds.merged(recordings[1].bounds));
+    Result<PictureFiles> files = PictureFiles::open(settings, options.targets);
+    if (!files)
+        return files.problems();
+    Replayed done;
+    done.warnings = shown->warnings;
+    draw_all(*shown, options, *painter, *files, tell, done);
+    if (done.reason.empty()) {
+        pictures.keep();
+        video.keep();
+    }
+    return done;
+}
+
+} // namespace tumble::run

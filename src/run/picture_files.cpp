@@ -1,0 +1,58 @@
+#include "run/picture_files.h"
+
+#include <fmt/format.h>
+
+namespace tumble::run {
+
+Result<PictureFiles> PictureFiles::open(const scene::Render& settings, const PictureTargets& targets) {
+    PictureFiles files;
+    files.folder_ = targets.folder;
+    std::error_code error;
+    if (!targets.folder.empty()) {
+        std::filesystem::create_directories(targets.folder, error);
+        files.png_.emplace();
+    }
+    if (error)
+        return Problem{.file = targets.folder.string(), .what = "cannot be made: " + error.message()};
+    if (!targets.video.empty()) {
+        auto opened =
+            render::VideoWriter::open(targets.video, settings.width, settings.height, settings.frames_per_second);
+        if (!opened)
+            return opened.problems();
+        files.video_ = std::move(*opened);
+    }
+    return files;
+}
+
+Result<Done> PictureFiles::add(render::Picture picture, std::int64_t number, bool again) {
+    if (video_)
+        if (Result<Done> added = video_->add(picture); !added)
+            return added;
+    if (png_ && !(again && is_drawn(number)))
+        return png_->add(file_of(number), std::move(picture));
+    return Done{};
+}
+
+std::filesystem::path PictureFiles::file_of(std::int64_t number) const {
+    return folder_ / fmt::format("frame_{:06}.png", number);
+}
+
+bool PictureFiles::is_drawn(std::int64_t number) const {
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(file_of(number), error);
+    return !error && size > 0; // a power cut leaves empty files
+}
+
+Result<Done> PictureFiles::finish() {
+    Problems problems;
+    if (png_)
+        problems = png_->finish().problems();
+    if (video_ && video_->frames() > 0)
+        for (const Problem& problem : video_->finish().problems())
+            problems.push_back(problem);
+    if (problems.empty())
+        return Done{};
+    return problems;
+}
+
+} // namespace tumble::run

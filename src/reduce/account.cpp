@@ -11,9 +11,9 @@
 
 namespace tumble::reduce {
 
-namespace {
-
 using Json = nlohmann::ordered_json;
+
+namespace {
 
 std::optional<std::size_t> find_reference(const std::vector<Climbed>& rungs) {
     std::optional<std::size_t> most;
@@ -119,7 +119,8 @@ Json to_json(const Account& account) {
         one["reason"] = climbed.reason;
         Json runs = Json::array();
         for (const Seeded& run : climbed.runs)
-            runs.push_back({{"seed", run.seed}, {"core_s", run.core_s}, {"doubts", run.doubts}});
+            runs.push_back(
+                {{"seed", run.seed}, {"core_s", run.core_s}, {"overlap", run.overlap}, {"doubts", run.doubts}});
         one["runs"] = runs;
         if (const Price* price = price_of(account, i)) {
             one["speed_up"] = price->speed_up;
@@ -144,7 +145,7 @@ Json to_json(const Account& account) {
 }
 
 std::string csv_of(const Account& account) {
-    std::vector<std::string> heads{"rung", "standing", "verdict", "runs", "core_s", "speed_up"};
+    std::vector<std::string> heads{"rung", "standing", "verdict", "runs", "core_s", "speed_up", "overlap"};
     for (const Quantity& quantity : account.climb.stick.quantities())
         for (const char* what : {"mean", "deviation", "error", "uncertainty"})
             heads.push_back(column_of(quantity) + "_" + what);
@@ -160,7 +161,8 @@ std::string csv_of(const Account& account) {
                                                               : word_of(price->verdict),
                                      std::to_string(climbed.runs.size()),
                                      cell(climbed.core_s()),
-                                     price ? cell(price->speed_up) : "nan"};
+                                     price ? cell(price->speed_up) : "nan",
+                                     cell(climbed.overlap())};
         for (std::size_t q = 0; q < account.climb.stick.quantities().size(); ++q)
             for (const double value : price ? std::array{price->spreads[q].mean, price->spreads[q].deviation,
                                                          price->errors[q].relative, price->errors[q].uncertainty}

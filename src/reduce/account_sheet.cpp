@@ -26,7 +26,7 @@ std::string value_words(const Spread& spread, double uncertainty, const std::str
 
 sheet::Grid table_of(const Account& account) {
     sheet::Grid grid;
-    grid.columns = {{"scene"}, {"bodies"}, {"core", "s", 3}, {"speed-up", "", 3}};
+    grid.columns = {{"scene"}, {"bodies"}, {"core", "s", 3}, {"speed-up", "", 3}, {"overlap", "%", 2}};
     const auto& quantities = account.climb.stick.quantities();
     for (std::size_t q = 0; q < quantities.size(); ++q)
         grid.columns.push_back({quantities[q].name});
@@ -36,7 +36,7 @@ sheet::Grid table_of(const Account& account) {
         const Price& price = account.prices.rungs[k];
         const bool reference = account.priced[k] == account.reference;
         std::vector<sheet::Cell> row{climbed.rung.name, fmt::format("{:.0f}", climbed.bodies), climbed.core_s(),
-                                     price.speed_up};
+                                     price.speed_up, 100 * climbed.overlap()};
         for (std::size_t q = 0; q < quantities.size(); ++q)
             row.emplace_back(reference
                                  ? value_words(price.spreads[q], account.prices.reference_spread[q], quantities[q].unit)

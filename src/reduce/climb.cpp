@@ -103,7 +103,7 @@ private:
             auto values = result_.stick.read(folder, rung.mass);
             if (!values)
                 return values.problems();
-            rung.runs.push_back({scene.seed, kept->core_s, std::move(*values), std::move(kept->doubts)});
+            rung.runs.push_back({scene.seed, kept->core_s, kept->overlap, std::move(*values), std::move(kept->doubts)});
         }
         rung.standing = Standing::finished;
         return Done{};
@@ -139,6 +139,7 @@ private:
         const double spent = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
         const bool whole = summary->resumed.empty();
         kept.core_s = whole ? spent : summary->stepping_s * spent / std::max(since(wall), 1e-9);
+        kept.overlap = summary->overlap_ratio_max;
         kept.doubts = summary->warnings;
         if (summary->state == "failed")
             kept.failure = first_of(summary->reason);
@@ -162,6 +163,13 @@ double Climbed::core_s() const {
     for (const Seeded& run : runs)
         sum += run.core_s;
     return sum / static_cast<double>(runs.size());
+}
+
+double Climbed::overlap() const {
+    double most = 0;
+    for (const Seeded& run : runs)
+        most = std::max(most, run.overlap);
+    return most;
 }
 
 Result<Climb> climb(std::vector<Rung> ladder, const Yardstick& stick, const ClimbOptions& options,

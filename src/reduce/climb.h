@@ -24,6 +24,7 @@ struct ClimbOptions {
 struct Seeded {
     std::uint64_t seed = 0;
     double core_s = 0;               // processor time of all threads
+    double overlap = 0;              // deepest of all steps, over the smaller radius
     std::vector<double> values;      // parallel to the yardstick's quantities
     std::vector<std::string> doubts; // what the run warned of
 };
@@ -47,6 +48,8 @@ struct Climbed {
 
     /// Of one run, mean; NaN without any.
     [[nodiscard]] double core_s() const;
+    /// The deepest of all runs, over the smaller radius.
+    [[nodiscard]] double overlap() const;
 };
 
 struct Climb {

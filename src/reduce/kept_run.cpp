@@ -14,6 +14,8 @@
 
 namespace tumble::reduce {
 
+using Json = nlohmann::ordered_json;
+
 Result<std::string> name_of_run(const std::string& rung, const scene::Scene& scene) {
     const auto meshes = run::read_meshes(scene);
     if (!meshes)
@@ -35,11 +37,14 @@ std::optional<KeptRun> read_kept(const std::filesystem::path& file) {
     const auto text = scene::read_file(file, std::uintmax_t{1} << 20);
     if (!text)
         return std::nullopt;
-    const auto json = nlohmann::json::parse(*text, nullptr, false);
-    if (!json.is_object() || !json.contains("core_s") || !json["core_s"].is_number() || !json.contains("failure") ||
-        !json["failure"].is_string() || !json.contains("doubts") || !json["doubts"].is_array())
+    const Json json = Json::parse(*text, nullptr, false);
+    const auto holds = [&](const char* key, bool (Json::*is)() const noexcept) {
+        return json.contains(key) && (json[key].*is)();
+    };
+    if (!json.is_object() || !holds("core_s", &Json::is_number) || !holds("overlap", &Json::is_number) ||
+        !holds("failure", &Json::is_string) || !holds("doubts", &Json::is_array))
         return std::nullopt;
-    KeptRun run{json["core_s"], json["failure"], {}};
+    KeptRun run{json["core_s"], json["overlap"], json["failure"], {}};
     for (const auto& doubt : json["doubts"])
         if (doubt.is_string())
             run.doubts.push_back(doubt);
@@ -47,7 +52,7 @@ std::optional<KeptRun> read_kept(const std::filesystem::path& file) {
 }
 
 Result<Done> write_kept(const std::filesystem::path& file, const KeptRun& run) {
-    const nlohmann::ordered_json json{{"core_s", run.core_s}, {"failure", run.failure}, {"doubts", run.doubts}};
+    const Json json{{"core_s", run.core_s}, {"overlap", run.overlap}, {"failure", run.failure}, {"doubts", run.doubts}};
     return observe::write_whole(file, json.dump(2) + "\n");
 }
 

@@ -13,6 +13,7 @@ namespace tumble::reduce {
 
 struct KeptRun {
     double core_s = 0;
+    double overlap = 0;  // deepest of all steps, over the smaller radius
     std::string failure; // why it is of no use; empty: it is
     std::vector<std::string> doubts;
 };

@@ -139,12 +139,11 @@ KeyTable body() {
                "`tracer:NAME` tells what it feels. Without it the centre of mass.")
             .in_3d(),
         number(
-            "cone_diameter_mm", "mm", above(0, 1e5),
+            "cone_diameter_m", "m", above(0, 100),
             "Diameter of the upright cone on y = 0 that the spheres stand for, before `scale`: `reduce.spheres` fits "
             "fewer to it.")
-            .si(1e-3)
             .in_3d(),
-        number("cone_height_mm", "mm", above(0, 1e5), "Height of that cone, before `scale`.").si(1e-3).in_3d(),
+        number("cone_height_m", "m", above(0, 100), "Height of that cone, before `scale`.").in_3d(),
     };
     return table;
 }

@@ -67,7 +67,7 @@ Result<Done> refit_body(BodyTemplate& body, int spheres) {
             .what = fmt::format("the spheres of body '{}' do not stand for its cone: they fill {:.0f} % of it and "
                                 "their centre lies {:.3g} mm from its own",
                                 body.name, 100 * filled, 1e3 * off),
-            .fix = "cone_diameter_mm and cone_height_mm are those of an upright cone with its base at y = 0"};
+            .fix = "cone_diameter_m and cone_height_m are those of an upright cone with its base at y = 0"};
     const auto smallest = std::min_element(body.spheres.begin(), body.spheres.end(),
                                            [](const Sphere& a, const Sphere& b) { return a.radius < b.radius; });
     auto fewer = fit::spheres_in(*body.cone, {.spheres = spheres, .smallest = smallest->radius});
@@ -139,7 +139,7 @@ Result<Done> refit(Scene& scene, int spheres) {
     }
     if (!any)
         return Problem{.what = "there is nothing to fit anew: no body says which cone its spheres stand for",
-                       .fix = "give the body cone_diameter_mm and cone_height_mm, or leave it at 0"};
+                       .fix = "give the body cone_diameter_m and cone_height_m, or leave it at 0"};
     return Done{};
 }
 

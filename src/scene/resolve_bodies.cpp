@@ -44,7 +44,7 @@ std::vector<Sphere> resolve_spheres(const View& view, const Resolving& to) {
 }
 
 std::optional<fit::Cone> resolve_cone(const View& view, const Resolving& to) {
-    const char* const keys[] = {"cone_diameter_mm", "cone_height_mm"};
+    const char* const keys[] = {"cone_diameter_m", "cone_height_m"};
     for (const int k : {0, 1})
         if (view.written(keys[k]) && !view.written(keys[1 - k]))
             to.refuse(view, keys[k], "a cone has a diameter and a height", fmt::format("give {} as well", keys[1 - k]));

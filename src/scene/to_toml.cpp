@@ -133,8 +133,8 @@ void write_bodies(const Scene& scene, TomlWriter& to) {
         if (body.tracer_point)
             to.vector("tracer_point_m", *body.tracer_point);
         if (body.cone) {
-            to.number("cone_diameter_mm", body.cone->diameter);
-            to.number("cone_height_mm", body.cone->height);
+            to.number("cone_diameter_m", body.cone->diameter);
+            to.number("cone_height_m", body.cone->height);
         }
         std::vector<std::array<double, 4>> rows;
         for (const Sphere& sphere : body.spheres)

@@ -32,8 +32,8 @@ TEST_CASE("a ladder has the scene as written, each wish alone, and the wishes to
 
 TEST_CASE("degrees come on top of what the scene is reduced by already") {
     SceneText text = test::small_trough();
-    const std::string set = "reduce.softening=2";
-    text.sets.push_back({set});
+    text.sets.emplace_back();
+    text.sets.back().text = "reduce.softening=2";
     const auto rungs = ladder(text, {*read_wish("softening=4")});
     REQUIRE_MESSAGE(rungs, to_string(rungs.problems()));
     CHECK((*rungs)[0].scene.pair(0, 0).normal_stiffness == about(1e5, 1e-12));

@@ -119,7 +119,7 @@ TEST_CASE("reductions that a scene cannot take are refused with the reason") {
     CHECK(refusal("trough-quick.toml", {{"reduce.softening=50"}}).find("softer than rubber") != std::string::npos);
     CHECK(refusal("trough-quick.toml", {{"reduce.size=2"}, {"air.density_kg_m3=1.2"}}).find("[air]") !=
           std::string::npos);
-    CHECK(refusal("trough-quick.toml", {{"body.cone.cone_diameter_mm=10"}, {"reduce.spheres=20"}})
+    CHECK(refusal("trough-quick.toml", {{"body.cone.cone_diameter_m=0.010"}, {"reduce.spheres=20"}})
               .find("do not stand for its cone") != std::string::npos);
     CHECK(refusal("trough-quick.toml", {{"domain.periodic=[]"}, {"reduce.slice=0.5"}}).find("has none") !=
           std::string::npos);

@@ -53,7 +53,7 @@ sheet::Figure figure_of(const Account& account) {
     sheet::Figure figure;
     figure.name = "reduction";
     figure.title = account.scene.stem().string() + ": what a reduction costs";
-    figure.x = {"speed-up", "", true};
+    figure.x = {"speed-up"};
     figure.y = {"error", "%"};
     const auto& quantities = account.climb.stick.quantities();
     double most = 1;
@@ -64,7 +64,8 @@ sheet::Figure figure_of(const Account& account) {
         for (const Price& price : account.prices.rungs)
             if (std::isfinite(price.errors[q].uncertainty)) {
                 // Side by side: errors of one rung would hide each other.
-                curve.add(price.speed_up * (1 + 0.012 * static_cast<double>(q)), 100 * price.errors[q].relative);
+                const double aside = 1 + 0.008 * static_cast<double>(q);
+                curve.add(aside * price.speed_up, 100 * price.errors[q].relative);
                 curve.spread.push_back(100 * price.errors[q].uncertainty);
                 most = std::max(most, price.speed_up);
             }
@@ -145,7 +146,9 @@ sheet::Sheet sheet_of(const Account& account) {
     say_what_judges(account, sheet);
     say_what_was_not_priced(account, sheet);
     sheet.say(conclusion(account));
-    sheet.parts.emplace_back(figure_of(account));
+    const auto& judged = account.prices.judged;
+    if (account.priced.size() > 1 && std::find(judged.begin(), judged.end(), true) != judged.end())
+        sheet.parts.emplace_back(figure_of(account));
     return sheet;
 }
 

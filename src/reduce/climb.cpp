@@ -109,10 +109,10 @@ private:
         return Done{};
     }
 
-    /// By the pace of the last run, which was the one most like it.
+    /// By the pace of the last run, which was the one most like it. The first is made in any case.
     bool beyond_budget(Climbed& rung, int runs) const {
         const double takes = pace_ * rung.work * runs / options_.threads;
-        if (takes <= options_.budget - since(begun_))
+        if (pace_ == 0 || takes <= options_.budget - since(begun_))
             return false;
         rung.standing = Standing::left_out;
         rung.reason = fmt::format("would take about {:.2g} s more, which is beyond the budget", takes);

@@ -91,9 +91,8 @@ TEST_CASE("a cone of fewer spheres has as many as asked for, its volume and near
     const fit::UnionMoments before = fit::union_moments(many.bodies[0].spheres);
     const fit::UnionMoments after = fit::union_moments(few.bodies[0].spheres);
     CHECK(after.volume == about(before.volume, 1e-6));
-    // Spheres on the medial axis of a cone reach about as far as those of the thesis, by eye and by
-    // docs/reduced-order.md.
-    CHECK(after.second.trace() == about(before.second.trace(), 0.25));
+    // `tumble fit` with 20 spheres: a moment 5.9 % smaller about the axis and two 8.7 % larger across it.
+    CHECK(after.second.trace() == about(before.second.trace(), 0.06));
     CHECK(few.time_step == many.time_step);
 }
 

@@ -1,8 +1,8 @@
 #include "sim3d/body_shape.h"
 
 #include "base/angle_cover.h"
+#include "fit/union_moments.h"
 #include "scene/faults.h"
-#include "sim3d/union_moments.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -201,7 +201,7 @@ bool wholly_covered(const Sphere& sphere, const std::vector<const Sphere*>& othe
 Result<BodyShape> make_body_shape(const scene::BodyTemplate& body, const contact::Material& material) {
     if (Problems problems = faults_of(body, material); !problems.empty())
         return problems;
-    const UnionMoments moments = union_moments(body.spheres);
+    const fit::UnionMoments moments = fit::union_moments(body.spheres);
 
     BodyShape shape;
     shape.name = body.name;

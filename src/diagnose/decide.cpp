@@ -62,13 +62,15 @@ private:
         const Projector nuisances(e_.nuisances);
         const VectorXd residual = nuisances.out(e_.residual);
         effects_ = nuisances.out(e_.effects);
+        const MatrixXd in_readings = readings_of(e_.effects);
+        const MatrixXd left_in_readings = Projector(readings_of(e_.nuisances)).out(in_readings);
         d_.seen.resize(static_cast<std::size_t>(count_));
         std::vector<int> visible;
         for (int k = 0; k < count_; ++k) {
             Seen& seen = one(k);
             const double length = effects_.col(k).norm();
-            const double whole = e_.effects.col(k).norm();
-            seen.share = whole > 0 ? length / whole : 0;
+            const double whole = in_readings.col(k).norm();
+            seen.share = whole > 0 ? left_in_readings.col(k).norm() / whole : 0;
             const double reach = std::max(std::abs(cause(k).lo), std::abs(cause(k).hi));
             seen.visible = seen.share > least_share && length * reach > least_visible;
             if (!seen.visible)
@@ -82,6 +84,14 @@ private:
             seen.upper = seen.amplitude + one_sided_95 * seen.error;
         }
         isolate(visible);
+    }
+
+    /// Without the rows of priors: a nuisance that can take a cause over makes it no cause, however far it has to go.
+    [[nodiscard]] MatrixXd readings_of(MatrixXd columns) const {
+        for (std::size_t row = 0; row < e_.directions.condition.size(); ++row)
+            if (e_.directions.condition[row] < 0)
+                columns.row(static_cast<Eigen::Index>(row)).setZero();
+        return columns;
     }
 
     [[nodiscard]] bool plausible_sign(int k, double z) const {

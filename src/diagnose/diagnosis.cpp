@@ -17,6 +17,8 @@ std::vector<int> first_numbers(int count) {
     return numbers;
 }
 
+constexpr double far_away = 4; // spreads of what was known beforehand
+
 /// Factors by which a unit is most often wrong, and what was probably meant.
 constexpr std::pair<double, const char*> usual_slips[] = {
     {1000, "millimetres or milliseconds read as SI"},
@@ -142,6 +144,14 @@ private:
         for (int k = 0; k < model_->nuisances(); ++k) {
             const Parameter& parameter = model_->parameters()[static_cast<std::size_t>(k)];
             d_.nuisances.push_back({parameter.name, parameter.start, baseline_.values[k], errors[k]});
+            const double away = std::abs(baseline_.values[k] - parameter.start);
+            if (parameter.spread > 0 && away > far_away * parameter.spread)
+                d_.warnings.push_back(
+                    {.file = measurement_.file.string(),
+                     .key = "nuisance far off",
+                     .what = fmt::format("{} had to go {:.1f} times its spread away from what was known beforehand",
+                                         parameter.name, away / parameter.spread),
+                     .fix = "state a larger spread, or find out what moved it: it counts as innocent here"});
         }
         d_.chi_square = baseline_.chi_square;
         d_.readings = static_cast<int>(model_->rows().size());

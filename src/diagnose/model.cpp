@@ -32,7 +32,8 @@ Parameter part_parameter(const Nuisance& nuisance, const Record* record, int ind
             .hi = width,
             .spread = nuisance.spread,
             .step = clock ? 1e-4 : 1e-3,
-            .record = index};
+            .record = index,
+            .exact = true};
 }
 
 double middle_step(const std::vector<double>& time) {
@@ -70,7 +71,11 @@ Result<Model> Model::make(SceneText scene, std::vector<Record> records, const st
     if (const auto done = model.find_starts(); !done)
         return done.problems();
     for (const Cause& cause : model.causes_)
-        model.parameters_.push_back({.name = cause.id, .lo = cause.lo, .hi = cause.hi, .step = cause.typical});
+        model.parameters_.push_back({.name = cause.id,
+                                     .lo = cause.lo,
+                                     .hi = cause.hi,
+                                     .step = cause.typical,
+                                     .exact = !cause.physical() && cause.lo < 0});
     return model;
 }
 

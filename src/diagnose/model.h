@@ -35,6 +35,7 @@ struct Parameter {
     double spread = 0; // prior standard deviation about start; 0: none
     double step = 0;   // for difference quotients, about one standard error of the data
     int record = -1;   // the only one it acts on; -1: all
+    bool exact = false; // acts on the instrument alone, to both sides: differences may be small
 };
 
 /// One reading that a fit compares.

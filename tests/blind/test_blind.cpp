@@ -35,21 +35,32 @@ bool holds(const Diagnosis& diagnosis, const std::string& id) {
 }
 
 /// The evidence in coordinates of all its directions: every product of two of its vectors is kept, and rows are few.
+/// Rows of priors stay what they are.
 Evidence compressed(const Evidence& full) {
-    MatrixXd all(full.residual.size(), full.nuisances.cols() + full.effects.cols() + full.directions.blocks.cols() +
-                                           full.directions.prints.cols());
-    all << full.nuisances, full.effects, full.directions.blocks, full.directions.prints;
+    const auto readings = static_cast<Eigen::Index>(std::count_if(
+        full.directions.condition.begin(), full.directions.condition.end(), [](int c) { return c >= 0; }));
+    const Eigen::Index priors = full.residual.size() - readings;
+    MatrixXd all(readings, full.nuisances.cols() + full.effects.cols() + full.directions.blocks.cols() +
+                               full.directions.prints.cols());
+    all << full.nuisances.topRows(readings), full.effects.topRows(readings), full.directions.blocks.topRows(readings),
+        full.directions.prints.topRows(readings);
     const Eigen::ColPivHouseholderQR<MatrixXd> qr(unit_columns(all));
-    const MatrixXd basis = qr.householderQ() * MatrixXd::Identity(all.rows(), qr.rank());
+    const MatrixXd basis = qr.householderQ() * MatrixXd::Identity(readings, qr.rank());
+    const auto few_rows = [&](const MatrixXd& columns) {
+        MatrixXd few(basis.cols() + priors, columns.cols());
+        few << basis.transpose() * columns.topRows(readings), columns.bottomRows(priors);
+        return few;
+    };
     Evidence few;
     few.causes = full.causes;
-    few.residual = basis.transpose() * full.residual;
-    few.nuisances = basis.transpose() * full.nuisances;
-    few.effects = basis.transpose() * full.effects;
-    few.directions.blocks = basis.transpose() * full.directions.blocks;
-    few.directions.prints = basis.transpose() * full.directions.prints;
+    few.residual = few_rows(full.residual);
+    few.nuisances = few_rows(full.nuisances);
+    few.effects = few_rows(full.effects);
+    few.directions.blocks = few_rows(full.directions.blocks);
+    few.directions.prints = few_rows(full.directions.prints);
     few.directions.condition.assign(static_cast<std::size_t>(basis.cols()), 0);
-    few.directions.early.assign(static_cast<std::size_t>(basis.cols()), false);
+    few.directions.condition.resize(static_cast<std::size_t>(few.residual.size()), -1);
+    few.directions.early.assign(static_cast<std::size_t>(few.residual.size()), false);
     few.directions.conditions = {"all"};
     return few;
 }

@@ -12,8 +12,8 @@ namespace tumble::run {
 
 namespace {
 
-constexpr double share_of_step = 0.2; // of the scene's step, for impacts
-constexpr int trials = 1;             // of an impact, before it is taken
+constexpr double share_of_step = 0.3; // of the scene's step, for impacts
+constexpr double steps_of_trial = 4;  // of those, one step of the trial that finds an impact's beginning and end
 
 using Measures = std::vector<observe::Measure>;
 
@@ -133,15 +133,13 @@ private:
     /// Fine steps until the impact is over; to the end where it never is.
     std::optional<Problem> touch() {
         double step = share_of_step * usual_step_;
-        for (int k = 0; k < trials; ++k) {
-            const auto impact = try_impact(step);
-            if (!impact)
-                return impact.problems()[0];
-            if (impact->lasts > 0)
-                step = impact->lasts / std::max(1.0, std::round(impact->lasts / step));
-            if (impact->begins > 0) // in the middle of a step
-                go_on(impact->begins - (std::floor(impact->begins / step) + 0.5) * step);
-        }
+        const auto impact = try_impact(steps_of_trial * step);
+        if (!impact)
+            return impact.problems()[0];
+        if (impact->lasts > 0)
+            step = impact->lasts / std::max(1.0, std::round(impact->lasts / step));
+        if (impact->begins > 0) // in the middle of a step
+            go_on(impact->begins - (std::floor(impact->begins / step) + 0.5) * step);
         const double began = now_.time;
         auto world = world_at(now_, step);
         if (!world)

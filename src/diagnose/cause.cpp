@@ -119,6 +119,80 @@ std::vector<Cause> of_the_contact() {
     };
 }
 
+std::vector<Cause> of_cohesion() {
+    return {
+        {.id = "cohesion.work",
+         .family = "cohesion",
+         .symbol = "work of adhesion",
+         .unit = "J/m2",
+         .lo = 0,
+         .hi = 100,
+         .typical = 0.01,
+         .name = "surfaces that stick to each other",
+         .look = "slow impacts lose more than fast ones; lifts off late; presses on without weight",
+         .keys = "pair.*.work_of_adhesion_J_m2, with contact.adhesion \"dmt\" where the scene has none",
+         .extend =
+             [](Scene& s, double d) {
+                 if (s.contact.additions.adhesion == contact::AdhesionLaw::none)
+                     s.contact.additions.adhesion = contact::AdhesionLaw::dmt;
+                 for (contact::PairProperties& pair : s.pairs)
+                     pair.work_of_adhesion += d;
+             }},
+    };
+}
+
+/// Every harmonic and rocking of every wall.
+template <class Change> void excite(Scene& scene, Change change) {
+    for (scene::Wall& wall : scene.walls) {
+        for (scene::Harmonic& part : wall.motion.harmonics)
+            change(part);
+        for (scene::Rocking& part : wall.motion.rockings)
+            change(part);
+    }
+}
+
+std::vector<Cause> of_the_excitation() {
+    return {
+        {.id = "exc.gain",
+         .family = "excitation",
+         .symbol = "gain",
+         .lo = -0.5,
+         .hi = 1,
+         .typical = 0.01,
+         .name = "walls that shake more or less than the scene's",
+         .look = "throws are higher or lower from the first on; lift-off at another acceleration",
+         .keys = "wall.motion.amplitude_m and amplitude_deg, times 1 + gain",
+         .extend = [](Scene& s, double d) { excite(s, [&](auto& part) { part.amplitude *= 1 + d; }); }},
+        {.id = "exc.frequency",
+         .family = "excitation",
+         .symbol = "df/f",
+         .lo = -0.05,
+         .hi = 0.05,
+         .typical = 1e-4,
+         .name = "walls that shake faster or slower than the scene's",
+         .look = "the phase runs away with time; a motor that slips",
+         .keys = "wall.motion.frequency_Hz, times 1 + df/f",
+         .extend = [](Scene& s, double d) { excite(s, [&](auto& part) { part.frequency *= 1 + d; }); }},
+        {.id = "exc.phase",
+         .family = "excitation",
+         .symbol = "phase",
+         .unit = "deg",
+         .lo = -180,
+         .hi = 180,
+         .typical = 1,
+         .name = "sideways shaking that is ahead of the upright one",
+         .look = "the orbit opens to an ellipse; circulation changes its sign with it",
+         .keys = "wall.motion.phase_deg of harmonics along x and z",
+         .extend =
+             [](Scene& s, double d) {
+                 for (scene::Wall& wall : s.walls)
+                     for (scene::Harmonic& part : wall.motion.harmonics)
+                         if (part.axis != 1)
+                             part.phase += d * degree;
+             }},
+    };
+}
+
 std::vector<Cause> of_the_friction() {
     return {
         {.id = "roll.coulomb",
@@ -309,8 +383,8 @@ std::vector<Cause> of_the_sensor() {
 
 std::vector<Cause> collect() {
     std::vector<Cause> all;
-    for (auto part :
-         {of_the_air, of_the_contact, of_the_friction, of_the_ground, of_the_simulation, of_the_clock, of_the_sensor})
+    for (auto part : {of_the_air, of_the_contact, of_cohesion, of_the_friction, of_the_excitation, of_the_ground,
+                      of_the_simulation, of_the_clock, of_the_sensor})
         for (Cause& cause : part())
             all.push_back(std::move(cause));
     return all;

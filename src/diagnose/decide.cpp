@@ -68,7 +68,7 @@ private:
             Seen& seen = one(k);
             const double length = effects_.col(k).norm();
             const double whole = e_.effects.col(k).norm();
-            seen.share = whole > 0 ? length / whole : 0;
+            seen.share = whole > 0 ? std::min(length, left_by_one_nuisance(k)) / whole : 0;
             const double reach = std::max(std::abs(cause(k).lo), std::abs(cause(k).hi));
             seen.visible = seen.share > least_share && length * reach > least_visible;
             if (!seen.visible)
@@ -82,6 +82,26 @@ private:
             seen.upper = seen.amplitude + one_sided_95 * seen.error;
         }
         isolate(visible);
+    }
+
+    /// A cause that one nuisance takes over by itself, or its copies for each record do, is that nuisance: the
+    /// measurement calls it innocent, however far it has to go. What is known of it beforehand says nothing then.
+    [[nodiscard]] double left_by_one_nuisance(int k) const {
+        const auto readings = std::count_if(e_.directions.condition.begin(), e_.directions.condition.end(),
+                                            [](int condition) { return condition >= 0; });
+        const VectorXd effect = e_.effects.col(k).head(readings);
+        double least = effect.norm();
+        for (Eigen::Index first = 0, next = 0; first < e_.nuisances.cols(); first = next) {
+            while (next < e_.nuisances.cols() && of_nuisance(next) == of_nuisance(first))
+                ++next;
+            const Projector one(e_.nuisances.block(0, first, readings, next - first));
+            least = std::min(least, one.out(effect).norm());
+        }
+        return least;
+    }
+
+    [[nodiscard]] int of_nuisance(Eigen::Index column) const {
+        return e_.nuisance.empty() ? static_cast<int>(column) : e_.nuisance[static_cast<std::size_t>(column)];
     }
 
     [[nodiscard]] bool plausible_sign(int k, double z) const {
@@ -139,19 +159,25 @@ private:
     }
 
     void veto() {
+        const auto speak = [&](std::string reason, std::string remedy) {
+            d_.sure = false;
+            d_.reason = std::move(reason);
+            d_.remedy = std::move(remedy);
+        };
+        if (d_.folds.empty())
+            return speak("there is only one condition, so the name was tried on none that it was not fitted to",
+                         "Measure under a second condition, best a very different one.");
         double better = 0;
         for (const Fold& fold : d_.folds) {
             better += fold.baseline - fold.extended;
-            if (std::abs(fold.moved) > settings_.fold_veto) {
-                d_.sure = false;
-                d_.reason = fmt::format("its amplitude moves by {:.1f} standard errors when {} is left out",
-                                        std::abs(fold.moved), fold.condition);
-            }
+            if (std::abs(fold.moved) > settings_.fold_veto)
+                speak(fmt::format("its amplitude moves by {:.1f} standard errors when {} is left out",
+                                  std::abs(fold.moved), fold.condition),
+                      "Repeat the condition that disagrees before you believe the name.");
         }
-        if (d_.folds.empty() || better > 0)
-            return;
-        d_.sure = false;
-        d_.reason = "it does not improve the prediction of conditions that are left out";
+        if (better <= 0)
+            speak("it does not improve the prediction of conditions that are left out",
+                  "Measure under more conditions before you believe the name.");
     }
 
     /// Two causes at once, all pairs; each must carry its weight, and the pair must leave nothing but noise.

@@ -15,8 +15,9 @@ struct Evidence {
     MatrixXd nuisances; // slopes of the prediction there
     MatrixXd effects;   // slopes per unit of each cause, from its null value
     Directions directions;
-    std::vector<Cause> causes; // parallel to the columns of effects
-    double gate = 0;           // known from a case with the same effects; 0: to be drawn
+    std::vector<Cause> causes;   // parallel to the columns of effects
+    std::vector<int> nuisance{}; // which one a column of nuisances is of, copies side by side; empty: each of its own
+    double gate = 0;             // known from a case with the same effects; 0: to be drawn
 };
 
 /// One or two causes fitted with all nuisances.
@@ -73,6 +74,7 @@ struct Decision {
     Outcome outcome = Outcome::cannot_decide;
     std::string reason;                  // of cannot_decide, or what keeps a name from being sure
     bool sure = true;                    // false: named, but a veto spoke
+    std::string remedy;                  // what would make it sure
     bool one_class = false;              // the causes named are one answer to these data
     std::vector<int> causes;             // named; or the set that holds the truth
     std::vector<std::vector<int>> pairs; // of two causes, or of ambiguous pairs

@@ -17,6 +17,9 @@ std::vector<int> first_numbers(int count) {
     return numbers;
 }
 
+constexpr double most_between_repeats = 1.2; // of their scatter over that of the readings in one record
+constexpr double far_away = 4;               // spreads of what was known beforehand
+
 /// Factors by which a unit is most often wrong, and what was probably meant.
 constexpr std::pair<double, const char*> usual_slips[] = {
     {1000, "millimetres or milliseconds read as SI"},
@@ -80,7 +83,7 @@ private:
         for (const int k : nuisances)
             if (const auto slope = slope_of(*model_, noise_, start, k, true); !slope)
                 return slope.problems();
-        if (Problems problems = fit_baseline(start, true); !problems.empty())
+        if (Problems problems = fit_baseline(start, measurement_.settings.progressive); !problems.empty())
             return problems;
         if (Problems problems = find_effects(true); !problems.empty())
             return problems;
@@ -128,6 +131,14 @@ private:
                                                           directions_.blocks.cols() + directions_.prints.cols());
         explained << baseline_.slopes, effects_, directions_.blocks, directions_.prints;
         noise_ = refined_noise(noise_, *model_, *misfit, explained, d_.noise);
+        d_.noise.repeats = scatter_of_repeats(noise_, *model_, *misfit);
+        if (d_.noise.repeats > most_between_repeats) {
+            d_.noise.widened = d_.noise.repeats;
+            d_.noise.used *= d_.noise.widened;
+            for (std::vector<double>& record : noise_.sigma)
+                for (double& sigma : record)
+                    sigma *= d_.noise.widened;
+        }
         doubt_noise();
         if (Problems problems = fit_baseline(baseline_.values, false); !problems.empty())
             return problems;
@@ -135,17 +146,43 @@ private:
     }
 
     Problems decide_it() {
-        d_.evidence = {baseline_.residual, baseline_.slopes, effects_, directions_, d_.causes, 0};
+        d_.evidence = {baseline_.residual, baseline_.slopes, effects_, directions_, d_.causes, {}, 0};
+        for (const int k : baseline_.free)
+            d_.evidence.nuisance.push_back(model_->parameters()[static_cast<std::size_t>(k)].nuisance);
         d_.decision = decide(d_.evidence, measurement_.settings,
                              [this](const std::vector<int>& causes) { return refit(causes); });
+        doubt_name();
         const VectorXd errors = errors_of(baseline_.slopes);
         for (int k = 0; k < model_->nuisances(); ++k) {
             const Parameter& parameter = model_->parameters()[static_cast<std::size_t>(k)];
             d_.nuisances.push_back({parameter.name, parameter.start, baseline_.values[k], errors[k]});
+            const double away = std::abs(baseline_.values[k] - parameter.start);
+            if (parameter.spread > 0 && away > far_away * parameter.spread)
+                d_.warnings.push_back(
+                    {.file = measurement_.file.string(),
+                     .key = "nuisance far off",
+                     .what = fmt::format("{} had to go {:.1f} times its spread away from what was known beforehand",
+                                         parameter.name, away / parameter.spread),
+                     .fix = "state a larger spread, or find out what moved it: it counts as innocent here"});
         }
         d_.chi_square = baseline_.chi_square;
         d_.readings = static_cast<int>(model_->rows().size());
         return {};
+    }
+
+    /// What the sensor did not show cannot bear a name, unless it is the name.
+    void doubt_name() {
+        Decision& decision = d_.decision;
+        if (decision.outcome != Outcome::named || !decision.sure)
+            return;
+        for (const Problem& warning : d_.warnings)
+            if (warning.key == "clipped" &&
+                d_.causes[static_cast<std::size_t>(decision.causes[0])].id != "ins.clipping") {
+                decision.sure = false;
+                decision.reason = "readings are clipped (" + warning.what + "), and what was cut off may be the cause";
+                decision.remedy = "Record it again with a sensor of a larger range.";
+                return;
+            }
     }
 
     Refit refit(const std::vector<int>& causes) {
@@ -214,7 +251,7 @@ private:
                 if (aside->records()[r].channels[c].sigma == 0)
                     noise.sigma[r][c] = noise_.sigma[0][0];
                 else
-                    noise.sigma[r][c] *= d_.noise.ratio;
+                    noise.sigma[r][c] *= d_.noise.ratio * d_.noise.widened;
         noise.correlation = noise_.correlation;
         auto scores = scores_aside(*aside, *model_, noise, baseline, decision.best->values);
         if (!scores)
@@ -318,6 +355,15 @@ private:
                                    .key = "sigma contradicted",
                                    .what = fmt::format("readings scatter {:.2f} times as much as stated", noise.ratio),
                                    .fix = "the scatter found in the readings is used"});
+        if (noise.repeats > most_between_repeats)
+            d_.warnings.push_back(
+                {.file = measurement_.file.string(),
+                 .key = "repeats differ",
+                 .what = fmt::format("records of one condition differ by {:.2f} times what their readings scatter",
+                                     noise.repeats),
+                 .fix =
+                     "something changes from run to run: give it as a nuisance with per = \"series\"; all errors are "
+                     "stated that much larger"});
         if (noise.correlation > 0.08)
             d_.warnings.push_back(
                 {.file = measurement_.file.string(),

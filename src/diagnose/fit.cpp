@@ -9,7 +9,10 @@ namespace tumble::diagnose {
 
 namespace {
 
-constexpr double visible_step = 4; // standard errors of all readings together
+// Steps of difference quotients, in standard errors of all readings together: small against what is curved and kinked,
+// large against what a simulation rounds.
+constexpr double visible_step = 1;
+constexpr double exact_step = 0.01; // where no simulation is run
 constexpr int tunings = 4;
 
 /// Parameters with a prior have a row of their own.
@@ -218,10 +221,12 @@ Result<VectorXd> slope_of(Model& model, const Noise& noise, const VectorXd& valu
         if (!slope || !tune || k == tunings)
             return slope;
         const double seen = slope->head(model.readings().size()).norm() * parameter.step;
+        const double wanted = parameter.exact ? exact_step : visible_step;
         const double most = (parameter.hi - parameter.lo) / 4;
-        if ((seen > visible_step / 3 && seen < visible_step * 3) || (parameter.step >= most && seen < visible_step))
+        if ((seen > wanted / 3 && seen < wanted * 3) || (parameter.step >= most && seen < wanted))
             return slope;
-        parameter.step = std::min(most, parameter.step * std::clamp(visible_step / std::max(seen, 1e-9), 1e-3, 1e3));
+        const double factor = seen < 1e-6 * wanted ? most / parameter.step : std::clamp(wanted / seen, 1e-3, 1e3);
+        parameter.step = std::min(most, parameter.step * factor);
     }
 }
 

@@ -29,7 +29,8 @@ Result<Fit> fit(Model& model, const Noise& noise, const VectorXd& start, const s
                 const FitOptions& options = {});
 
 /// Change of the whitened prediction (and priors) per unit of a parameter, by central differences; at a bound to one
-/// side. With `tune` the parameter's step is first brought to where it changes the readings by about 4 standard errors.
+/// side. With `tune` the parameter's step is first brought to where it changes the readings by about one standard
+/// error, or by a hundredth where it is exact.
 Result<VectorXd> slope_of(Model& model, const Noise& noise, const VectorXd& values, int parameter, bool tune,
                           double horizon = 1);
 

@@ -95,9 +95,6 @@ private:
                                    .instrument = view.text("instrument"),
                                    .per_record = view.text("per") == "series",
                                    .spread = view.given("spread") ? view.number("spread") : 0});
-        if (!view.text("key").empty() && read_.nuisances.back().per_record)
-            report_.add(view.place("per"), "nuisance.per", "a key of the scene is one for all series",
-                        "write per = \"case\", or give an instrument");
     }
 
     void series(const TypedTable& table) {

@@ -48,6 +48,7 @@ struct Settings {
     double margin = 3;             // nats over every rival
     double rival_window = 14;      // nats: worse causes are not fitted anew
     double same_class = 0.02;      // share of an effect that its rival leaves, below which both are one answer
+    bool progressive = true;       // the baseline is fitted to growing parts of the records, not to all of them at once
     double fold_veto = 4;          // standard errors that an amplitude may move when one condition is left out
 };
 

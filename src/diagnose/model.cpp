@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "scene/load.h"
+#include "scene/to_toml.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,16 +24,21 @@ double& part(Instrument& instrument, const std::string& name) {
                                   : instrument.drift;
 }
 
-/// How far such a part may be taken, and a step that most records would just show.
-Parameter part_parameter(const Nuisance& nuisance, const Record* record, int index) {
+/// How far a part of the instrument may be taken, and a step that most records would just show; a key of the scene
+/// learns both from where the scene has it. `record`: the only one it acts on.
+Parameter nuisance_parameter(const Nuisance& nuisance, const Record* record, int index) {
+    const std::string whose = record ? " of " + record->name : "";
+    if (nuisance.instrument.empty())
+        return {.name = nuisance.key + whose, .spread = nuisance.spread, .record = index};
     const bool clock = nuisance.instrument == "clock_offset";
     const double width = nuisance.spread > 0 ? 20 * nuisance.spread : clock ? 0.2 : 1;
-    return {.name = nuisance.instrument + (record ? " of " + record->name : ""),
+    return {.name = nuisance.instrument + whose,
             .lo = -width,
             .hi = width,
             .spread = nuisance.spread,
             .step = clock ? 1e-4 : 1e-3,
-            .record = index};
+            .record = index,
+            .exact = true};
 }
 
 double middle_step(const std::vector<double>& time) {
@@ -56,21 +62,24 @@ Result<Model> Model::make(SceneText scene, std::vector<Record> records, const st
                 readings.push_back(model.records_[r].channels[c].value[k]);
             }
     model.readings_ = Eigen::Map<VectorXd>(readings.data(), static_cast<Eigen::Index>(readings.size()));
-    for (const Nuisance& nuisance : nuisances) {
+    for (std::size_t n = 0; n < nuisances.size(); ++n) {
+        const Nuisance& nuisance = nuisances[n];
         const std::size_t copies = nuisance.per_record ? model.records_.size() : 1;
         for (std::size_t r = 0; r < copies; ++r) {
-            const bool own = nuisance.per_record;
             model.nuisance_of_.push_back(nuisance);
-            model.parameters_.push_back(
-                nuisance.key.empty()
-                    ? part_parameter(nuisance, own ? &model.records_[r] : nullptr, own ? static_cast<int>(r) : -1)
-                    : Parameter{.name = nuisance.key, .spread = nuisance.spread});
+            model.parameters_.push_back(nuisance_parameter(nuisance, nuisance.per_record ? &model.records_[r] : nullptr,
+                                                           nuisance.per_record ? static_cast<int>(r) : -1));
+            model.parameters_.back().nuisance = static_cast<int>(n);
         }
     }
     if (const auto done = model.find_starts(); !done)
         return done.problems();
     for (const Cause& cause : model.causes_)
-        model.parameters_.push_back({.name = cause.id, .lo = cause.lo, .hi = cause.hi, .step = cause.typical});
+        model.parameters_.push_back({.name = cause.id,
+                                     .lo = cause.lo,
+                                     .hi = cause.hi,
+                                     .step = cause.typical,
+                                     .exact = !cause.physical() && cause.lo < 0});
     return model;
 }
 
@@ -80,10 +89,11 @@ Result<Done> Model::find_starts() {
         const Nuisance& nuisance = nuisance_of_[k];
         if (nuisance.key.empty())
             continue;
-        const Result<double> value = scene::number_in(text_.toml, text_.file, text_.sets, nuisance.key);
+        Parameter& parameter = parameters_[k];
+        const Result<double> value =
+            scene::number_in(text_.toml, text_.file, written_sets(parameter.record), nuisance.key);
         if (!value)
             return value.problems();
-        Parameter& parameter = parameters_[k];
         parameter.start = *value;
         const double width = nuisance.spread > 0 ? 20 * nuisance.spread : std::max(1.0, 10 * std::abs(*value));
         parameter.lo = *value - width;
@@ -100,13 +110,18 @@ VectorXd Model::start() const {
     return values;
 }
 
-std::vector<scene::Override> Model::sets_at(const VectorXd& values, int record) const {
+std::vector<scene::Override> Model::written_sets(int record) const {
     std::vector<scene::Override> sets = text_.sets;
     if (record >= 0)
         for (const std::string& set : records_[static_cast<std::size_t>(record)].sets)
             sets.push_back({set});
+    return sets;
+}
+
+std::vector<scene::Override> Model::sets_at(const VectorXd& values, int record) const {
+    std::vector<scene::Override> sets = written_sets(record);
     for (std::size_t k = 0; k < nuisance_of_.size(); ++k)
-        if (!nuisance_of_[k].key.empty())
+        if (!nuisance_of_[k].key.empty() && (parameters_[k].record == -1 || parameters_[k].record == record))
             sets.push_back({fmt::format("{}={}", nuisance_of_[k].key, values[static_cast<Eigen::Index>(k)])});
     return sets;
 }
@@ -144,7 +159,7 @@ Result<const observe::Series*> Model::run(const VectorXd& values, int record, do
         if (causes_[c].physical())
             key += fmt::format("{}|", values[parameter_of(static_cast<int>(c))]);
     if (const auto found = remembered_.find(key); found != remembered_.end())
-        return &found->second;
+        return found->second.get();
 
     auto scene = scene_at(values, record);
     if (!scene)
@@ -158,14 +173,19 @@ Result<const observe::Series*> Model::run(const VectorXd& values, int record, do
                 scene->observe.measures.push_back(channel.measure);
     if (scene->observe.measures.empty())
         scene->observe.measures = {"kinetic_energy"};
+    const std::string text = scene::to_toml(*scene);
+    if (const auto found = of_scene_.find(text); found != of_scene_.end())
+        return (remembered_[key] = found->second).get();
     auto series = simulate_(*scene);
     if (!series)
         return series.problems();
     simulated_ += scene->duration;
     ++runs_;
-    if (remembered_.size() >= most_remembered)
+    if (of_scene_.size() >= most_remembered) {
+        of_scene_.clear();
         remembered_.clear();
-    return &(remembered_[key] = std::move(*series));
+    }
+    return (remembered_[key] = of_scene_[text] = std::make_shared<const observe::Series>(std::move(*series))).get();
 }
 
 Result<std::vector<Signal>> Model::signals(const VectorXd& values, int record, double horizon) {

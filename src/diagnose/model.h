@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -32,9 +33,11 @@ struct Parameter {
     double start = 0;
     double lo = 0;
     double hi = 0;
-    double spread = 0; // prior standard deviation about start; 0: none
-    double step = 0;   // for difference quotients, about one standard error of the data
-    int record = -1;   // the only one it acts on; -1: all
+    double spread = 0;  // prior standard deviation about start; 0: none
+    double step = 0;    // for difference quotients, about one standard error of the data
+    int record = -1;    // the only one it acts on; -1: all
+    int nuisance = -1;  // which of the measurement's it is; -1: a cause
+    bool exact = false; // acts on the instrument alone, to both sides: differences may be small
 };
 
 /// One reading that a fit compares.
@@ -83,6 +86,8 @@ public:
 private:
     Model() = default;
     Result<Done> find_starts();
+    /// What the command line and a record set; then a parameter's value over it.
+    [[nodiscard]] std::vector<scene::Override> written_sets(int record) const;
     [[nodiscard]] std::vector<scene::Override> sets_at(const VectorXd& values, int record) const;
     Result<const observe::Series*> run(const VectorXd& values, int record, double horizon);
 
@@ -94,7 +99,9 @@ private:
     std::vector<Parameter> parameters_;
     std::vector<Row> rows_;
     VectorXd readings_;
-    std::map<std::string, observe::Series> remembered_;
+    using Ran = std::shared_ptr<const observe::Series>;
+    std::map<std::string, Ran> remembered_; // by what was asked for
+    std::map<std::string, Ran> of_scene_;   // by the scene that it came to: causes that change nothing cost nothing
     double simulated_ = 0;
     int runs_ = 0;
 };

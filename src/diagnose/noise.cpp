@@ -126,4 +126,31 @@ Noise refined_noise(const Noise& before, const Model& model, const VectorXd& mis
     return noise;
 }
 
+double scatter_of_repeats(const Noise& noise, const Model& model, const VectorXd& misfit) {
+    const VectorXd white = noise.whiten(misfit, model);
+    std::vector<Eigen::Index> first_row;
+    Eigen::Index next = 0;
+    for (const Record& record : model.records()) {
+        first_row.push_back(next);
+        next += static_cast<Eigen::Index>(record.time.size() * record.channels.size());
+    }
+    double sum = 0, count = 0;
+    for (std::size_t a = 0; a < model.records().size(); ++a)
+        for (std::size_t b = a + 1; b < model.records().size(); ++b) {
+            const Record &one = model.records()[a], &other = model.records()[b];
+            if (one.condition != other.condition || one.time != other.time ||
+                one.channels.size() != other.channels.size())
+                continue;
+            const auto rows = static_cast<Eigen::Index>(one.time.size() * one.channels.size());
+            for (Eigen::Index k = 0; k < rows; ++k) {
+                const Eigen::Index i = first_row[a] + k, j = first_row[b] + k;
+                if (noise.left_out[static_cast<std::size_t>(i)] || noise.left_out[static_cast<std::size_t>(j)])
+                    continue;
+                sum += 0.5 * (white[i] - white[j]) * (white[i] - white[j]);
+                ++count;
+            }
+        }
+    return count > 0 ? std::sqrt(sum / count) : 0;
+}
+
 } // namespace tumble::diagnose

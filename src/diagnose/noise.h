@@ -24,7 +24,13 @@ struct NoiseReport {
     double ratio = 1;       // scatter of the residual over the noise before
     double correlation = 0; // from one reading to the next
     int left_out = 0;       // readings
+    double repeats = 0;     // scatter between records of one condition over the noise used before; 0: nothing repeats
+    double widened = 1;     // factor on every sigma for that
 };
+
+/// Scatter between records that repeat each other (one condition, the same times), over what the noise says: pure
+/// error, whatever the simulation gets wrong in all of them alike. 0 where nothing repeats.
+double scatter_of_repeats(const Noise& noise, const Model& model, const VectorXd& misfit);
 
 /// The noise that the residual shows once every direction that an effect could take is projected out of it: `explained`
 /// are the whitened columns of those directions. A correlation below 0.08 counts as none. Lone readings that stand out

@@ -138,9 +138,9 @@ std::string next_step(const Diagnosis& diagnosis) {
     case Outcome::consistent:
         return "Nothing needs to be changed; to exclude smaller effects, measure more often or under more conditions.";
     case Outcome::named:
-        return diagnosis.decision.sure
-                   ? "Write the extended scene (--write-extended), and confirm it with an experiment not used here."
-                   : "Repeat the condition that disagrees before you believe the name.";
+        if (diagnosis.decision.sure)
+            return "Write the extended scene (--write-extended), and confirm it with an experiment not used here.";
+        return diagnosis.decision.remedy;
     case Outcome::ambiguous:
         return "No experiment of the catalogue would tell them apart; measure another quantity.";
     case Outcome::two_causes:
@@ -167,7 +167,9 @@ std::string standing_of(const Diagnosis& diagnosis, int k) {
         return "";
     const Seen& seen = decision.seen[static_cast<std::size_t>(k)];
     if (!seen.visible)
-        return seen.share < 0.005 ? "does not show: nuisances absorb it" : "does not show in these data";
+        return seen.share == 0      ? "does not act here"
+               : seen.share < 0.005 ? "does not show: nuisances absorb it"
+                                    : "does not show in these data";
     if (std::find(decision.causes.begin(), decision.causes.end(), k) != decision.causes.end())
         return "named";
     if (seen.refit && !seen.refit->possible)

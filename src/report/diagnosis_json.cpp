@@ -152,7 +152,8 @@ Json to_json(const Diagnosis& diagnosis, const std::string& version) {
                      {"used", diagnosis.noise.used},
                      {"ratio", diagnosis.noise.ratio},
                      {"correlation", diagnosis.noise.correlation},
-                     {"outliers", diagnosis.noise.left_out}};
+                     {"outliers", diagnosis.noise.left_out},
+                     {"repeats", diagnosis.noise.repeats}};
     json["readings"] = diagnosis.readings;
     json["chi_square_baseline"] = diagnosis.chi_square;
     Json warnings = Json::array();

@@ -143,8 +143,14 @@ std::string library_section(const Diagnosis& diagnosis) {
     std::vector<Bar> bars;
     const Decision& decision = diagnosis.decision;
     double best = 0;
+    std::map<std::string, std::string> silent; // causes by why they do not show
     for (std::size_t k = 0; k < decision.seen.size(); ++k) {
         const Seen& seen = decision.seen[k];
+        if (!seen.visible) {
+            std::string& ids = silent[standing_of(diagnosis, static_cast<int>(k))];
+            ids += (ids.empty() ? "" : ", ") + diagnosis.causes[k].id;
+            continue;
+        }
         const bool named =
             std::find(decision.causes.begin(), decision.causes.end(), static_cast<int>(k)) != decision.causes.end();
         best = std::max(best, seen.gain);
@@ -154,11 +160,15 @@ std::string library_section(const Diagnosis& diagnosis) {
     std::vector<Mark> marks{{decision.gate, "gate"}};
     if (best > decision.gate)
         marks.push_back({std::max(0.0, best - 2 * diagnosis.settings.margin), "margin"});
+    std::string rest;
+    for (const auto& [why, ids] : silent)
+        rest += fmt::format(" {}: {}.", ids, why);
     return fmt::format(
         "<h2>How far each cause of the library explains it</h2>{}<p class=\"small\">Noise alone drives the "
         "best of all causes beyond the gate in {:g} % of cases; whoever lies beyond the margin cannot be "
-        "told from the best.</p>",
-        svg_of(bars, marks, "fall of chi-square when the cause is added"), 100 * diagnosis.settings.alpha_gate);
+        "told from the best.{}</p>",
+        bars.empty() ? "" : svg_of(bars, marks, "fall of chi-square when the cause is added"),
+        100 * diagnosis.settings.alpha_gate, rest);
 }
 
 std::string shade(double left) {

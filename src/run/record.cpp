@@ -5,13 +5,15 @@
 #include "run/simulation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace tumble::run {
 
 namespace {
 
-constexpr double share_of_step = 0.2; // of the scene's step, for impacts
+constexpr double share_of_step = 0.3; // of the scene's step, for impacts
+constexpr double steps_of_trial = 4;  // of those, one step of the trial that finds an impact's beginning and end
 
 using Measures = std::vector<observe::Measure>;
 
@@ -130,9 +132,14 @@ private:
 
     /// Fine steps until the impact is over; to the end where it never is.
     std::optional<Problem> touch() {
-        const double step = share_of_step * usual_step_;
-        if (const auto problem = align(step))
-            return problem;
+        double step = share_of_step * usual_step_;
+        const auto impact = try_impact(steps_of_trial * step);
+        if (!impact)
+            return impact.problems()[0];
+        if (impact->lasts > 0)
+            step = impact->lasts / std::max(1.0, std::round(impact->lasts / step));
+        if (impact->begins > 0) // in the middle of a step
+            go_on(impact->begins - (std::floor(impact->begins / step) + 0.5) * step);
         const double began = now_.time;
         auto world = world_at(now_, step);
         if (!world)
@@ -147,7 +154,7 @@ private:
             now_ = state_of(frame, began, now_);
             add_row(series_, measures_, frame, books, began);
             free = books.overlap_ratio_peak > 0 && books.contacts == 0 ? free + 1 : 0;
-            if (free < 2) // the second one tells how it is slowed down in flight, which align() asks
+            if (free < 2) // the second one tells how it is slowed down in flight, which go_on() asks
                 continue;
             if (const auto problem = (*world)->advance(1)) // whose account is of the state that was taken
                 return problem;
@@ -158,31 +165,50 @@ private:
         return std::nullopt;
     }
 
-    /// Moves along the flight by less than a step, so that the impact begins in the middle of one: begun at random, it
-    /// would lose more or less to the dashpot, which sets in steeply, and heights would scatter by hundredths of a
-    /// millimetre from one simulation to the next.
-    std::optional<Problem> align(double step) {
+    struct Impact {
+        double begins = 0; // s from now; 0: none that comes from outside
+        double lasts = 0;  // s; 0: it does not end soon
+    };
+
+    /// When the impact ahead begins and ends, by steps of that length. Dashpots set in and end steeply: an impact that
+    /// began or ended somewhere in a step would lose more or less, and heights would scatter by hundredths of a
+    /// millimetre from one simulation to the next. Cut into a whole number of steps from the middle of one to the
+    /// middle of another, it loses the same as its neighbours do.
+    Result<Impact> try_impact(double step) {
         auto world = world_at(now_, step);
         if (!world)
-            return world.problems()[0];
-        double depth = 0;
-        for (double t = 0; t < 3 * scene_.observe.every && depth == 0; t += step) {
+            return world.problems();
+        std::array<double, 3> depth{}; // m, of the last three instants
+        Impact impact;
+        bool rises = true;
+        const double patience = 3 * scene_.observe.every, left = scene_.duration - now_.time;
+        for (std::int64_t k = 0; static_cast<double>(k) * step < (impact.begins > 0 ? left : patience); ++k) {
             if (const auto problem = (*world)->advance(1))
-                return problem;
-            depth = (*world)->books().overlap_max;
+                return *problem;
+            depth = {depth[1], depth[2], (*world)->books().overlap_max};
+            const auto [before, last, now] = depth;
+            if (impact.begins == 0 && last > 0) {
+                if (now - last <= last / 100 || k < 2) // it does not come from outside
+                    return impact;
+                impact.begins = (static_cast<double>(k - 1) - std::min(1.0, last / (now - last))) * step;
+            }
+            if (impact.begins > 0 && now == 0) {
+                const double ends = static_cast<double>(k - 1) + std::min(1.0, last / (before - last));
+                impact.lasts = ends * step - impact.begins;
+                return impact;
+            }
+            if (impact.begins > 0 && !rises && now > last) // back again before it has left
+                return impact;
+            rises = now > last;
         }
-        if (depth == 0)
-            return std::nullopt;
-        if (const auto problem = (*world)->advance(1))
-            return problem;
-        const double deeper = (*world)->books().overlap_max - depth; // in one step
-        if (deeper <= depth / 100)                                   // it does not come from outside
-            return std::nullopt;
-        const double later = (0.5 - std::min(1.0, depth / deeper)) * step;
+        return impact;
+    }
+
+    /// Moves along the flight by less than a step.
+    void go_on(double later) {
         now_.time += later;
         now_.position += later * now_.velocity + 0.5 * later * later * now_.acceleration;
         now_.velocity += later * now_.acceleration;
-        return std::nullopt;
     }
 
     const scene::Scene& as_written_;

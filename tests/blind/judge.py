@@ -11,6 +11,7 @@ import argparse
 import concurrent.futures
 import hashlib
 import json
+import math
 import pathlib
 import secrets
 import shutil
@@ -20,19 +21,22 @@ import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-SCENE = ROOT / "scenes" / "bounce.toml"
+SCENES = ROOT / "scenes"
 
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("tumble")
-    parser.add_argument("blindgen")
+    parser.add_argument("tumble", nargs="?")
+    parser.add_argument("blindgen", nargs="?")
     parser.add_argument("--cases", type=int, default=40)
     parser.add_argument("--seed", type=int, help="drawn where none is given")
     parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--only", nargs=3, metavar=("KIND", "EFFECT", "SIZE"), help="all cases alike")
+    parser.add_argument("--only", nargs=4, metavar=("BENCH", "KIND", "EFFECT", "SIZE"), help="all cases alike")
     parser.add_argument("--keep", type=pathlib.Path, help="leave cases and diagnoses in this folder")
-    parser.add_argument("--json", action="store_true", help="print figures as JSON")
+    parser.add_argument("--rows", type=pathlib.Path, help="append one JSON line a case to this file")
+    parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE",
+                        help="a key of every measurement, such as margin_nats=1e-6: an ablation")
+    parser.add_argument("--tell", type=pathlib.Path, nargs="+", help="judge nothing: the tables of such files")
     return parser.parse_args()
 
 
@@ -43,8 +47,10 @@ def make_cases(args, folder):
     return [json.loads(line) for line in made.stdout.splitlines()]
 
 
-def diagnose(tumble, folder):
-    shutil.copy(SCENE, folder / "scene.toml")
+def diagnose(tumble, folder, scene, sets):
+    shutil.copy(SCENES / scene, folder / "scene.toml")
+    measurement = folder / "measurement.toml"
+    measurement.write_text("".join(f"{one}\n" for one in sets) + measurement.read_text())
     begun = time.monotonic()
     done = subprocess.run([tumble, "diagnose", "scene.toml", "--data", "measurement.toml", "--json", "--quiet"],
                           cwd=folder, capture_output=True, text=True)
@@ -114,27 +120,109 @@ def pulls(rows):
         if row["verdict"] == "correct" and row["fitted"] and row["fitted"][0]["id"] in row["hidden"]:
             fitted = row["fitted"][0]
             values.append((fitted["amplitude"] - row["amplitude"]) / fitted["standard_error"])
-    if len(values) < 3:
-        return None
-    mean = sum(values) / len(values)
-    spread = (sum((v - mean) ** 2 for v in values) / (len(values) - 1)) ** 0.5
-    inside = sum(abs(v) < 1.96 for v in values)
-    return {"cases": len(values), "mean": mean, "sd": spread, "inside_95": inside}
+    return values
+
+
+def tail(hits, cases, p):
+    """P(at least so many hits of so many cases) where each has probability p."""
+    return sum(math.comb(cases, k) * p ** k * (1 - p) ** (cases - k) for k in range(hits, cases + 1))
+
+
+def bounds(hits, cases):
+    """Clopper and Pearson's one-sided 95 % limits of a rate, in per cent: below and above."""
+    def solve(wanted):
+        lo, hi = 0.0, 1.0
+        for _ in range(60):
+            middle = (lo + hi) / 2
+            lo, hi = (middle, hi) if wanted(middle) else (lo, middle)
+        return 100 * lo
+    low = 0.0 if hits == 0 else solve(lambda p: tail(hits, cases, p) < 0.05)
+    high = 100.0 if hits == cases else solve(lambda p: 1 - tail(hits + 1, cases, p) > 0.05)
+    return low, high
+
+
+def share(rows, chosen, good):
+    """Line of the table of targets: hits of cases, rate, limits."""
+    cases = [r for r in rows if chosen(r)]
+    hits = sum(good(r) for r in cases)
+    if not cases:
+        return "no case"
+    low, high = bounds(hits, len(cases))
+    return f"{hits} of {len(cases)}, {100 * hits / len(cases):.1f} % (95 %: {low:.1f} to {high:.1f})"
+
+
+def targets(rows):
+    """The promises, each with what was found (Markdown)."""
+    listed = lambda r: r["kind"] == "listed"
+    unlisted = lambda r: r["kind"] == "unlisted"
+    said = lambda *words: lambda r: r["verdict"] in words
+    single = said("correct", "misnamed")
+    lines = [
+        ("right name or class, d_sep >= 5", "at least 95 %",
+         share(rows, lambda r: listed(r) and r["d_sep"] > 4.8, said("correct"))),
+        ("right name or class, d_sep >= 8", "at least 98 %",
+         share(rows, lambda r: listed(r) and r["d_sep"] > 7.7, said("correct"))),
+        ("listed effect, confident wrong name, any size", "at most 1 %", share(rows, listed, said("misnamed"))),
+        ("nothing hidden: confident name", "at most 1 %",
+         share(rows, lambda r: r["kind"] == "null", said("misnamed", "wrong pair"))),
+        ("nothing hidden: any alarm", "at most 2 %",
+         share(rows, lambda r: r["kind"] == "null", lambda r: r["verdict"] != "none")),
+        ("not in the library, d_res >= 8: single name", "at most 3 %",
+         share(rows, lambda r: unlisted(r) and r["d_sep"] > 7.7, said("misnamed"))),
+        ("the same, pairs too", "at most 10 %",
+         share(rows, lambda r: unlisted(r) and r["d_sep"] > 7.7, said("misnamed", "wrong pair"))),
+        ("the same, flagged or ambiguous", "at least 90 %",
+         share(rows, lambda r: unlisted(r) and r["d_sep"] > 7.7, said("unknown", "ambiguous without truth", "unsure"))),
+        ("ambiguous: the set holds the truth", "at least 98 %",
+         share(rows, lambda r: listed(r) and r["verdict"].startswith("ambiguous"), said("ambiguous with truth"))),
+    ]
+    print("\n| figure | target | found |\n| --- | --- | --- |")
+    for line in lines:
+        print("| " + " | ".join(line) + " |")
+    if len(values := pulls(rows)) > 2:
+        mean = sum(values) / len(values)
+        spread = (sum((v - mean) ** 2 for v in values) / (len(values) - 1)) ** 0.5
+        low, high = bounds(sum(abs(v) < 1.96 for v in values), len(values))
+        print(f"| pull of amplitudes rightly named | mean within 0.15, sd 0.9 to 1.15 | {mean:+.2f} +- "
+              f"{spread / len(values) ** 0.5:.2f}, sd {spread:.2f}, {len(values)} cases |")
+        print(f"| 95 % intervals that hold the truth | 92 to 98 % | "
+              f"{sum(abs(v) < 1.96 for v in values)} of {len(values)} (95 %: {low:.1f} to {high:.1f}) |")
+
+
+def calibration(rows):
+    """Naming rate beside Phi(d/2 - 3/d)."""
+    print("\n| d_sep | cases | rightly named | Phi(d/2 - 3/d) |\n| --- | --- | --- | --- |")
+    for low, high in ((1.5, 2.75), (2.75, 4.25), (4.25, 6.5), (6.5, 20)):
+        some = [r for r in rows if r["kind"] == "listed" and low < r["d_sep"] <= high]
+        if some:
+            theory = sum(0.5 * math.erfc(-(r["d_sep"] / 2 - 3 / r["d_sep"]) / 2 ** 0.5) for r in some) / len(some)
+            hits = sum(r["verdict"] == "correct" for r in some)
+            print(f"| {low:g} to {high:g} | {len(some)} | {100 * hits / len(some):.0f} % | {100 * theory:.0f} % |")
+
+
+def told(rows):
+    tabulate(rows)
+    confusion(rows)
+    targets(rows)
+    calibration(rows)
 
 
 def main():
     args = arguments()
+    if args.tell:
+        told([json.loads(line) for file in args.tell for line in file.read_text().splitlines()])
+        return
     args.tumble, args.blindgen = (str(pathlib.Path(p).resolve()) for p in (args.tumble, args.blindgen))
     args.seed = args.seed if args.seed is not None else secrets.randbits(48)
     folder = args.keep or pathlib.Path(tempfile.mkdtemp(prefix="blind-"))
     folder.mkdir(parents=True, exist_ok=True)
     sealed = make_cases(args, folder)
     with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
-        found = list(pool.map(lambda s: diagnose(args.tumble, folder / s["case"]), sealed))
+        found = list(pool.map(lambda s: diagnose(args.tumble, folder / s["case"], s["scene"], args.set), sealed))
     rows = []
     for seal, one in zip(sealed, found):
         answer = verified(seal, folder)
-        rows.append({"case": seal["case"], "kind": answer["kind"], "wanted": answer["wanted"], "design": answer["design"],
+        rows.append({"case": seal["case"], "kind": answer["kind"], "wanted": answer["wanted"], "bench": answer["bench"], "more": answer["more"],
                      "hidden": [h["id"] for h in answer["hidden"]],
                      "amplitude": answer["hidden"][0]["amplitude"] if answer["hidden"] else 0,
                      "d": answer["d"], "d_sep": answer["d_sep"], "nearest": answer["nearest"],
@@ -143,17 +231,13 @@ def main():
                      "settings": one.get("settings")})
     if not args.keep:
         shutil.rmtree(folder)
-    if args.json:
-        print(json.dumps({"seed": args.seed, "rows": rows}, indent=1))
-        return
+    if args.rows:
+        with args.rows.open("a") as out:
+            out.writelines(json.dumps({"seed": args.seed, **row}) + "\n" for row in rows)
     settings = json.dumps(rows[0]["settings"], sort_keys=True)
     print(f"seed {args.seed}, settings {hashlib.sha256(settings.encode()).hexdigest()[:12]}, {len(rows)} cases, "
           f"{sum(r['took'] for r in rows) / len(rows):.1f} s each\n")
-    tabulate(rows)
-    confusion(rows)
-    if pull := pulls(rows):
-        print(f"\namplitudes rightly named: {pull['cases']}, pull {pull['mean']:+.2f} +- {pull['sd']:.2f}, "
-              f"{pull['inside_95']} inside the 95 % interval")
+    told(rows)
 
 
 if __name__ == "__main__":

@@ -16,8 +16,9 @@ namespace blind {
 
 namespace dg = tumble::diagnose;
 
-inline dg::SceneText bounce() {
-    const std::filesystem::path file = std::filesystem::path(TUMBLE_ROOT) / "scenes" / "bounce.toml";
+inline dg::SceneText scene_of(Bench bench) {
+    const std::filesystem::path file =
+        std::filesystem::path(TUMBLE_ROOT) / "scenes" / (bench == Bench::drop ? "bounce.toml" : "lane.toml");
     return {*tumble::scene::read_file(file, tumble::scene::largest_scene), file};
 }
 
@@ -41,7 +42,7 @@ inline tumble::Result<dg::Diagnosis> diagnosed(const Case& made) {
     const auto measurement = handed_in(made);
     if (!measurement)
         return measurement.problems();
-    return dg::diagnose(bounce(), *measurement, on_the_solver);
+    return dg::diagnose(scene_of(made.setup.bench), *measurement, on_the_solver);
 }
 
 } // namespace blind

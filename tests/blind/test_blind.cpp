@@ -1,120 +1,18 @@
 // The fast stage of the blind tests: some cases on the real solver, thousands on its slopes. tests/blind/judge.py is
 // the large one.
-#include "base/text.h"
-#include "diagnose/verdict.h"
-#include "laboratory.h"
+#include "linear_stage.h"
 
-#include <Eigen/QR>
-#include <doctest/doctest.h>
 #include <regex>
 
-using namespace tumble;
-using namespace tumble::diagnose;
+using namespace blind;
 
 namespace {
-
-std::string case_of(const std::string& kind, const std::string& effect, double size, bool light,
-                    unsigned long long seed, Diagnosis& diagnosis) {
-    blind::Random random(seed);
-    blind::Order order{.kind = kind, .effects = {}, .wanted = size, .light = light};
-    if (!effect.empty())
-        order.effects = {effect};
-    const blind::Case made = blind::make_case(order, random);
-    REQUIRE(made.possible);
-    auto result = blind::diagnosed(made);
-    REQUIRE_MESSAGE(result, to_string(result.problems()));
-    diagnosis = std::move(*result);
-    return verdict_of(diagnosis);
-}
 
 bool holds(const Diagnosis& diagnosis, const std::string& id) {
     for (const int k : diagnosis.decision.causes)
         if (diagnosis.causes[static_cast<std::size_t>(k)].id == id)
             return true;
     return false;
-}
-
-/// The evidence in coordinates of all its directions: every product of two of its vectors is kept, and rows are few.
-Evidence compressed(const Evidence& full) {
-    MatrixXd all(full.residual.size(), full.nuisances.cols() + full.effects.cols() + full.directions.blocks.cols() +
-                                           full.directions.prints.cols());
-    all << full.nuisances, full.effects, full.directions.blocks, full.directions.prints;
-    const Eigen::ColPivHouseholderQR<MatrixXd> qr(unit_columns(all));
-    const MatrixXd basis = qr.householderQ() * MatrixXd::Identity(all.rows(), qr.rank());
-    Evidence few;
-    few.causes = full.causes;
-    few.residual = basis.transpose() * full.residual;
-    few.nuisances = basis.transpose() * full.nuisances;
-    few.effects = basis.transpose() * full.effects;
-    few.directions.blocks = basis.transpose() * full.directions.blocks;
-    few.directions.prints = basis.transpose() * full.directions.prints;
-    few.directions.condition.assign(static_cast<std::size_t>(basis.cols()), 0);
-    few.directions.early.assign(static_cast<std::size_t>(basis.cols()), false);
-    few.directions.conditions = {"all"};
-    return few;
-}
-
-struct Tally {
-    int right = 0, wrong = 0, ambiguous_with = 0, ambiguous_without = 0, quiet = 0, unknown = 0, pairs = 0;
-};
-
-/// Cases with an effect of that size and noise, decided as if all were linear.
-Tally linear_cases(const Evidence& evidence, const VectorXd& effect, int truth, int count, blind::Random& random,
-                   const Settings& settings = {}) {
-    Tally tally;
-    Evidence now = evidence;
-    const Projector nuisances(evidence.nuisances);
-    for (int k = 0; k < count; ++k) {
-        VectorXd noise(evidence.residual.size());
-        for (double& one : noise)
-            one = random.normal();
-        now.residual = nuisances.out(VectorXd(effect + noise));
-        const Decision decision =
-            decide(now, settings, [&](const std::vector<int>& causes) { return refit_linear(now, causes); });
-        now.gate = decision.gate;
-        const bool with = std::find(decision.causes.begin(), decision.causes.end(), truth) != decision.causes.end();
-        if (decision.outcome == Outcome::named)
-            ++(with ? tally.right : tally.wrong);
-        else if (decision.outcome == Outcome::ambiguous)
-            ++(with ? tally.ambiguous_with : tally.ambiguous_without);
-        else if (decision.outcome == Outcome::consistent)
-            ++tally.quiet;
-        else
-            ++(decision.outcome == Outcome::two_causes ? tally.pairs : tally.unknown);
-    }
-    return tally;
-}
-
-Eigen::Index column_of(const Evidence& evidence, const std::string& id) {
-    for (std::size_t k = 0; k < evidence.causes.size(); ++k)
-        if (evidence.causes[k].id == id)
-            return static_cast<Eigen::Index>(k);
-    FAIL(id);
-    return 0;
-}
-
-/// How much of a cause's effect the nearest rival outside its class leaves.
-double separable_length(const Evidence& evidence, int cause) {
-    const VectorXd own = Projector(evidence.nuisances).out(VectorXd(evidence.effects.col(cause)));
-    double least = own.norm();
-    for (Eigen::Index k = 0; k < evidence.effects.cols(); ++k) {
-        MatrixXd rival(evidence.residual.size(), evidence.nuisances.cols() + 1);
-        rival << evidence.nuisances, evidence.effects.col(k);
-        const double left = Projector(rival).out(own).norm();
-        if (k != cause && left > 0.02 * own.norm())
-            least = std::min(least, left);
-    }
-    return least;
-}
-
-/// Slopes on the solver, once for all cases.
-const Evidence& evidence_of_nothing() {
-    static const Evidence evidence = [] {
-        Diagnosis diagnosis;
-        case_of("null", "", 5, false, 7, diagnosis);
-        return compressed(diagnosis.evidence);
-    }();
-    return evidence;
 }
 
 } // namespace
@@ -136,24 +34,34 @@ TEST_CASE("the generator of blind cases shares no line with the program it tests
 TEST_CASE("on the solver: nothing hidden is nothing found") {
     for (unsigned long long seed = 1; seed <= 4; ++seed) {
         Diagnosis diagnosis;
-        const std::string verdict = case_of("null", "", 5, seed % 2 == 0, seed, diagnosis);
+        const Order order{.kind = "null",
+                          .effects = {},
+                          .wanted = 5,
+                          .bench = seed > 2 ? Bench::lane : Bench::drop,
+                          .more = seed % 2 == 0};
+        const std::string verdict = case_of(order, seed, diagnosis);
         CHECK_MESSAGE(diagnosis.decision.outcome == Outcome::consistent, seed << ": " << verdict);
     }
 }
 
 TEST_CASE("on the solver: what is hidden at 8 standard errors from every rival is named, with its amplitude") {
     // Naming fails at d_sep = 8 with probability Phi(-(8/2 - 3/8)) = 0.02 %.
-    for (const char* effect : {"ins.gain", "ins.bias", "ins.low_pass"}) {
+    const std::pair<Bench, const char*> hidden[] = {{Bench::drop, "ins.gain"},
+                                                    {Bench::drop, "ins.low_pass"},
+                                                    {Bench::lane, "roll.coulomb"},
+                                                    {Bench::lane, "grav.tilt_x"}};
+    for (const auto& [bench, effect] : hidden) {
         Diagnosis diagnosis;
-        const std::string verdict = case_of("listed", effect, 8, false, 21, diagnosis);
+        const Order order{.kind = "listed", .effects = {effect}, .wanted = 8, .bench = bench};
+        const std::string verdict = case_of(order, 21, diagnosis);
         CHECK_MESSAGE(diagnosis.decision.outcome == Outcome::named, effect << ": " << verdict);
         CHECK_MESSAGE(holds(diagnosis, effect), effect << ": " << verdict);
     }
 }
 
 TEST_CASE("on slopes: thousands of cases keep the promised rates") {
-    const Evidence& evidence = evidence_of_nothing();
-    blind::Random random(99);
+    const Evidence evidence = compressed(evidence_of_nothing(Bench::drop));
+    Random random(99);
     // Nothing hidden: the gate and the two tests of adequacy alarm in 0.5 % each; 1,500 cases, so at most 30 with 99.9
     // %.
     const Tally nothing = linear_cases(evidence, VectorXd::Zero(evidence.residual.size()), -1, 1500, random);
@@ -181,25 +89,4 @@ TEST_CASE("on slopes: thousands of cases keep the promised rates") {
     CHECK(right >= 0.93 * cases);
     CHECK(wrong <= 0.01 * cases);
     CHECK(lost <= 0.02 * cases);
-}
-
-TEST_CASE("ablations: without its margin or its adequacy the decision is worse, so both do something") {
-    const Evidence& evidence = evidence_of_nothing();
-    blind::Random random(5);
-    // A direction that nothing listed resembles: an oscillation of the blocks, free of nuisances and causes.
-    MatrixXd known(evidence.residual.size(), evidence.nuisances.cols() + evidence.effects.cols());
-    known << evidence.nuisances, evidence.effects;
-    VectorXd strange = VectorXd::Zero(evidence.residual.size());
-    for (Eigen::Index k = 0; k < evidence.directions.blocks.cols(); ++k)
-        strange += (k % 2 ? 1.0 : -1.0) * evidence.directions.blocks.col(k);
-    const VectorXd beside = Projector(known).out(strange).normalized();
-    const VectorXd likened =
-        (0.5 * unit_columns(evidence.effects).col(column_of(evidence, "ins.gain")) + beside).normalized();
-    Settings careless;
-    careless.alpha_adequacy = 1e-12;
-    const VectorXd effect = 10 * Projector(evidence.nuisances).out(likened);
-    const Tally with = linear_cases(evidence, effect, -1, 150, random);
-    const Tally without = linear_cases(evidence, effect, -1, 150, random, careless);
-    CHECK(with.wrong <= 15);
-    CHECK(without.wrong > 2 * with.wrong + 20);
 }

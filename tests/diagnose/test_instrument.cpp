@@ -28,6 +28,23 @@ TEST_CASE("a signal is read exactly between its rows where it is a cubic") {
     CHECK(signal.at(-1) == 1);
 }
 
+TEST_CASE("a turn between two rows, as an impact makes it, stays sharp wherever between them it lies") {
+    for (const double meet : {0.5, 0.5 + 1e-7, 0.50037, 0.5009999}) {
+        const auto truth = [&](double t) {
+            return t < meet ? 4.9 * (meet * meet - t * t) : 3 * (t - meet) - 4.9 * (t - meet) * (t - meet);
+        };
+        Signal signal;
+        for (int k = 0; k <= 1000; ++k) {
+            signal.time.push_back(1e-3 * k);
+            signal.value.push_back(truth(1e-3 * k));
+        }
+        for (int k = -40; k <= 40; ++k) {
+            const double t = meet + 1.3e-4 * k;
+            CHECK(std::abs(signal.at(t) - truth(t)) < 1e-10);
+        }
+    }
+}
+
 TEST_CASE("a low pass lags a ramp by its time constant") {
     Signal ramp;
     for (int k = 0; k <= 1000; ++k) {

@@ -10,32 +10,48 @@ namespace {
 
 const double sizes[] = {2, 3.5, 5, 8};
 
-std::vector<std::string> ids(bool listed) {
+std::vector<std::string> ids(bool listed, Bench bench) {
     std::vector<std::string> all;
     for (const Effect& effect : effects())
-        if (effect.listed == listed)
+        if (effect.listed == listed && shows(effect, bench))
             all.push_back(effect.id);
     return all;
 }
 
-/// Scene keys of a drop, as the reader of a measurement would type them.
-std::string sets_of(const Drop& drop, const Ball& ball) {
-    std::string sets = fmt::format("\"fill.0.position_m.1={}\"", ball.radius + drop.height);
-    if (drop.light)
-        sets += fmt::format(", \"body.ball.mass_kg={}\"", ball.mass / 4);
-    return sets;
+/// Scene keys of a trial, as the reader of a measurement would type them.
+std::string sets_of(const Setup& setup, const Trial& trial, const Truth& known) {
+    if (setup.bench == Bench::drop)
+        return fmt::format("\"fill.0.position_m.1={}\"{}", known.ball.radius + trial.height,
+                           trial.light ? fmt::format(", \"body.ball.mass_kg={}\"", known.ball.mass / 4) : "");
+    const double slope = trial.slope * 3.14159265358979323846 / 180;
+    return fmt::format("\"fill.0.velocity_m_s.0={}\"{}", trial.speed,
+                       trial.slope == 0
+                           ? ""
+                           : fmt::format(", \"gravity_m_s2=[{:.9f}, {:.9f}, 0.0]\"",
+                                         known.lane.gravity * std::sin(slope), -known.lane.gravity * std::cos(slope)));
 }
 
-std::string measurement_of(const Case& made, const Ball& ball) {
-    std::string toml = "title = \"A ball dropped, filmed from the side\"\n\n"
-                       "[[nuisance]]\nkey = \"pair.leather-wood.restitution\"\nspread = 0.05\n\n"
-                       "[[nuisance]]\ninstrument = \"clock_offset\"\nper = \"series\"\nspread = 0.005\n";
+std::string name_of(const Setup& setup, const Trial& trial) {
+    if (setup.bench == Bench::drop)
+        return fmt::format("{}{:.0f} mm", trial.light ? "light ball, " : "", 1000 * trial.height);
+    return trial.slope == 0 ? fmt::format("{:+.2f} m/s", trial.speed)
+                            : fmt::format("{:+.2f} m/s on {:+.0f} deg", trial.speed, trial.slope);
+}
+
+std::string measurement_of(const Case& made, const Truth& known) {
+    const bool drops = made.setup.bench == Bench::drop;
+    std::string toml = drops ? "title = \"A ball dropped, filmed from the side\"\n\n"
+                               "[[nuisance]]\nkey = \"pair.leather-wood.restitution\"\nspread = 0.05\n"
+                             : "title = \"A ball thrown along a lane, filmed from above\"\n\n"
+                               "[[nuisance]]\nkey = \"pair.rubber-wood.friction\"\nspread = 0.03\n\n"
+                               "[[nuisance]]\nkey = \"fill.0.velocity_m_s.0\"\nper = \"series\"\nspread = 0.03\n";
+    toml += "\n[[nuisance]]\ninstrument = \"clock_offset\"\nper = \"series\"\nspread = 0.005\n";
     for (std::size_t r = 0; r < made.files.size(); ++r) {
-        toml += fmt::format("\n[[series]]\nname = \"{}{:.0f} mm\"\nfile = \"{}\"\nset = [{}]\n",
-                            made.setup.drops[r].light ? "light ball, " : "", 1000 * made.setup.drops[r].height,
-                            made.files[r], sets_of(made.setup.drops[r], ball));
-        toml += fmt::format("[[series.column]]\nhead = \"height\"\nmeasure = \"centre_of_mass_y\"\nsigma = {:.3g}\n",
-                            1000 * made.setup.sigma);
+        const Trial& trial = made.setup.trials[r];
+        toml += fmt::format("\n[[series]]\nname = \"{}\"\nfile = \"{}\"\nset = [{}]\n", name_of(made.setup, trial),
+                            made.files[r], sets_of(made.setup, trial, known));
+        toml += fmt::format("[[series.column]]\nhead = \"{}\"\nmeasure = \"centre_of_mass_{}\"\nsigma = {:.3g}\n",
+                            drops ? "height" : "way", drops ? "y" : "x", 1000 * made.setup.sigma);
         if (made.setup.clock)
             toml += "[[series.column]]\nhead = \"clock\"\nmeasure = \"time\"\nsigma = 1\n";
     }
@@ -65,8 +81,9 @@ Dirt draw_dirt(Random& random) {
 void write_records(Case& made, const Eigen::VectorXd& clean, const Dirt& dirt, Random& random) {
     const std::vector<double> times = times_of(made.setup);
     const auto count = static_cast<Eigen::Index>(times.size());
-    for (std::size_t r = 0; r < made.setup.drops.size(); ++r) {
-        std::string csv = made.setup.clock ? "time_s,height_mm,clock_ms\n" : "time_s,height_mm\n";
+    for (std::size_t r = 0; r < made.setup.trials.size(); ++r) {
+        std::string csv = fmt::format("time_s,{}_mm{}\n", made.setup.bench == Bench::drop ? "height" : "way",
+                                      made.setup.clock ? ",clock_ms" : "");
         const int lost = dirt.drops_a_frame ? random.below(static_cast<int>(times.size())) : -1;
         double error = random.normal();
         const double phase = random.uniform(0, 6.283185307179586);
@@ -82,58 +99,81 @@ void write_records(Case& made, const Eigen::VectorXd& clean, const Dirt& dirt, R
                 continue;
             csv += fmt::format("{:.6f},{:.4f}", times[static_cast<std::size_t>(k)], 1000 * reading);
             if (made.setup.clock) {
-                const auto row = static_cast<Eigen::Index>(made.setup.drops.size() + r) * count + k;
+                const auto row = static_cast<Eigen::Index>(made.setup.trials.size() + r) * count + k;
                 csv += fmt::format(",{:.4f}", clean[row] + random.normal());
             }
             csv += '\n';
         }
-        made.files.push_back(fmt::format("drop-{}.csv", r + 1));
+        made.files.push_back(fmt::format("{}-{}.csv", made.setup.bench == Bench::drop ? "drop" : "throw", r + 1));
         made.csv.push_back(std::move(csv));
     }
 }
 
-Setup draw_setup(bool light, Random& random) {
-    Setup setup;
+/// Four drops from different heights; with `more` two of a light ball, and a clock in the picture.
+void draw_drops(Setup& setup, bool more, Random& random) {
     for (const double height : {0.5, 0.8, 1.1, 1.5})
-        setup.drops.push_back({std::round(1000 * height * random.uniform(0.9, 1.1)) / 1000, false});
-    if (light) {
-        setup.drops.push_back({std::round(1000 * random.uniform(0.7, 0.9)) / 1000, true});
-        setup.drops.push_back({std::round(1000 * random.uniform(1.3, 1.5)) / 1000, true});
+        setup.trials.push_back({.height = std::round(1000 * height * random.uniform(0.9, 1.1)) / 1000});
+    if (more) {
+        setup.trials.push_back({.height = std::round(1000 * random.uniform(0.7, 0.9)) / 1000, .light = true});
+        setup.trials.push_back({.height = std::round(1000 * random.uniform(1.3, 1.5)) / 1000, .light = true});
     }
     setup.rate_hz = std::round(random.uniform(96, 144));
+}
+
+/// Two throws each way on the level; with `more` one each way up a slope, and a clock in the picture.
+void draw_throws(Setup& setup, bool more, Random& random) {
+    for (const double speed : {2.5, -2.5, 1.4, -1.4})
+        setup.trials.push_back({.speed = std::round(100 * speed * random.uniform(0.9, 1.1)) / 100});
+    if (more)
+        for (const double way : {1.0, -1.0})
+            setup.trials.push_back(
+                {.speed = way * std::round(100 * random.uniform(1.8, 2.2)) / 100, .slope = -3 * way});
+    setup.rate_hz = std::round(random.uniform(48, 72));
+    setup.duration = 2;
+}
+
+Setup draw_setup(Bench bench, bool more, Random& random) {
+    Setup setup;
+    setup.bench = bench;
+    (bench == Bench::drop ? draw_drops : draw_throws)(setup, more, random);
     setup.sigma = std::round(1e6 * random.uniform(0.7, 1.3) * 2e-3) / 1e6;
-    setup.clock = light;
+    setup.clock = more;
     return setup;
 }
 
 } // namespace
 
-Ball baseline_ball() {
-    return {.radius = 0.12,
-            .mass = 0.6,
-            .modulus = 1 / ((1 - 0.3 * 0.3) / 1.27e6 + (1 - 0.3 * 0.3) / 1e10),
-            .restitution = 0.8};
+Truth baseline() {
+    const auto modulus = [](double soft) { return 1 / ((1 - 0.3 * 0.3) / soft + (1 - 0.3 * 0.3) / 1e10); };
+    Truth truth;
+    truth.ball = {.radius = 0.12, .mass = 0.6, .modulus = modulus(1.27e6), .restitution = 0.8};
+    truth.lane = {.radius = 0.05, .mass = 0.5, .modulus = modulus(2e7), .friction = 0.2, .fast_friction = 0.2};
+    return truth;
 }
 
 std::vector<Order> mixed_orders(int count, Random& random) {
-    const std::vector<std::string> listed = ids(true), unlisted = ids(false);
     std::vector<Order> orders;
     for (int k = 0; k < count; ++k) {
-        Order order{.kind = "null", .effects = {}, .wanted = sizes[random.below(4)], .light = random.chance(0.5)};
+        Order order{.kind = "null", .effects = {}, .wanted = sizes[random.below(4)]};
+        order.bench = random.chance(0.5) ? Bench::lane : Bench::drop;
+        order.more = random.chance(0.5);
+        const std::vector<std::string> listed = ids(true, order.bench), unlisted = ids(false, order.bench);
+        const auto one_of = [&](const std::vector<std::string>& all) {
+            return all[static_cast<std::size_t>(random.below(static_cast<int>(all.size())))];
+        };
         const double draw = random.uniform();
         if (draw >= 0.25 && draw < 0.7) {
             order.kind = "listed";
-            order.effects = {listed[static_cast<std::size_t>(random.below(static_cast<int>(listed.size())))]};
+            order.effects = {one_of(listed)};
         } else if (draw >= 0.7 && draw < 0.8) {
             order.kind = "two";
-            const int first = random.below(static_cast<int>(listed.size()));
-            const int shift = 1 + random.below(static_cast<int>(listed.size()) - 1);
-            order.effects = {listed[static_cast<std::size_t>(first)],
-                             listed[static_cast<std::size_t>((first + shift) % static_cast<int>(listed.size()))]};
+            order.effects = {one_of(listed), one_of(listed)};
+            while (order.effects[1] == order.effects[0])
+                order.effects[1] = one_of(listed);
             order.wanted = 15;
         } else if (draw >= 0.8) {
             order.kind = "unlisted";
-            order.effects = {unlisted[static_cast<std::size_t>(random.below(static_cast<int>(unlisted.size())))]};
+            order.effects = {one_of(unlisted)};
         }
         orders.push_back(std::move(order));
     }
@@ -142,12 +182,16 @@ std::vector<Order> mixed_orders(int count, Random& random) {
 
 Case make_case(const Order& order, Random& random) {
     Case made;
-    made.setup = draw_setup(order.light, random);
-    Truth without;
-    without.ball = baseline_ball();
-    without.ball.restitution += random.uniform(-0.03, 0.03);
-    without.offsets.assign(made.setup.drops.size(), 0);
-    without.restitution.assign(made.setup.drops.size(), 0);
+    made.setup = draw_setup(order.bench, order.more, random);
+    const Truth known = baseline();
+    Truth without = known;
+    const double off = random.uniform(-1, 1); // of restitution or friction, from what the scene has
+    without.ball.restitution += 0.03 * off;
+    without.lane.friction += 0.02 * off;
+    without.lane.fast_friction = without.lane.friction;
+    without.offsets.assign(made.setup.trials.size(), 0);
+    without.speeds.assign(made.setup.trials.size(), 0);
+    without.restitution.assign(made.setup.trials.size(), 0);
     Truth truth = without;
     nlohmann::ordered_json hidden = nlohmann::ordered_json::array();
     for (const std::string& id : order.effects) {
@@ -163,12 +207,15 @@ Case make_case(const Order& order, Random& random) {
         order.effects.size() == 1 && made.possible ? separation_of(made.setup, truth, without, own) : Separation{};
     for (double& offset : truth.offsets)
         offset = std::clamp(0.004 * random.normal(), -0.012, 0.012);
+    for (double& speed : truth.speeds)
+        speed = std::clamp(0.02 * random.normal(), -0.06, 0.06);
     write_records(made, readings_of(made.setup, truth), draw_dirt(random), random);
-    made.measurement = measurement_of(made, without.ball);
-    made.answer = {{"kind", order.kind},      {"design", order.light ? "E3" : "E2"},
-                   {"hidden", hidden},        {"wanted", order.wanted},
-                   {"d", size.detectable},    {"d_sep", size.separable},
-                   {"nearest", size.nearest}, {"restitution", without.ball.restitution}};
+    made.measurement = measurement_of(made, known);
+    made.answer = {{"kind", order.kind},      {"bench", order.bench == Bench::drop ? "drop" : "lane"},
+                   {"more", order.more},      {"hidden", hidden},
+                   {"wanted", order.wanted},  {"d", size.detectable},
+                   {"d_sep", size.separable}, {"nearest", size.nearest},
+                   {"innocent", off}};
     return made;
 }
 

@@ -15,7 +15,8 @@ struct Order {
     std::string kind;                 // null, listed, two, unlisted
     std::vector<std::string> effects; // ids
     double wanted = 0;                // d'_sep or d'_res
-    bool light = false;               // design E3: two drops of a light ball and a clock in the picture
+    Bench bench = Bench::drop;
+    bool more = false; // trials that separate better, and a clock in the picture
 };
 
 /// The mix of section 3.2 of the design: a quarter null, 45 % one listed effect, a tenth two, a fifth unlisted, sizes
@@ -25,7 +26,7 @@ std::vector<Order> mixed_orders(int count, Random& random);
 /// A case as it was made: its folder's files, and what is to be found.
 struct Case {
     Setup setup;
-    std::vector<std::string> files; // names, in the order of drops
+    std::vector<std::string> files; // names, in the order of trials
     std::vector<std::string> csv;
     std::string measurement; // TOML
     nlohmann::ordered_json answer;
@@ -35,7 +36,7 @@ struct Case {
 /// Draws everything innocent, scales the effect, adds noise that is not quite as stated.
 Case make_case(const Order& order, Random& random);
 
-/// The baseline that every case is held against: the ball of scenes/bounce.toml.
-Ball baseline_ball();
+/// The baseline that every case is held against: the balls of scenes/bounce.toml and scenes/lane.toml.
+Truth baseline();
 
 } // namespace blind

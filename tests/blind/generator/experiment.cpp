@@ -63,35 +63,81 @@ std::vector<double> read(const Path& path, const Sensor& sensor, const std::vect
     return y;
 }
 
-std::vector<Effect> all_effects() {
+constexpr double pi = 3.14159265358979323846;
+
+void drag(Truth& t, double density, double viscosity) {
+    const auto add = [&](auto& body) {
+        body.quadratic += 0.125 * pi * 0.44 * density * 4 * body.radius * body.radius;
+        body.linear += 6 * pi * viscosity * body.radius;
+    };
+    add(t.ball);
+    add(t.lane);
+}
+
+std::vector<Effect> listed() {
     return {
-        {"drag.quadratic", true, 0.1, 20, true,
+        {"drag.quadratic", true, 0.1, 20, true, true, true, [](Truth& t, double a) { drag(t, a, 0); }},
+        {"drag.linear", true, 1e-3, 2, true, true, true, [](Truth& t, double a) { drag(t, 0, a); }},
+        {"rest.velocity", true, 0.01, 0.4, true, true, false, [](Truth& t, double a) { t.ball.exponent += a; }},
+        {"roll.coulomb", true, 1e-3, 0.3, true, false, true, [](Truth& t, double a) { t.lane.rolling += a; }},
+        {"fric.weakening", true, 0.05, 1, true, false, true, [](Truth& t, double a) { t.lane.fast_friction *= 1 - a; }},
+        {"grav.g", true, 1e-3, 0.05, false, true, true,
          [](Truth& t, double a) {
-             t.ball.quadratic += 0.125 * 3.14159265358979323846 * 0.44 * a * 4 * t.ball.radius * t.ball.radius;
+             t.ball.gravity *= 1 + a;
+             t.lane.gravity *= 1 + a;
          }},
-        {"drag.linear", true, 1e-3, 2, true,
-         [](Truth& t, double a) { t.ball.linear += 6 * 3.14159265358979323846 * a * t.ball.radius; }},
-        {"rest.velocity", true, 0.01, 0.4, true, [](Truth& t, double a) { t.ball.exponent += a; }},
-        {"grav.g", true, 1e-3, 0.05, false, [](Truth& t, double a) { t.ball.gravity *= 1 + a; }},
-        {"num.stiffness", true, 0.1, 3, false, [](Truth& t, double a) { t.ball.modulus *= std::exp(a); }},
-        {"ins.clock_rate", true, 1e-3, 0.05, false, [](Truth& t, double a) { t.sensor.rate += a; }},
-        {"ins.gain", true, 1e-3, 0.1, false, [](Truth& t, double a) { t.sensor.gain += a; }},
-        {"ins.bias", true, 1e-4, 0.05, false, [](Truth& t, double a) { t.sensor.bias += a; }},
-        {"ins.drift", true, 1e-4, 0.05, false, [](Truth& t, double a) { t.sensor.drift += a; }},
-        {"ins.low_pass", true, 1e-3, 0.05, true, [](Truth& t, double a) { t.sensor.low_pass += a; }},
-        {"ins.high_pass", true, 1e-2, 5, true, [](Truth& t, double a) { t.sensor.high_pass += a; }},
-        {"ins.clipping", true, 2e-2, 0.9, true, [](Truth& t, double a) { t.sensor.clip += a; }},
-        {"sensor-bend", false, 1e-3, 0.2, false, [](Truth& t, double a) { t.sensor.bend += a; }},
-        {"restitution-of-one-drop", false, 1e-3, 0.1, false, [](Truth& t, double a) { t.restitution[1] += a; }},
-        {"plate-swings", false, 1e-3, 0.3, true,
+        {"grav.tilt_x", true, 0.02, 5, false, false, true, [](Truth& t, double a) { t.lane.slope += a * pi / 180; }},
+        {"num.stiffness", true, 0.1, 3, false, true, false, [](Truth& t, double a) { t.ball.modulus *= std::exp(a); }},
+        {"ins.clock_rate", true, 1e-3, 0.05, false, true, true, [](Truth& t, double a) { t.sensor.rate += a; }},
+        {"ins.gain", true, 1e-3, 0.1, false, true, true, [](Truth& t, double a) { t.sensor.gain += a; }},
+        {"ins.bias", true, 1e-4, 0.05, false, true, true, [](Truth& t, double a) { t.sensor.bias += a; }},
+        {"ins.drift", true, 1e-4, 0.05, false, true, true, [](Truth& t, double a) { t.sensor.drift += a; }},
+        {"ins.low_pass", true, 1e-3, 0.05, true, true, true, [](Truth& t, double a) { t.sensor.low_pass += a; }},
+        {"ins.high_pass", true, 1e-2, 5, true, true, true, [](Truth& t, double a) { t.sensor.high_pass += a; }},
+        {"ins.clipping", true, 2e-2, 0.9, true, true, true, [](Truth& t, double a) { t.sensor.clip += a; }},
+    };
+}
+
+std::vector<Effect> unlisted() {
+    return {
+        {"sensor-bend", false, 1e-3, 0.2, false, true, true, [](Truth& t, double a) { t.sensor.bend += a; }},
+        {"restitution-of-one-drop", false, 1e-3, 0.1, false, true, false,
+         [](Truth& t, double a) { t.restitution[1] += a; }},
+        {"plate-swings", false, 1e-3, 0.3, true, true, false,
          [](Truth& t, double a) {
              t.ball.plate_amplitude += a;
              t.ball.plate_frequency = 7.3;
              t.ball.plate_phase = 1;
          }},
-        {"warms-up", false, 1e-3, 0.1, false, [](Truth& t, double a) { t.ball.by_impact += a; }},
-        {"sticks", false, 1e-4, 0.02, true, [](Truth& t, double a) { t.ball.sticks += a; }},
+        {"warms-up", false, 1e-3, 0.1, false, true, false, [](Truth& t, double a) { t.ball.by_impact += a; }},
+        {"sticks", false, 1e-4, 0.02, true, true, false, [](Truth& t, double a) { t.ball.sticks += a; }},
+        {"hollow-lane", false, 1e-4, 0.02, false, false, true, [](Truth& t, double a) { t.lane.hollow += a; }},
+        {"slippery-patch", false, 0.01, 0.5, true, false, true, [](Truth& t, double a) { t.lane.patch += a; }},
+        {"wind", false, 0.05, 10, false, false, true, [](Truth& t, double a) { t.lane.wind += a; }},
+        {"rolling-by-speed", false, 1e-3, 0.1, true, false, true,
+         [](Truth& t, double a) { t.lane.rolling_by_speed += a; }},
     };
+}
+
+std::vector<Effect> all_effects() {
+    std::vector<Effect> all = listed();
+    for (Effect& effect : unlisted())
+        all.push_back(std::move(effect));
+    return all;
+}
+
+Path path_in(const Setup& setup, const Truth& truth, std::size_t k) {
+    const Trial& trial = setup.trials[k];
+    const double duration = setup.duration + 0.05;
+    if (setup.bench == Bench::lane) {
+        Lane lane = truth.lane;
+        lane.slope += trial.slope * pi / 180;
+        return path_along(lane, trial.speed + (truth.speeds.empty() ? 0 : truth.speeds[k]), duration);
+    }
+    Ball ball = truth.ball;
+    ball.restitution += truth.restitution.empty() ? 0 : truth.restitution[k];
+    ball.mass *= trial.light ? light : 1;
+    return path_of(ball, ball.radius + trial.height, duration);
 }
 
 } // namespace
@@ -105,22 +151,40 @@ std::vector<double> times_of(const Setup& setup) {
 
 Eigen::VectorXd readings_of(const Setup& setup, const Truth& truth) {
     const std::vector<double> times = times_of(setup);
-    const std::size_t records = setup.drops.size();
+    const std::size_t records = setup.trials.size();
     Eigen::VectorXd all(static_cast<Eigen::Index>((setup.clock ? 2 : 1) * records * times.size()));
     Eigen::Index row = 0;
     for (std::size_t r = 0; r < records; ++r) {
         const std::size_t done = truth.swapped && r < 2 ? 1 - r : r;
-        Ball ball = truth.ball;
-        ball.restitution += truth.restitution.empty() ? 0 : truth.restitution[done];
-        ball.mass *= setup.drops[done].light ? light : 1;
-        const Path path = path_of(ball, ball.radius + setup.drops[done].height, setup.duration + 0.05);
-        for (const double y : read(path, truth.sensor, times, truth.offsets[r]))
+        for (const double y : read(path_in(setup, truth, done), truth.sensor, times, truth.offsets[r]))
             all[row++] = y / setup.sigma;
     }
     for (std::size_t r = 0; setup.clock && r < records; ++r)
         for (const double time : times)
             all[row++] = (time - truth.offsets[r]) / (1 + truth.sensor.rate) / clock_sigma;
     return all;
+}
+
+std::vector<Innocent> innocents_of(const Setup& setup) {
+    std::vector<Innocent> all;
+    if (setup.bench == Bench::drop)
+        all.push_back({[](Truth& t, double a) { t.ball.restitution += a; }, 0.05});
+    else
+        all.push_back({[](Truth& t, double a) {
+                           t.lane.fast_friction *= 1 + a / t.lane.friction;
+                           t.lane.friction += a;
+                       },
+                       0.03});
+    for (std::size_t r = 0; r < setup.trials.size(); ++r) {
+        all.push_back({[r](Truth& t, double a) { t.offsets[r] += a; }, 5e-3});
+        if (setup.bench == Bench::lane)
+            all.push_back({[r](Truth& t, double a) { t.speeds[r] += a; }, 0.03});
+    }
+    return all;
+}
+
+bool shows(const Effect& effect, Bench bench) {
+    return bench == Bench::drop ? effect.drops : effect.lanes;
 }
 
 const std::vector<Effect>& effects() {

@@ -1,5 +1,5 @@
-// blindgen OUT COUNT SEED [KIND EFFECT SIZE]: writes cases OUT/case-0000 ... with measured data, and a commitment to
-// each answer; prints the answers with their salts, one JSON object a line, for whoever judges. Nothing else is
+// blindgen OUT COUNT SEED [BENCH KIND EFFECT SIZE]: writes cases OUT/case-0000 ... with measured data, and a commitment
+// to each answer; prints the answers with their salts, one JSON object a line, for whoever judges. Nothing else is
 // written.
 #include "case.h"
 #include "seal.h"
@@ -26,14 +26,18 @@ std::string leave(const Case& made, const fs::path& folder, Random& salts) {
     const std::string salt = fmt::format("{:016x}{:016x}", salts.bits(), salts.bits());
     const std::string answer = made.answer.dump();
     write(folder / "commitment.txt", sha256(salt + answer) + "\n");
-    return nlohmann::ordered_json{{"case", folder.filename().string()}, {"salt", salt}, {"answer", answer}}.dump();
+    return nlohmann::ordered_json{{"case", folder.filename().string()},
+                                  {"scene", made.setup.bench == Bench::drop ? "bounce.toml" : "lane.toml"},
+                                  {"salt", salt},
+                                  {"answer", answer}}
+        .dump();
 }
 
 } // namespace
 
 int main(int count, char** words) {
-    if (count != 4 && count != 7) {
-        std::cerr << "blindgen OUT COUNT SEED [null|listed|two|unlisted EFFECT SIZE]\n";
+    if (count != 4 && count != 8) {
+        std::cerr << "blindgen OUT COUNT SEED [drop|lane null|listed|two|unlisted EFFECT SIZE]\n";
         return 2;
     }
     const fs::path out = words[1];
@@ -42,13 +46,14 @@ int main(int count, char** words) {
     Random random(seed),
         salts((static_cast<unsigned long long>(std::random_device{}()) << 32) ^ std::random_device{}());
     std::vector<Order> orders = mixed_orders(cases, random);
-    if (count == 7)
+    if (count == 8)
         for (Order& order : orders) {
-            order.kind = words[4];
+            order.bench = std::string(words[4]) == "lane" ? Bench::lane : Bench::drop;
+            order.kind = words[5];
             order.effects.clear();
             if (order.kind != "null")
-                order.effects = {words[5]};
-            order.wanted = std::stod(words[6]);
+                order.effects = {words[6]};
+            order.wanted = std::stod(words[7]);
         }
     std::vector<std::string> answers;
     int number = 0;

@@ -8,53 +8,42 @@ namespace blind {
 
 namespace {
 
-constexpr double offset_spread = 5e-3; // s, what is known of clock offsets beforehand
 constexpr int iterations = 12;
-constexpr double enough = 1e-3;  // fall of chi-square that ends a fit
-constexpr std::size_t close = 4; // rivals that are fitted: the nearest ones by slopes
+constexpr double enough = 1e-3;      // fall of chi-square that ends a fit
+constexpr std::size_t close = 4;     // rivals that are fitted: the nearest ones by slopes
+constexpr double same_answer = 0.02; // share of an effect that its rival leaves, below which it is none
+constexpr double nudge = 1e-5;       // of everything innocent, for slopes
 
-struct Point {
-    double restitution = 0;
-    std::vector<double> offsets;
-    double amplitude = 0;
-};
-
+/// What is innocent, adjusted from where it is known to be, and the amplitude of a rival.
 class Explanation {
 public:
     Explanation(const Setup& setup, const Truth& base, const Effect* rival, const Eigen::VectorXd& data)
-        : setup_(setup), base_(base), rival_(rival), data_(data) {}
+        : setup_(setup), base_(base), rival_(rival), data_(data), innocents_(innocents_of(setup)),
+          count_(static_cast<Eigen::Index>(innocents_.size())) {}
 
     [[nodiscard]] Eigen::VectorXd residual(const Eigen::VectorXd& p) const {
         Truth truth = base_;
-        truth.ball.restitution = p[0];
-        const auto records = static_cast<Eigen::Index>(setup_.drops.size());
-        for (Eigen::Index k = 0; k < records; ++k)
-            truth.offsets[static_cast<std::size_t>(k)] = p[1 + k];
-        if (rival_ && p[1 + records] != 0)
-            rival_->hide(truth, p[1 + records]);
-        Eigen::VectorXd all(data_.size() + records);
+        Eigen::VectorXd all(data_.size() + count_);
+        for (Eigen::Index k = 0; k < count_; ++k) {
+            innocents_[static_cast<std::size_t>(k)].add(truth, p[k]);
+            all[data_.size() + k] = -p[k] / innocents_[static_cast<std::size_t>(k)].spread;
+        }
+        if (rival_ && p[count_] != 0)
+            rival_->hide(truth, p[count_]);
         all.head(data_.size()) = data_ - readings_of(setup_, truth);
-        all.tail(records) = -p.segment(1, records) / offset_spread;
         return all;
     }
 
-    [[nodiscard]] Eigen::VectorXd start() const {
-        const auto records = static_cast<Eigen::Index>(setup_.drops.size());
-        Eigen::VectorXd p = Eigen::VectorXd::Zero(1 + records + (rival_ ? 1 : 0));
-        p[0] = base_.ball.restitution;
-        for (Eigen::Index k = 0; k < records; ++k)
-            p[1 + k] = base_.offsets[static_cast<std::size_t>(k)];
-        return p;
-    }
+    [[nodiscard]] Eigen::VectorXd start() const { return Eigen::VectorXd::Zero(count_ + (rival_ ? 1 : 0)); }
 
     [[nodiscard]] Eigen::MatrixXd slopes(const Eigen::VectorXd& p) const {
-        Eigen::MatrixXd all(data_.size() + static_cast<Eigen::Index>(setup_.drops.size()), p.size());
+        Eigen::MatrixXd all(data_.size() + count_, p.size());
         for (Eigen::Index k = 0; k < p.size(); ++k) {
-            const double step = k == 0 ? 1e-5 : k + 1 == p.size() && rival_ ? 0.05 * rival_->typical : 1e-5;
+            const double width = k == count_ ? 0.05 * rival_->typical : nudge;
             Eigen::VectorXd above = p, below = p;
-            above[k] += step;
-            if (!(k + 1 == p.size() && rival_ && rival_->one_sided && p[k] < step))
-                below[k] -= step;
+            above[k] += width;
+            if (!(k == count_ && rival_->one_sided && p[k] < width))
+                below[k] -= width;
             all.col(k) = (residual(below) - residual(above)) / (above[k] - below[k]);
         }
         return all;
@@ -88,6 +77,8 @@ private:
     const Truth& base_;
     const Effect* rival_;
     const Eigen::VectorXd& data_;
+    std::vector<Innocent> innocents_;
+    Eigen::Index count_;
 };
 
 } // namespace
@@ -103,7 +94,7 @@ Separation separation_of(const Setup& setup, const Truth& truth, const Truth& wi
     };
     std::vector<std::pair<double, const Effect*>> rivals;
     for (const Effect& effect : effects()) {
-        if (!effect.listed || effect.id == own)
+        if (!effect.listed || effect.id == own || !shows(effect, setup.bench))
             continue;
         const Explanation with(setup, without, &effect, data);
         rivals.emplace_back(left_by(with.slopes(with.start())), &effect);
@@ -114,7 +105,7 @@ Separation separation_of(const Setup& setup, const Truth& truth, const Truth& wi
     for (std::size_t k = 0; k < std::min(close, rivals.size()); ++k) {
         const Explanation with(setup, without, rivals[k].second, data);
         const double left = std::sqrt(with.least(with.start()));
-        if (left < result.separable) {
+        if (left < result.separable && left > same_answer * result.detectable) {
             result.separable = left;
             result.nearest = rivals[k].second->id;
         }

@@ -5,8 +5,8 @@
 namespace blind {
 
 /// How far a case lies from what can be explained otherwise, in standard errors of its readings: noise-free readings of
-/// the truth, everything innocent (restitution, clock offsets) fitted anew, without and with each listed rival. All by
-/// the generator's own physics and Gauss and Newton's method; nothing is linear in the amplitude.
+/// the truth, everything innocent (restitution, clocks, speeds of throws) fitted anew, without and with each listed
+/// rival. All by the generator's own physics and Gauss and Newton's method; nothing is linear in the amplitude.
 struct Separation {
     double detectable = 0; // without any rival: d'
     double separable = 0;  // from the nearest rival: d'_sep, or d'_res of an unlisted effect
@@ -14,7 +14,8 @@ struct Separation {
 };
 
 /// `without` is the truth less what was hidden, and where every explanation starts; `own`, the hidden effect's id, is
-/// no rival of itself. Clock offsets must be 0, so that they cost nothing.
+/// no rival of itself, nor is an effect that would be the same answer to these data. Clock offsets must be 0, so that
+/// they cost nothing.
 Separation separation_of(const Setup& setup, const Truth& truth, const Truth& without, const std::string& own);
 
 /// The amplitude at which an effect is so separable, of the sign of `sign`; 0 where no amplitude that a laboratory

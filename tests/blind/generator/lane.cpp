@@ -1,0 +1,136 @@
+#include "lane.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace blind {
+
+namespace {
+
+constexpr double step = 5e-4; // s
+constexpr double gust = 0.02; // N s2/m2
+constexpr double spot = 0.3;  // m
+
+double sign(double v) {
+    return v > 0 ? 1 : v < 0 ? -1 : 0;
+}
+
+/// Speeds: of the centre and of the surface about it, radius times spin.
+struct Rates {
+    double speed = 0, surface = 0; // m/s2
+};
+
+class Course {
+public:
+    explicit Course(const Lane& lane) : lane_(lane) {
+        const double weight = lane.mass * lane.gravity;
+        const double sunk = std::pow(0.75 * weight / (lane.modulus * std::sqrt(lane.radius)), 2.0 / 3);
+        arm_ = 1 - sunk / lane.radius;
+        inertia_ = 0.4 / (arm_ * arm_);
+    }
+
+    std::vector<State> steps(double speed, double until) {
+        State s{0, 0, speed};
+        double surface = 0; // m/s
+        std::vector<State> all{s};
+        while (s.t < until) {
+            double h = std::min(step, until - s.t);
+            if (rolls_) {
+                roll(s, h);
+                surface = s.v;
+            } else {
+                slide(s, surface, h);
+            }
+            all.push_back(s);
+        }
+        return all;
+    }
+
+private:
+    [[nodiscard]] double pull(double x) const { return lane_.gravity * std::sin(lane_.slope - lane_.hollow * x); }
+    [[nodiscard]] double press(double x) const { return lane_.gravity * std::cos(lane_.slope - lane_.hollow * x); }
+    [[nodiscard]] double air(double v) const {
+        const double blown =
+            lane_.wind == 0 ? 0 : gust * ((lane_.wind - v) * std::abs(lane_.wind - v) + v * std::abs(v));
+        return (blown - lane_.linear * v - lane_.quadratic * v * std::abs(v)) / lane_.mass;
+    }
+    [[nodiscard]] double resistance(double v) const {
+        return (lane_.rolling + lane_.rolling_by_speed * std::abs(v)) / arm_;
+    }
+    [[nodiscard]] double friction(double slip, double x) const {
+        const double mu =
+            lane_.fast_friction + (lane_.friction - lane_.fast_friction) * std::exp(-std::abs(slip) / lane_.slip_speed);
+        return mu * (std::abs(x) < spot ? 1 - lane_.patch : 1);
+    }
+
+    [[nodiscard]] Rates sliding(double x, double v, double w) const {
+        const double grip = sign(v - w) * friction(v - w, x) * press(x);
+        return {pull(x) + air(v) - grip, (grip - sign(w) * resistance(w) * press(x)) / inertia_};
+    }
+
+    [[nodiscard]] double rolling(double x, double v) const {
+        return (pull(x) + air(v) - sign(v) * resistance(v) * press(x)) / (1 + inertia_);
+    }
+
+    void slide(State& s, double& w, double h) {
+        const State before = s;
+        const double spun = w;
+        slid(s, w, h);
+        if (sign(s.v - w) == sign(before.v - spun))
+            return;
+        double lo = 0, hi = h; // the slip ends inside: bisection down to a rounding error
+        for (int k = 0; k < 50; ++k) {
+            const double middle = (lo + hi) / 2;
+            State there = before;
+            double turned = spun;
+            slid(there, turned, middle);
+            (sign(there.v - turned) == sign(before.v - spun) ? lo : hi) = middle;
+        }
+        s = before;
+        w = spun;
+        slid(s, w, hi);
+        s.v = w = (s.v + inertia_ * w) / (1 + inertia_);
+        rolls_ = true;
+    }
+
+    void slid(State& s, double& w, double h) const {
+        const Rates a = sliding(s.y, s.v, w);
+        const Rates b = sliding(s.y + h / 2 * s.v, s.v + h / 2 * a.speed, w + h / 2 * a.surface);
+        const Rates c = sliding(s.y + h / 2 * (s.v + h / 2 * a.speed), s.v + h / 2 * b.speed, w + h / 2 * b.surface);
+        const Rates d = sliding(s.y + h * (s.v + h / 2 * b.speed), s.v + h * c.speed, w + h * c.surface);
+        s.y += h * s.v + h * h / 6 * (a.speed + b.speed + c.speed);
+        s.v += h / 6 * (a.speed + 2 * b.speed + 2 * c.speed + d.speed);
+        w += h / 6 * (a.surface + 2 * b.surface + 2 * c.surface + d.surface);
+        s.t += h;
+    }
+
+    void roll(State& s, double h) const {
+        const bool held = std::abs(pull(s.y) + air(0)) <= resistance(0) * press(s.y);
+        if (s.v == 0 && held) {
+            s.t += h;
+            return;
+        }
+        const double before = s.v;
+        const double a = rolling(s.y, s.v), b = rolling(s.y + h / 2 * s.v, s.v + h / 2 * a),
+                     c = rolling(s.y + h / 2 * (s.v + h / 2 * a), s.v + h / 2 * b),
+                     d = rolling(s.y + h * (s.v + h / 2 * b), s.v + h * c);
+        s.y += h * s.v + h * h / 6 * (a + b + c);
+        s.v += h / 6 * (a + 2 * b + 2 * c + d);
+        s.t += h;
+        if (held && sign(s.v) == -sign(before))
+            s.v = 0;
+    }
+
+    const Lane& lane_;
+    double arm_ = 1;     // over the radius
+    double inertia_ = 0; // of the mass times the arm squared
+    bool rolls_ = false;
+};
+
+} // namespace
+
+Path path_along(const Lane& lane, double speed, double duration) {
+    return Path(Course(lane).steps(speed, duration));
+}
+
+} // namespace blind

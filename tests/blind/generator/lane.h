@@ -1,0 +1,34 @@
+#pragma once
+
+#include "ball.h"
+
+namespace blind {
+
+/// The generator's own physics of a ball that is thrown along a lane: it slides, then rolls, then slows down. One
+/// dimension; null values are those of the baseline.
+struct Lane {
+    double radius = 0;        // m
+    double mass = 0;          // kg
+    double modulus = 0;       // Pa, effective, as a Ball has it
+    double gravity = 9.81;    // m/s2
+    double slope = 0;         // rad, falling towards +x
+    double friction = 0;      // of slow sliding
+    double fast_friction = 0; // of fast sliding: mu = fast + (slow - fast) exp(-slip / slip_speed)
+    double slip_speed = 0.1;  // m/s
+    // Listed effects.
+    double rolling = 0;   // mu_r of constant torque
+    double linear = 0;    // N s/m
+    double quadratic = 0; // N s2/m2
+    // Effects that no library has.
+    double hollow = 0;           // 1/m, the lane rises on both sides: slope - hollow x
+    double rolling_by_speed = 0; // s/m, mu_r v
+    double patch = 0;            // share of friction lost within 0.3 m of the start
+    double wind = 0;             // m/s, along +x, in a drag of 0.02 N s2/m2 that the scene leaves out, less still air's
+};
+
+/// Where the ball was until `duration`, let go at 0 with that speed (m/s, towards +x) and no spin. Runge and Kutta's
+/// fourth order between the events: sliding ends, the ball stops. The ball has sunk in by what Hertz' law makes of its
+/// weight, and turns on an arm that is so much shorter.
+Path path_along(const Lane& lane, double speed, double duration);
+
+} // namespace blind

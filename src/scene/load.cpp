@@ -91,6 +91,8 @@ Result<Scene> load_scene_text(std::string_view toml, const std::filesystem::path
     resolve_walls(top, to);
     resolve_output(top, to);
     check_pairs(top, to);
+    if (report.clean())
+        apply_reductions(top, to);
     if (!report.clean())
         return report.sorted(file.string());
     return scene;

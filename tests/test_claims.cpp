@@ -53,6 +53,15 @@ struct Ran {
         REQUIRE_MESSAGE(found != nullptr, name);
         return *found;
     }
+    /// Between two rows, straight.
+    [[nodiscard]] double at(const std::string& name, double t) const {
+        const std::vector<double>&values = column(name), &time = column("time");
+        const auto above = static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), t) - time.begin());
+        REQUIRE(above > 0);
+        REQUIRE(above < time.size());
+        const double x = (t - time[above - 1]) / (time[above] - time[above - 1]);
+        return (1 - x) * values[above - 1] + x * values[above];
+    }
     [[nodiscard]] double mean(const std::string& name, double from, double to) const {
         const std::vector<double>& values = column(name);
         double sum = 0;
@@ -113,6 +122,27 @@ TEST_CASE("oblique: the sphere leaves as the hard-sphere result for full sliding
     const sim3d::BodyState ball = sim3d::bodies_of(*world).front();
     CHECK(ball.velocity.x() / 2.50687 == about(0.7829, 0.002));
     CHECK(ball.angular_velocity.norm() == about(544.2, 0.002));
+}
+
+TEST_CASE("lane: the ball slides by mu g, then rolls with 5/7 of its speed") {
+    const Ran ran(loaded("lane.toml", {"observe.measures=[\"centre_of_mass_x\"]"}));
+    const auto way = [&](double t) { return ran.at("centre_of_mass_x", t); };
+    // It turns on an arm that is 0.16 % short of the radius, which takes 0.1 % of the speed.
+    CHECK(way(0.3) == about(2.5 * 0.3 - 0.5 * 0.2 * 9.81 * 0.3 * 0.3, 0.003));
+    CHECK(way(2.9) - way(1.9) == about(5.0 / 7 * 2.5, 0.003));
+}
+
+TEST_CASE("slope: the tripod slides down with g (sin a - mu cos a)") {
+    const Ran ran(loaded("slope.toml", {"observe.measures=[\"centre_of_mass_x\"]"}));
+    const auto way = [&](double t) { return ran.at("centre_of_mass_x", t); };
+    CHECK((way(0.99) - 2 * way(0.69) + way(0.39)) / (0.3 * 0.3) == about(0.866, 0.01));
+}
+
+TEST_CASE("plate: the ball leaves where the plate slows down by g, and flies from there") {
+    const Ran ran(
+        loaded("plate.toml", {"observe.measures=[\"centre_of_mass_y\"]", "duration_s=0.06", "observe.every_s=0.0005"}));
+    const std::vector<double>& height = ran.column("centre_of_mass_y");
+    CHECK(*std::max_element(height.begin(), height.end()) - 0.01 == about(0.00699, 0.01));
 }
 
 TEST_CASE("settle-cones: the cones come to rest and the books close") {

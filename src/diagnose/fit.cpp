@@ -55,7 +55,11 @@ Result<VectorXd> difference(Model& model, const Noise& noise, const VectorXd& va
         above = values;
         high = residual_at(model, noise, above, horizon, &why);
     }
-    const auto low = residual_at(model, noise, below, horizon, &why);
+    auto low = residual_at(model, noise, below, horizon, &why);
+    if (!low) {
+        below = values;
+        low = residual_at(model, noise, below, horizon, &why);
+    }
     if (!high || !low || above[index] == below[index])
         return why.empty() ? Problems{{.key = parameter.name, .what = "its bounds leave no room"}} : why;
     return VectorXd((*low - *high) / (above[index] - below[index]));
@@ -63,12 +67,13 @@ Result<VectorXd> difference(Model& model, const Noise& noise, const VectorXd& va
 
 Result<MatrixXd> slopes_at(Model& model, const Noise& noise, const VectorXd& values, const std::vector<int>& free,
                            double horizon) {
-    MatrixXd slopes;
+    const auto rows = model.readings().size() + static_cast<Eigen::Index>(with_prior(model).size());
+    MatrixXd slopes(rows, 0);
     for (std::size_t k = 0; k < free.size(); ++k) {
         const auto column = difference(model, noise, values, free[k], horizon);
         if (!column)
             return column.problems();
-        slopes.conservativeResize(column->size(), static_cast<Eigen::Index>(k) + 1);
+        slopes.conservativeResize(rows, static_cast<Eigen::Index>(k) + 1);
         slopes.col(static_cast<Eigen::Index>(k)) = *column;
     }
     return slopes;
@@ -143,6 +148,8 @@ private:
 
     /// What a linear step inside the bounds would gain.
     [[nodiscard]] double decrement() const {
+        if (fit_.free.empty())
+            return 0;
         const VectorXd step = inside(scaled_step(0));
         return 0.5 * (fit_.residual.squaredNorm() - (fit_.residual - fit_.slopes * step).squaredNorm());
     }

@@ -42,6 +42,8 @@ struct Prediction {
 };
 
 Prediction predict(const VectorXd& residual, const MatrixXd& slopes, const Split& split) {
+    if (slopes.cols() == 0) // nothing to adjust
+        return {{}, rows_of(residual, split.rest).squaredNorm()};
     const MatrixXd first = rows_of(slopes, split.first), elsewhere = rows_of(slopes, split.readings_of_others);
     MatrixXd others = rows_of(slopes, split.others);
     std::vector<Eigen::Index> own;
@@ -69,6 +71,8 @@ Prediction predict(const VectorXd& residual, const MatrixXd& slopes, const Split
 } // namespace
 
 VectorXd errors_of(const MatrixXd& slopes) {
+    if (slopes.cols() == 0)
+        return {};
     const VectorXd scale = slopes.colwise().norm().cwiseMax(1e-300).transpose();
     const MatrixXd unit = slopes * scale.cwiseInverse().asDiagonal();
     const MatrixXd covariance = (unit.transpose() * unit).completeOrthogonalDecomposition().pseudoInverse();

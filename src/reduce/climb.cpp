@@ -130,12 +130,12 @@ private:
         const std::clock_t cpu = std::clock();
         const Clock::time_point wall = Clock::now();
         const Result<run::RunSummary> summary = run::run_scene(scene, options, listener_);
-        if (!summary)
-            return summary.problems();
-        if (summary->state == "stopped") {
+        if (stop_wanted(options_.stop) && (!summary || summary->state == "stopped")) {
             result_.stopped = true;
             return false;
         }
+        if (!summary)
+            return summary.problems();
         const double spent = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
         const bool whole = summary->resumed.empty();
         kept.core_s = whole ? spent : summary->stepping_s * spent / std::max(since(wall), 1e-9);

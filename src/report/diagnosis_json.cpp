@@ -148,12 +148,9 @@ Json to_json(const Diagnosis& diagnosis, const std::string& version) {
                              {"value", nuisance.value},
                              {"standard_error", number(nuisance.error)}});
     json["nuisances"] = std::move(nuisances);
-    json["noise"] = {{"stated", diagnosis.noise.stated},
-                     {"used", diagnosis.noise.used},
-                     {"ratio", diagnosis.noise.ratio},
-                     {"correlation", diagnosis.noise.correlation},
-                     {"outliers", diagnosis.noise.left_out},
-                     {"repeats", diagnosis.noise.repeats}};
+    json["noise"] = {{"stated", diagnosis.noise.stated},     {"used", diagnosis.noise.used},
+                     {"ratio", diagnosis.noise.ratio},       {"correlation", diagnosis.noise.correlation},
+                     {"outliers", diagnosis.noise.left_out}, {"repeats", diagnosis.noise.repeats}};
     json["readings"] = diagnosis.readings;
     json["chi_square_baseline"] = diagnosis.chi_square;
     Json warnings = Json::array();

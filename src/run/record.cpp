@@ -12,8 +12,8 @@ namespace tumble::run {
 
 namespace {
 
-constexpr double share_of_step = 0.3; // of the scene's step, for impacts
-constexpr double steps_of_trial = 4;  // of those, one step of the trial that finds an impact's beginning and end
+constexpr double share_of_step = 0.25; // of the scene's step, for impacts
+constexpr double steps_of_trial = 4;   // of those, one step of the trial that finds an impact's beginning and end
 
 using Measures = std::vector<observe::Measure>;
 
@@ -132,14 +132,19 @@ private:
 
     /// Fine steps until the impact is over; to the end where it never is.
     std::optional<Problem> touch() {
-        double step = share_of_step * usual_step_;
-        const auto impact = try_impact(steps_of_trial * step);
-        if (!impact)
-            return impact.problems()[0];
-        if (impact->lasts > 0)
-            step = impact->lasts / std::max(1.0, std::round(impact->lasts / step));
-        if (impact->begins > 0) // in the middle of a step
-            go_on(impact->begins - (std::floor(impact->begins / step) + 0.5) * step);
+        double step = steps_of_trial * share_of_step * usual_step_;
+        for (const bool to_its_end : {false, true}) {
+            const auto impact = try_impact(step, to_its_end);
+            if (!impact)
+                return impact.problems()[0];
+            if (to_its_end) {
+                step /= steps_of_trial;
+                if (impact->lasts > 0)
+                    step = impact->lasts / std::max(1.0, std::round(impact->lasts / step));
+            }
+            if (impact->begins > 0) // in the middle of a step
+                go_on(impact->begins - (std::floor(impact->begins / step) + 0.5) * step);
+        }
         const double began = now_.time;
         auto world = world_at(now_, step);
         if (!world)
@@ -174,7 +179,7 @@ private:
     /// began or ended somewhere in a step would lose more or less, and heights would scatter by hundredths of a
     /// millimetre from one simulation to the next. Cut into a whole number of steps from the middle of one to the
     /// middle of another, it loses the same as its neighbours do.
-    Result<Impact> try_impact(double step) {
+    Result<Impact> try_impact(double step, bool to_its_end) {
         auto world = world_at(now_, step);
         if (!world)
             return world.problems();
@@ -191,6 +196,8 @@ private:
                 if (now - last <= last / 100 || k < 2) // it does not come from outside
                     return impact;
                 impact.begins = (static_cast<double>(k - 1) - std::min(1.0, last / (now - last))) * step;
+                if (!to_its_end)
+                    return impact;
             }
             if (impact.begins > 0 && now == 0) {
                 const double ends = static_cast<double>(k - 1) + std::min(1.0, last / (before - last));

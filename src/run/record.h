@@ -11,8 +11,8 @@ namespace tumble::run {
 /// sane.
 ///
 /// A sphere alone among walls that stand still (flies_alone) is taken through its flights in strides of observe.every
-/// and through its impacts in a whole number of steps, of about 0.3 of the scene's: where in a step an impact begins
-/// and ends would otherwise scatter what comes after by more than a camera resolves.
+/// and through its impacts in a whole number of steps, of about a quarter of the scene's: where in a step an impact
+/// begins and ends would otherwise scatter what comes after by more than a camera resolves.
 Result<observe::Series> record(const scene::Scene& scene, int threads = 1);
 
 /// One sphere placed exactly, walls that do not move.

@@ -92,7 +92,7 @@ TEST_CASE("ablation: without its adequacy the decision names what is in no libra
     Random random(33);
     const VectorXd effect = 15 * likened_to_gain(evidence);
     Settings careless;
-    careless.alpha_adequacy = 1e-12;
+    careless.alpha_adequacy = 1e-30;
     const int with = linear_cases(evidence, effect, -1, 150, random).wrong;
     const int without = linear_cases(evidence, effect, -1, 150, random, careless).wrong;
     MESSAGE(with << " named with adequacy, " << without << " without, of 150");

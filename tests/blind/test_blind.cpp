@@ -52,7 +52,8 @@ TEST_CASE("on the solver: what is hidden at 8 standard errors from every rival i
                                                     {Bench::lane, "grav.tilt_x"}};
     for (const auto& [bench, effect] : hidden) {
         Diagnosis diagnosis;
-        const Order order{.kind = "listed", .effects = {effect}, .wanted = 8, .bench = bench};
+        const Order order{
+            .kind = "listed", .effects = {effect}, .wanted = 8, .bench = bench, .more = bench == Bench::lane};
         const std::string verdict = case_of(order, 21, diagnosis);
         CHECK_MESSAGE(diagnosis.decision.outcome == Outcome::named, effect << ": " << verdict);
         CHECK_MESSAGE(holds(diagnosis, effect), effect << ": " << verdict);
@@ -73,6 +74,8 @@ TEST_CASE("on slopes: thousands of cases keep the promised rates") {
         const Cause& cause = evidence.causes[static_cast<std::size_t>(k)];
         const double amplitude = 5 / length;
         if (!(amplitude < cause.hi)) // these data do not show it, or only beyond what is plausible
+            continue;
+        if (cause.id == "ins.clock_offset") // a nuisance here
             continue;
         const Tally tally =
             linear_cases(evidence, evidence.effects.col(k) * amplitude, static_cast<int>(k), 100, random);

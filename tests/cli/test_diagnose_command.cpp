@@ -72,3 +72,22 @@ TEST_CASE("every cause of the library can be listed, with what its residual look
     for (const auto& cause : causes)
         CHECK(!cause["fingerprint"].get<std::string>().empty());
 }
+
+TEST_CASE("a sealed case is revealed, and a folder without one is refused") {
+    const Folder folder;
+    const std::string cases = std::string(TUMBLE_ROOT) + "/scenes/measured/cases/";
+    for (const char* number : {"1", "2", "3", "4", "5"}) {
+        const Outcome told = tumble_in(folder, {"reveal", cases + number});
+        CHECK(told.code == 0);
+        CHECK((contains(told.out, "Hidden: ") || contains(told.out, "Nothing was hidden.")));
+        const std::string toml = content_of(std::filesystem::path(cases) / number / "measurement.toml");
+        CHECK(!contains(toml, "hidden")); // what a student reads gives nothing away
+    }
+    const Outcome none = tumble_in(folder, {"reveal", "nowhere"});
+    CHECK(none.code == 2);
+    CHECK(contains(none.err, "nowhere/sealed.txt: there is no such file"));
+    put(folder.path / "sealed.txt", "00ff\n");
+    const Outcome broken = tumble_in(folder, {"reveal", "."});
+    CHECK(broken.code == 2);
+    CHECK(contains(broken.err, "holds no sealed answer"));
+}

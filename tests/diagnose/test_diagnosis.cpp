@@ -209,10 +209,11 @@ TEST_CASE("repeats that differ by more than their readings scatter make every er
 }
 
 TEST_CASE("ablation: fitted to whole records at once, baselines end in false minima") {
-    // A restitution that is off by 0.08 lets the last bounces out of step by more than half of themselves.
+    // A dozen bounces: one that is off by 0.1 in restitution is out of step by whole bounces at the end.
     int with = 0, without = 0;
-    for (const double restitution : {0.70, 0.72, 0.74, 0.86, 0.88, 0.90}) {
-        Measurement measurement = Laboratory{.restitution = restitution, .rows = 300}.measurement();
+    for (const double restitution : {0.68, 0.70, 0.72, 0.88, 0.90, 0.92}) {
+        Measurement measurement =
+            Laboratory{.restitution = restitution, .rows = 500, .heights = {0.15, 0.25, 0.4}}.measurement();
         measurement.causes = {"grav.g"};
         measurement.nuisances[0].spread = 0.2;
         with += Laboratory::diagnosed(measurement).decision.outcome != Outcome::consistent;
@@ -220,8 +221,55 @@ TEST_CASE("ablation: fitted to whole records at once, baselines end in false min
         without += Laboratory::diagnosed(measurement).decision.outcome != Outcome::consistent;
     }
     MESSAGE(with << " of 6 go wrong, " << without << " without growing horizons");
-    CHECK(with == 0);
-    CHECK(without >= 2);
+    CHECK(with <= 1);
+    CHECK(without >= with + 2);
+}
+
+TEST_CASE("a unit that cannot be and a sigma that the readings contradict are told, and no verdict is built on them") {
+    Measurement metres = Laboratory{}.measurement();
+    for (Record& record : metres.records)
+        for (double& value : record.channels[0].value)
+            value *= 1000;
+    const auto refused = diagnose::diagnose({floor_and_ball, "ball.toml"}, metres, closed_form);
+    REQUIRE(!refused);
+    CHECK(refused.problems().size() == 4);
+    CHECK(refused.problems()[0].what.ends_with(
+        "times what the simulation does: millimetres or milliseconds read as SI?"));
+    CHECK(refused.problems()[0].fix == "correct the unit in the head of the column");
+
+    Measurement sure = Laboratory{}.measurement(); // ten times as sure of itself as it may be
+    for (Record& record : sure.records)
+        record.channels[0].sigma /= 10;
+    const Diagnosis diagnosis = Laboratory::diagnosed(sure);
+    CHECK_MESSAGE(diagnosis.decision.outcome == Outcome::consistent, verdict_of(diagnosis));
+    CHECK(std::abs(diagnosis.noise.ratio - 10) < 1);
+    CHECK(std::count_if(diagnosis.warnings.begin(), diagnosis.warnings.end(),
+                        [](const Problem& warning) { return warning.key == "sigma contradicted"; }) == 1);
+
+    Measurement unsaid = Laboratory{}.measurement(); // not stated at all: found in the residual
+    for (Record& record : unsaid.records)
+        record.channels[0].sigma = 0;
+    const Diagnosis estimated = Laboratory::diagnosed(unsaid);
+    CHECK_MESSAGE(estimated.decision.outcome == Outcome::consistent, verdict_of(estimated));
+    CHECK(std::abs(estimated.noise.used / 2e-3 - 1) < 0.15);
+}
+
+TEST_CASE("a sensor at its limit bears no name but that") {
+    Measurement measurement = Laboratory{.distort = two_per_cent}.measurement();
+    measurement.warnings.push_back({.key = "clipped", .what = "height_m: 5 equal readings", .fix = ""});
+    const Diagnosis diagnosis = Laboratory::diagnosed(measurement);
+    REQUIRE(diagnosis.decision.outcome == Outcome::named);
+    CHECK(outcome_words(diagnosis) == "UNSURE");
+    CHECK(next_step(diagnosis) == "Record it again with a sensor of a larger range.");
+}
+
+TEST_CASE("a measurement without nuisances is diagnosed as it stands") {
+    Measurement measurement = Laboratory{.restitution = 0.8, .distort = two_per_cent}.measurement();
+    measurement.nuisances.clear();
+    const Diagnosis diagnosis = Laboratory::diagnosed(measurement);
+    REQUIRE_MESSAGE(diagnosis.decision.outcome == Outcome::named, verdict_of(diagnosis));
+    CHECK(diagnosis.causes[static_cast<std::size_t>(diagnosis.decision.causes[0])].id == "ins.gain");
+    CHECK(std::abs(diagnosis.decision.best->amplitude[0] - 0.02) < 4 * diagnosis.decision.best->error[0]);
 }
 
 TEST_CASE("one condition alone bears no name") {

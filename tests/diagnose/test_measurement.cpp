@@ -123,3 +123,38 @@ TEST_CASE("what a reader should know is a warning: gaps, coarse steps, clipped e
     const std::vector<double> coarse{3, 3, 2, 2, 1, 1, 2, 2, 3, 3, 1, 2, 3, 2, 1};
     CHECK(warns(*laboratory.load(whole, rows(coarse)), "quantised"));
 }
+
+TEST_CASE("each bad input has its answer: place, what is wrong, what to do") {
+    const Laboratory laboratory;
+    const std::string good = rows(falling);
+    CHECK(laboratory.refusal(whole, replaced(good, "0.05,", "0.02,")) ==
+          "low.csv:7:1: time does not rise: 0.02 after 0.04\n    sort the rows by time and leave one of each instant");
+    CHECK(laboratory.refusal(whole, replaced(good, "195.5", "nan")) ==
+          "low.csv:5:6: 'nan' is not a finite number\n    write a decimal number such as 12, -0.5 or 2.5e-3");
+    CHECK(laboratory.refusal(replaced(whole, "low.csv", "high.csv"), good) ==
+          "m.toml:7:8: high.csv there is no such file\n    give the CSV file's name as seen from this file's folder");
+    CHECK(laboratory.refusal("causes = [\"ins.gian\"]\n" + whole, good) ==
+          "m.toml:1:10: there is no cause 'ins.gian'\n    did you mean 'ins.gain'? `tumble list causes` names all of "
+          "them");
+    const std::string again = whole + "[[series]]\nname = \"twin\"\nfile = \"low.csv\"\n[[series.column]]\nhead = "
+                                      "\"height\"\nmeasure = \"centre_of_mass_y\"\nsigma = 1.5\n";
+    CHECK(laboratory.refusal(again, good) == "low.csv: height_mm holds the same numbers as height_mm of low.csv\n    "
+                                             "store each record once, under its own name");
+    const auto warning = [&](const std::string& toml, const std::vector<double>& values) {
+        const auto read = laboratory.load(toml, rows(values));
+        REQUIRE(read);
+        REQUIRE(read->warnings.size() == 1);
+        return read->warnings[0].key + ": " + read->warnings[0].what + "; " + read->warnings[0].fix;
+    };
+    std::vector<double> clipped = falling;
+    clipped[0] = clipped[1] = clipped[2] = 198.5;
+    CHECK(warning(whole, clipped) ==
+          "clipped: height_mm: 3 equal readings in a row at the end of the range; the sensor "
+          "was at its limit: choose a larger range");
+    CHECK(
+        warning(whole, {3, 3, 2, 2, 1, 1, 2, 2, 3, 3, 1, 2, 3, 2, 1}) ==
+        "quantised: height_mm: only 3 different readings: coarse steps; record with more digits; a step adds a scatter "
+        "of step / sqrt(12)");
+    CHECK(warning(replaced(whole, "sigma = 1.5\n", ""), falling) ==
+          "sigma missing: height_mm: its scatter is not stated; give sigma; it is estimated from the residual instead");
+}

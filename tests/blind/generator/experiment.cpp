@@ -144,8 +144,10 @@ Path path_in(const Setup& setup, const Truth& truth, std::size_t k) {
 
 std::vector<double> times_of(const Setup& setup) {
     std::vector<double> times;
+    const double begin = setup.bench == Bench::lane ? 0.05 : 0; // a ball that is thrown is in the hand before
     for (int k = 0; k / setup.rate_hz < setup.duration; ++k)
-        times.push_back(k / setup.rate_hz);
+        if (k / setup.rate_hz >= begin)
+            times.push_back(k / setup.rate_hz);
     return times;
 }
 

@@ -63,9 +63,11 @@ private:
         return mu * (std::abs(x) < spot ? 1 - lane_.patch : 1);
     }
 
-    [[nodiscard]] Rates sliding(double x, double v, double w) const {
-        const double grip = sign(v - w) * friction(v - w, x) * press(x);
-        return {pull(x) + air(v) - grip, (grip - sign(w) * resistance(w) * press(x)) / inertia_};
+    /// `way` the slip goes, of the whole step: a stage of it that lies beyond the slip's end must not turn friction
+    /// round.
+    [[nodiscard]] Rates sliding(double x, double v, double w, double way) const {
+        const double grip = way * friction(v - w, x) * press(x);
+        return {pull(x) + air(v) - grip, (grip - sign(v) * resistance(w) * press(x)) / inertia_};
     }
 
     [[nodiscard]] double rolling(double x, double v) const {
@@ -94,10 +96,12 @@ private:
     }
 
     void slid(State& s, double& w, double h) const {
-        const Rates a = sliding(s.y, s.v, w);
-        const Rates b = sliding(s.y + h / 2 * s.v, s.v + h / 2 * a.speed, w + h / 2 * a.surface);
-        const Rates c = sliding(s.y + h / 2 * (s.v + h / 2 * a.speed), s.v + h / 2 * b.speed, w + h / 2 * b.surface);
-        const Rates d = sliding(s.y + h * (s.v + h / 2 * b.speed), s.v + h * c.speed, w + h * c.surface);
+        const double way = sign(s.v - w);
+        const Rates a = sliding(s.y, s.v, w, way);
+        const Rates b = sliding(s.y + h / 2 * s.v, s.v + h / 2 * a.speed, w + h / 2 * a.surface, way);
+        const Rates c =
+            sliding(s.y + h / 2 * (s.v + h / 2 * a.speed), s.v + h / 2 * b.speed, w + h / 2 * b.surface, way);
+        const Rates d = sliding(s.y + h * (s.v + h / 2 * b.speed), s.v + h * c.speed, w + h * c.surface, way);
         s.y += h * s.v + h * h / 6 * (a.speed + b.speed + c.speed);
         s.v += h / 6 * (a.speed + 2 * b.speed + 2 * c.speed + d.speed);
         w += h / 6 * (a.surface + 2 * b.surface + 2 * c.surface + d.surface);

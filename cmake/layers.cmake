@@ -1,5 +1,5 @@
 # Libraries that a folder of src uses beside the layers below it.
-set(TUMBLE_EXTERNAL_base Threads::Threads fmt::fmt)
+set(TUMBLE_EXTERNAL_base Threads::Threads fmt::fmt Eigen3::Eigen)
 set(TUMBLE_EXTERNAL_contact "")
 set(TUMBLE_EXTERNAL_observe Eigen3::Eigen nlohmann_json::nlohmann_json)
 set(TUMBLE_EXTERNAL_scene Eigen3::Eigen PkgConfig::tomlplusplus)
@@ -15,6 +15,7 @@ set(TUMBLE_EXTERNAL_run Eigen3::Eigen nlohmann_json::nlohmann_json)
 set(TUMBLE_EXTERNAL_fit Eigen3::Eigen)
 set(TUMBLE_EXTERNAL_lesson Eigen3::Eigen nlohmann_json::nlohmann_json)
 set(TUMBLE_EXTERNAL_lab Eigen3::Eigen)
+set(TUMBLE_EXTERNAL_reduce Eigen3::Eigen nlohmann_json::nlohmann_json)
 set(TUMBLE_EXTERNAL_cli CLI11::CLI11 nlohmann_json::nlohmann_json)
 
 # One static library a folder, linked as src/layers.txt says; src/cli becomes the program.

@@ -21,5 +21,6 @@ void add_walls_command(CLI::App& program, Action& action);
 void add_fit_command(CLI::App& program, Action& action);
 void add_flow_command(CLI::App& program, Action& action);
 void add_diagnose_command(CLI::App& program, Action& action);
+void add_reduce_command(CLI::App& program, Action& action);
 
 } // namespace tumble::cli

@@ -6,6 +6,7 @@
 #include "fit/spheres.h"
 #include "observe/whole_file.h"
 #include "scene/read_clump.h"
+#include "scene/read_stl.h"
 
 #include <fmt/format.h>
 #include <memory>
@@ -51,7 +52,7 @@ Result<Fitted> fitted(const FitArguments& arguments) {
         auto faces = scene::read_stl(arguments.mesh);
         if (!faces)
             return faces.problems();
-        for (scene::Triangle& face : *faces)
+        for (fit::Triangle& face : *faces)
             for (Eigen::Vector3d& corner : face)
                 corner *= arguments.scale;
         auto solid = fit::solid_of(std::move(*faces));

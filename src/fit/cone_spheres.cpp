@@ -1,5 +1,5 @@
 #include "fit/spheres.h"
-#include "sim3d/union_moments.h"
+#include "fit/union_moments.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -11,7 +11,6 @@ namespace tumble::fit {
 namespace {
 
 using Eigen::Vector3d;
-using scene::Sphere;
 
 /// Where the spheres of a radius stand that touch the cone from inside in as many places as they can.
 struct MedialAxis {
@@ -87,7 +86,7 @@ Result<std::vector<Sphere>> spheres_in(const Cone& cone, const Wanted& wanted) {
     for (int rings = 1; rings <= 6; ++rings)
         for (int on_axis = 2; on_axis <= 8 && wanted.spheres - on_axis >= 3 * rings; ++on_axis) {
             std::vector<Sphere> tried = arranged(axis, on_axis, rings, wanted);
-            const double volume = sim3d::union_moments(tried, 1e-4).volume;
+            const double volume = union_moments(tried, 1e-4).volume;
             if (volume > most) {
                 most = volume;
                 fullest = std::move(tried);

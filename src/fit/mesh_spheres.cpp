@@ -11,7 +11,6 @@ namespace tumble::fit {
 namespace {
 
 using Eigen::Vector3d;
-using scene::Sphere;
 
 constexpr int points_along = 40;
 
@@ -20,7 +19,7 @@ class Grid {
 public:
     explicit Grid(const Solid& solid) {
         Eigen::AlignedBox3d box;
-        for (const scene::Triangle& face : solid.faces)
+        for (const Triangle& face : solid.faces)
             for (const Vector3d& corner : face)
                 box.extend(corner);
         pitch_ = box.sizes().maxCoeff() / points_along;

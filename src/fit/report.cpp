@@ -1,7 +1,7 @@
 #include "fit/report.h"
 
 #include "base/table.h"
-#include "sim3d/union_moments.h"
+#include "fit/union_moments.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -15,7 +15,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using scene::Sphere;
 
 constexpr int surface_samples = 20000;
 
@@ -40,7 +39,7 @@ std::string percent(double is, double should) {
 
 Report compare(const Solid& solid, const std::vector<Sphere>& spheres) {
     Report report;
-    const sim3d::UnionMoments moments = sim3d::union_moments(spheres);
+    const UnionMoments moments = union_moments(spheres);
     report.solid_volume = solid.volume;
     report.union_volume = moments.volume;
     report.solid_centre = solid.centre;
@@ -65,7 +64,7 @@ Report compare(const Solid& solid, const std::vector<Sphere>& spheres) {
 }
 
 double scale_to_volume(std::vector<Sphere>& spheres, double volume) {
-    const double factor = std::cbrt(volume / sim3d::union_moments(spheres).volume);
+    const double factor = std::cbrt(volume / union_moments(spheres).volume);
     for (Sphere& sphere : spheres) {
         sphere.centre *= factor;
         sphere.radius *= factor;

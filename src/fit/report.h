@@ -1,7 +1,7 @@
 #pragma once
 
+#include "fit/shapes.h"
 #include "fit/solid.h"
-#include "scene/scene.h"
 
 #include <string>
 #include <vector>
@@ -20,17 +20,17 @@ struct Report {
     double smallest = 0, largest = 0; // m, radii
 };
 
-Report compare(const Solid& solid, const std::vector<scene::Sphere>& spheres);
+Report compare(const Solid& solid, const std::vector<Sphere>& spheres);
 
 /// All lengths times one factor, about the origin, so that the union has the volume (m3). Returns the factor.
-double scale_to_volume(std::vector<scene::Sphere>& spheres, double volume);
+double scale_to_volume(std::vector<Sphere>& spheres, double volume);
 
 /// Radius (m) of the sphere of that volume (m3).
 double equivalent_radius(double volume);
 
 /// A clump file: the report as comments, each line of `made_by` as one before it, then the spheres, shortest digits
 /// that read back to the same bits.
-std::string clump_file(const std::vector<scene::Sphere>& spheres, const Report& report,
+std::string clump_file(const std::vector<Sphere>& spheres, const Report& report,
                        const std::vector<std::string>& made_by);
 
 /// The report in a few plain lines.

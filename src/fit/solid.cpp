@@ -1,6 +1,6 @@
 #include "fit/solid.h"
 
-#include "sim3d/closest_point.h"
+#include "base/closest_point.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -15,7 +15,6 @@ namespace tumble::fit {
 namespace {
 
 using Eigen::Vector3d;
-using scene::Triangle;
 
 /// Corners nearer than this share of the solid's size are one: STL files hold single precision.
 constexpr double weld_share = 1e-6;
@@ -143,8 +142,7 @@ Solid solid_of(const Cone& cone) {
 double depth_in(const Solid& solid, const Vector3d& point) {
     double nearest2 = std::numeric_limits<double>::infinity(), angle = 0;
     for (const Triangle& face : solid.faces) {
-        nearest2 =
-            std::min(nearest2, sim3d::closest_point(sim3d::flat_triangle(face[0], face[1], face[2]), point).distance2);
+        nearest2 = std::min(nearest2, closest_point(flat_triangle(face[0], face[1], face[2]), point).distance2);
         angle += solid_angle(face[0] - point, face[1] - point, face[2] - point);
     }
     // 4 pi inside, 0 outside.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/problem.h"
-#include "scene/read_stl.h"
+#include "fit/shapes.h"
 
 #include <Eigen/Core>
 #include <vector>
@@ -11,7 +11,7 @@ namespace tumble::fit {
 
 /// A closed surface, its triangles turned outwards, and what it encloses.
 struct Solid {
-    std::vector<scene::Triangle> faces;               // m
+    std::vector<Triangle> faces;                      // m
     double volume = 0;                                // m3
     Eigen::Vector3d centre = Eigen::Vector3d::Zero(); // m, of the volume
     Eigen::Matrix3d second = Eigen::Matrix3d::Zero(); // m5, integral of (x - centre)(x - centre)^T
@@ -20,13 +20,7 @@ struct Solid {
 
 /// Problems: an edge that does not belong to exactly two triangles (an open mesh, or sheets that share an edge), two
 /// triangles that are turned against each other, no volume.
-Result<Solid> solid_of(std::vector<scene::Triangle> faces);
-
-/// An upright cone: its axis is y, its base lies at y = 0.
-struct Cone {
-    double diameter = 0; // m, of the base
-    double height = 0;   // m
-};
+Result<Solid> solid_of(std::vector<Triangle> faces);
 
 /// The cone with a base of 720 corners, whose volume is 1.3e-5 below the round one's.
 Solid solid_of(const Cone& cone);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/problem.h"
+#include "fit/shapes.h"
 #include "fit/solid.h"
-#include "scene/scene.h"
 
 #include <vector>
 
@@ -20,11 +20,11 @@ struct Wanted {
 /// geometrically; rings hold spheres in proportion to their length over their radius. How many stand on the axis and
 /// in how many rings is tried out, and the fullest kept. Problems: fewer than 8 spheres, a smallest radius that is not
 /// below that of the inscribed sphere.
-Result<std::vector<scene::Sphere>> spheres_in(const Cone& cone, const Wanted& wanted);
+Result<std::vector<Sphere>> spheres_in(const Cone& cone, const Wanted& wanted);
 
 /// Largest-gain choice among the spheres that touch the surface from inside about the points of a grid (40 along the
 /// longest side): each time the one that holds most of the grid's points that no sphere holds yet. Problems: no point
 /// is as deep as the smallest radius, more spheres wanted than there are such points.
-Result<std::vector<scene::Sphere>> spheres_in(const Solid& solid, const Wanted& wanted);
+Result<std::vector<Sphere>> spheres_in(const Solid& solid, const Wanted& wanted);
 
 } // namespace tumble::fit

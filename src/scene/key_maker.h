@@ -102,5 +102,6 @@ std::vector<KeyTable> world_tables();
 std::vector<KeyTable> matter_tables();
 std::vector<KeyTable> wall_tables();
 std::vector<KeyTable> output_tables();
+std::vector<KeyTable> reduce_tables();
 
 } // namespace tumble::scene

@@ -51,7 +51,7 @@ std::string noun(const Key& key, int dimension) {
 const std::vector<KeyTable>& scene_keys() {
     static const std::vector<KeyTable> all = [] {
         std::vector<KeyTable> tables;
-        for (const auto part : {world_tables, matter_tables, wall_tables, output_tables})
+        for (const auto part : {world_tables, matter_tables, wall_tables, output_tables, reduce_tables})
             for (KeyTable& table : part())
                 tables.push_back(std::move(table));
         return tables;

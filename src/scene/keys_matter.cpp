@@ -138,6 +138,12 @@ KeyTable body() {
                "Where a sensor sits in the body, in the coordinates of its spheres before `scale`; the measure "
                "`tracer:NAME` tells what it feels. Without it the centre of mass.")
             .in_3d(),
+        number(
+            "cone_diameter_m", "m", above(0, 100),
+            "Diameter of the upright cone on y = 0 that the spheres stand for, before `scale`: `reduce.spheres` fits "
+            "fewer to it.")
+            .in_3d(),
+        number("cone_height_m", "m", above(0, 100), "Height of that cone, before `scale`.").in_3d(),
     };
     return table;
 }

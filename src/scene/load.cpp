@@ -92,6 +92,8 @@ Result<Scene> load_scene_text(std::string_view toml, const std::filesystem::path
     resolve_output(top, to);
     resolve_box2d(top, to);
     check_pairs(top, to);
+    if (report.clean())
+        apply_reductions(top, to);
     if (!report.clean())
         return report.sorted(file.string());
     return scene;

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "base/problem.h"
+#include "fit/shapes.h"
 
-#include <Eigen/Core>
-#include <array>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -11,7 +10,7 @@
 
 namespace tumble::scene {
 
-using Triangle = std::array<Eigen::Vector3d, 3>;
+using fit::Triangle;
 
 /// The most triangles a mesh may have.
 inline constexpr std::size_t most_triangles = 2000000;

@@ -11,6 +11,9 @@
 /// what is wrong to the report; values that the key check refused are passed over in silence.
 namespace tumble::scene {
 
+/// A material softer than that says allow_soft.
+inline constexpr double softest_usual = 1e6; // Pa, soft rubber
+
 struct Resolving {
     std::filesystem::path folder; // relative file names start here
     Report& report;
@@ -30,6 +33,10 @@ void resolve_bodies(const View& root, const Resolving& to);    // body
 void resolve_fills(const View& root, const Resolving& to);     // fill
 void resolve_walls(const View& root, const Resolving& to);     // wall, wall.motion
 void resolve_output(const View& root, const Resolving& to);    // observe, render
+
+/// Once all else is right: makes the scene cheaper as [reduce] says (docs/reduced-order.md). A reduction that is at
+/// its default leaves every bit as it is.
+void apply_reductions(const View& root, const Resolving& to);
 
 /// What a pair adds to its plain law.
 void resolve_additions(const View& pair, const Resolving& to, contact::PairProperties& properties);

@@ -43,6 +43,17 @@ std::vector<Sphere> resolve_spheres(const View& view, const Resolving& to) {
     return spheres;
 }
 
+std::optional<fit::Cone> resolve_cone(const View& view, const Resolving& to) {
+    const char* const keys[] = {"cone_diameter_m", "cone_height_m"};
+    for (const int k : {0, 1})
+        if (view.written(keys[k]) && !view.written(keys[1 - k]))
+            to.refuse(view, keys[k], "a cone has a diameter and a height", fmt::format("give {} as well", keys[1 - k]));
+    if (!view.given(keys[0]) || !view.given(keys[1]))
+        return std::nullopt;
+    const double scale = view.number("scale");
+    return fit::Cone{view.number(keys[0]) * scale, view.number(keys[1]) * scale};
+}
+
 std::optional<int> body_named(const Scene& scene, const std::string& name) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i)
         if (scene.bodies[i].name == name)
@@ -136,6 +147,7 @@ void resolve_bodies(const View& root, const Resolving& to) {
         }
         if (view.given("tracer_point_m"))
             body.tracer_point = view.vector("tracer_point_m") * (view.given("scale") ? view.number("scale") : 1.0);
+        body.cone = resolve_cone(view, to);
         to.scene.bodies.push_back(std::move(body));
     }
 }

@@ -12,8 +12,6 @@
 namespace tumble::scene {
 namespace {
 
-constexpr double softest_usual = 1e6; // Pa, soft rubber
-
 bool is_plain_name(const std::string& name) {
     return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';

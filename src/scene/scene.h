@@ -2,6 +2,7 @@
 
 #include "contact/air_drag.h"
 #include "contact/material.h"
+#include "fit/shapes.h"
 #include "scene/laws.h"
 #include "scene/motion.h"
 
@@ -43,10 +44,7 @@ struct ContactLaws {
     contact::Additions additions;           // docs/laws.md
 };
 
-struct Sphere {
-    Vector3d centre = Vector3d::Zero(); // m, template frame as written
-    double radius = 0;                  // m
-};
+using fit::Sphere;
 
 /// A rigid set of spheres, or of discs in two dimensions. Mass comes from density and the union's volume unless given.
 /// In two dimensions the third moment of inertia is the one that counts.
@@ -57,6 +55,7 @@ struct BodyTemplate {
     std::optional<double> mass;                // kg, given instead of density * volume
     std::optional<Vector3d> principal_inertia; // kg m2, about the principal axes, given instead of the union's
     std::optional<Vector3d> tracer_point; // m, template frame: where a tracer's sensor sits; else the centre of mass
+    std::optional<fit::Cone> cone;        // what the spheres stand for, in the template frame; to fit anew
 };
 
 /// How Box2D is told to work; docs/hard-contacts.md. Two dimensions only.

@@ -144,6 +144,10 @@ void write_bodies(const Scene& scene, TomlWriter& to) {
             to.vector("inertia_kg_m2", *body.principal_inertia);
         if (body.tracer_point)
             to.vector("tracer_point_m", *body.tracer_point);
+        if (body.cone) {
+            to.number("cone_diameter_m", body.cone->diameter);
+            to.number("cone_height_m", body.cone->height);
+        }
         std::vector<std::array<double, 4>> rows;
         for (const Sphere& sphere : body.spheres)
             if (flat)

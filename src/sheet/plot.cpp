@@ -28,6 +28,8 @@ std::string axis(char letter, const Axis& axis) {
 
 std::string style(const Curve& curve, std::size_t index) {
     const char* color = colors[curve.color.value_or(index) % colors.size()];
+    if (curve.style == Style::points && !curve.spread.empty())
+        return fmt::format("with yerrorbars pt 7 ps 1 lw 1.5 lc rgb '{}'", color);
     if (curve.style == Style::points)
         return fmt::format("with points pt 7 ps 1 lc rgb '{}'", color);
     if (curve.style == Style::bars)
@@ -38,7 +40,8 @@ std::string style(const Curve& curve, std::size_t index) {
 std::string data_of(const Curve& curve, std::size_t index) {
     std::string block = fmt::format("$curve{} << END\n", index);
     for (std::size_t k = 0; k < curve.x.size(); ++k)
-        block += fmt::format("{:.9g} {:.9g}\n", curve.x[k], curve.y[k]);
+        block += fmt::format("{:.9g} {:.9g}{}\n", curve.x[k], curve.y[k],
+                             curve.spread.empty() ? "" : fmt::format(" {:.9g}", curve.spread[k]));
     return block + "END\n";
 }
 
@@ -92,6 +95,8 @@ std::string mark_of(const Figure& figure) {
         hash.add(curve.label).add(static_cast<int>(curve.style));
         add_rounded(hash, curve.x);
         add_rounded(hash, curve.y);
+        if (!curve.spread.empty())
+            add_rounded(hash, curve.spread);
     }
     return fmt::format("<!-- plotted {} -->", hash.hex());
 }

@@ -46,6 +46,7 @@ struct Curve {
     Style style = Style::line;
     std::vector<double> x{}, y{};       // in the axes' units
     std::optional<std::size_t> color{}; // curves of one number share a colour; else each has its own
+    std::vector<double> spread{};       // of points, up and down, in y's unit; empty: none is drawn
 
     void add(double at, double value) {
         x.push_back(at);

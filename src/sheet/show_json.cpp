@@ -28,8 +28,11 @@ Json json_of(const Grid& grid) {
 }
 Json json_of(const Figure& figure) {
     Json curves = Json::array();
-    for (const Curve& curve : figure.curves)
+    for (const Curve& curve : figure.curves) {
         curves.push_back({{"label", curve.label}, {"x", curve.x}, {"y", curve.y}});
+        if (!curve.spread.empty())
+            curves.back()["spread"] = curve.spread;
+    }
     return {{"figure", figure.name},
             {"title", figure.title},
             {"x", {{"label", figure.x.label}, {"unit", figure.x.unit}}},

@@ -1,7 +1,7 @@
 #include "sim3d/body_shape.h"
 
 #include "base/angle_cover.h"
-#include "sim3d/union_moments.h"
+#include "fit/union_moments.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -206,7 +206,7 @@ bool wholly_covered(const Sphere& sphere, const std::vector<const Sphere*>& othe
 Result<BodyShape> make_body_shape(const scene::BodyTemplate& body, const contact::Material& material) {
     if (Problems problems = faults_of(body, material); !problems.empty())
         return problems;
-    const UnionMoments moments = union_moments(body.spheres);
+    const fit::UnionMoments moments = fit::union_moments(body.spheres);
 
     BodyShape shape;
     shape.name = body.name;

@@ -1,4 +1,4 @@
-#include "sim3d/closest_point.h"
+#include "base/closest_point.h"
 #include "sim3d/mesh_topology.h"
 #include "sim3d/mesh_tree.h"
 #include "sim3d/wall_parts.h"

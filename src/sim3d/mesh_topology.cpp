@@ -1,6 +1,6 @@
 #include "sim3d/mesh_topology.h"
 
-#include "sim3d/closest_point.h"
+#include "base/closest_point.h"
 #include "sim3d/mesh_weld.h"
 
 #include <algorithm>

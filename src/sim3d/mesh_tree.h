@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim3d/closest_point.h"
+#include "base/closest_point.h"
 
 #include <Eigen/Core>
 #include <vector>

@@ -16,9 +16,9 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 /// A box from the origin, sides a, b, c; corners of a face in the order that points outwards.
-std::vector<scene::Triangle> box(double a, double b, double c) {
+std::vector<Triangle> box(double a, double b, double c) {
     const auto at = [&](int i) { return Vector3d(i & 1 ? a : 0, i & 2 ? b : 0, i & 4 ? c : 0); };
-    std::vector<scene::Triangle> faces;
+    std::vector<Triangle> faces;
     for (const auto& [p, q, r, s] : {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
                                      std::array{2, 6, 7, 3}, std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}}) {
         faces.push_back({at(p), at(q), at(r)});
@@ -30,7 +30,7 @@ std::vector<scene::Triangle> box(double a, double b, double c) {
 } // namespace
 
 TEST_CASE("a box has the volume, centre and second moments of a box, whichever way it is turned") {
-    std::vector<scene::Triangle> faces = box(0.01, 0.02, 0.03);
+    std::vector<Triangle> faces = box(0.01, 0.02, 0.03);
     for (int turn = 0; turn < 2; ++turn) {
         const Solid solid = solid_of(faces).value();
         CHECK(solid.volume == doctest::Approx(6e-6).scale(0));
@@ -74,12 +74,12 @@ TEST_CASE("points of the surface lie on it, as many a face as its area") {
 }
 
 TEST_CASE("an open mesh and one whose triangles are turned against each other are refused, with how many edges") {
-    std::vector<scene::Triangle> open = box(1, 1, 1);
+    std::vector<Triangle> open = box(1, 1, 1);
     open.pop_back();
     const auto refused = solid_of(open);
     REQUIRE(!refused.ok());
     CHECK(refused.problems()[0].what.find("3 of its 18 edges") != std::string::npos);
-    std::vector<scene::Triangle> turned = box(1, 1, 1);
+    std::vector<Triangle> turned = box(1, 1, 1);
     std::swap(turned[0][1], turned[0][2]);
     CHECK(!solid_of(turned).ok());
 }

@@ -77,6 +77,8 @@ TEST_CASE("a resolved scene loads again to the same bodies and fills, bit for bi
         CHECK(a.bodies[i].mass == b.bodies[i].mass);
         CHECK(a.bodies[i].principal_inertia == b.bodies[i].principal_inertia);
         CHECK(a.bodies[i].tracer_point == b.bodies[i].tracer_point);
+        REQUIRE(a.bodies[i].cone.has_value() == b.bodies[i].cone.has_value());
+        CHECK((!a.bodies[i].cone || a.bodies[i].cone->height == b.bodies[i].cone->height));
         REQUIRE(a.bodies[i].spheres.size() == b.bodies[i].spheres.size());
         for (std::size_t k = 0; k < a.bodies[i].spheres.size(); ++k) {
             CHECK(a.bodies[i].spheres[k].centre == b.bodies[i].spheres[k].centre);
@@ -190,7 +192,7 @@ TEST_CASE("meshes that were copied beside the scene go by the names they have th
 
 TEST_CASE("every key of the list arrives in the scene and is written again") {
     // Other ways to say what is written as spheres_m, discs_m, rows, harmonic, friction or cohesion energy; three
-    // dimensions are usual.
+    // dimensions are usual; of [reduce] what came of it is written.
     std::set<std::string> other_ways{
         "clump", "radius_mm", "file", "speed_rpm", "friction_angle_deg", "work_of_adhesion_J_m2", "dimension"};
     for (const int dimension : {3, 2}) {
@@ -201,7 +203,7 @@ TEST_CASE("every key of the list arrives in the scene and is written again") {
             for (const Key& key : table.keys) {
                 CAPTURE(table.path);
                 CAPTURE(key.name);
-                if (belongs_in(key, dimension) && !other_ways.count(key.name))
+                if (belongs_in(key, dimension) && !other_ways.count(key.name) && table.path != "reduce")
                     CHECK(toml.find("\n" + key.name + " = ") != std::string::npos);
             }
     }

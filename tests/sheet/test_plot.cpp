@@ -25,6 +25,17 @@ TEST_CASE("gnuplot is told units, and words as they stand") {
     CHECK(script.find("1 2\nEND") != std::string::npos);
 }
 
+TEST_CASE("points with a spread get it as bars, and the mark of a figure knows of it") {
+    Figure scattered = line;
+    scattered.curves[0].style = Style::points;
+    const std::string before = mark_of(scattered);
+    scattered.curves[0].spread = {0.5, 0.25};
+    const std::string script = gnuplot_script(scattered, "a.svg");
+    CHECK(script.find("with yerrorbars") != std::string::npos);
+    CHECK(script.find("1 2 0.25\nEND") != std::string::npos);
+    CHECK(mark_of(scattered) != before);
+}
+
 TEST_CASE("a figure's mark changes with its data and words, and not with rounding") {
     Figure other = line;
     other.curves[0].y[1] *= 1 + 1e-13;

@@ -1,7 +1,7 @@
 #include "about.h"
 #include "base/rng.h"
+#include "fit/union_moments.h"
 #include "sim3d/body_shape.h"
-#include "sim3d/union_moments.h"
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
@@ -98,21 +98,6 @@ TEST_CASE("a single sphere keeps its axes and has 2/5 m r^2") {
     CHECK(shape.written_centre == Vector3d(1, -2, 3));
 }
 
-TEST_CASE("two overlapping spheres have the volume of two less the lens") {
-    // Lens of spheres R, r at distance d: pi (R+r-d)^2 (d^2 + 2d(r+R) - 3(r-R)^2) / (12 d).
-    const double R = 3e-3, r = 2e-3;
-    for (double d : {1.5e-3, 2.5e-3, 4e-3, 4.99e-3, 5.5e-3}) {
-        const double gap = std::max(0.0, R + r - d);
-        const double lens = pi * gap * gap * (d * d + 2 * d * (r + R) - 3 * (r - R) * (r - R)) / (12 * d);
-        const double expected = 4.0 / 3 * pi * (R * R * R + r * r * r) - lens;
-        for (const Vector3d& way : {Vector3d(1, 0, 0), Vector3d(0, 1, 0), Vector3d(0.6, 0.64, 0.48)}) {
-            const UnionMoments moments = union_moments({{Vector3d(1, 1, 1), R}, {Vector3d(1, 1, 1) + d * way, r}});
-            CHECK(relative(moments.volume, expected) < 2e-8);
-            CHECK(moments.error < 1e-8);
-        }
-    }
-}
-
 TEST_CASE("two equal spheres that overlap have the inertia of their solid of revolution") {
     // Each half: y^2 = r^2 - (x - d/2)^2 for x from 0 to d/2 + r; about the axis integral of pi/2 y^4, across it
     // integral of pi (y^4 / 4 + x^2 y^2): polynomials in s = x - d/2, from -d/2 to r.
@@ -152,7 +137,7 @@ TEST_CASE("a dumbbell of two spheres apart has the inertia of the parallel-axis 
 TEST_CASE("a random clump agrees with Monte Carlo within its scatter") {
     Rng rng(7);
     const std::vector<Sphere> spheres = random_clump(rng, 9);
-    const UnionMoments moments = union_moments(spheres);
+    const fit::UnionMoments moments = fit::union_moments(spheres);
     const Vector3d half(1.7e-2, 1.3e-2, 1.0e-2);
     const int shots = 400'000;
     double hits = 0;
@@ -209,7 +194,7 @@ TEST_CASE("the principal frame is right-handed, near the written axes, and bring
         for (std::size_t i = 0; i < spheres.size(); ++i)
             CHECK((axes * shape.spheres[i].centre + shape.written_centre - spheres[i].centre).norm() < 1e-15);
         // The spheres as moved must have the moments that the shape states, with nothing off the diagonal.
-        const UnionMoments moved = union_moments(shape.spheres);
+        const fit::UnionMoments moved = fit::union_moments(shape.spheres);
         const Matrix3d spread = moved.second * 1000;
         const Matrix3d inertia = spread.trace() * Matrix3d::Identity() - spread;
         CHECK(moved.centre.norm() < 1e-8 * shape.bounding_radius);
@@ -230,7 +215,7 @@ TEST_CASE("the thesis' 65-sphere cone weighs 4.675 g and keeps its written axes"
     CHECK(shape.written_from_principal.isApprox(Eigen::Quaterniond::Identity(), 0));
     CHECK(relative(shape.inertia.x(), shape.inertia.z()) < 1e-5);
     CHECK(shape.inertia.y() < shape.inertia.x());
-    CHECK(union_moments(cone_65()).error < 1e-8);
+    CHECK(fit::union_moments(cone_65()).error < 1e-8);
 }
 
 TEST_CASE("a cone that leans gets its own axis as the principal one nearest to it") {

@@ -1,4 +1,4 @@
-#include "sim3d/union_moments.h"
+#include "fit/union_moments.h"
 
 #include "base/disc_union.h"
 
@@ -8,10 +8,9 @@
 #include <numbers>
 #include <queue>
 
-namespace tumble::sim3d {
+namespace tumble::fit {
 
 using Eigen::Vector3d;
-using scene::Sphere;
 
 namespace {
 
@@ -188,4 +187,4 @@ UnionMoments union_moments(const std::vector<Sphere>& spheres, double tolerance)
     return result;
 }
 
-} // namespace tumble::sim3d
+} // namespace tumble::fit

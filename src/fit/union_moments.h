@@ -1,11 +1,11 @@
 #pragma once
 
-#include "scene/scene.h"
+#include "fit/shapes.h"
 
 #include <Eigen/Core>
 #include <vector>
 
-namespace tumble::sim3d {
+namespace tumble::fit {
 
 /// Volume, centre and second moments of a union of spheres, overlaps counted once.
 struct UnionMoments {
@@ -19,6 +19,6 @@ struct UnionMoments {
 /// Cuts the union into planes of constant y. In a plane the spheres are discs, and the moments of a union of discs are
 /// exact sums over the arcs of its outline (Green's theorem); across planes by adaptive Gauss-Kronrod (7, 15) between
 /// the heights where spheres begin and end, to `tolerance` (relative). One sphere: closed form.
-UnionMoments union_moments(const std::vector<scene::Sphere>& spheres, double tolerance = 1e-8);
+UnionMoments union_moments(const std::vector<Sphere>& spheres, double tolerance = 1e-8);
 
-} // namespace tumble::sim3d
+} // namespace tumble::fit

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace tumble::sim3d {
+namespace tumble {
 
 /// A triangle with what its closest-point question needs, worked out once. Metres.
 struct FlatTriangle {
@@ -73,4 +73,4 @@ inline ClosestPoint closest_point(const FlatTriangle& t, const Eigen::Vector3d& 
     return best;
 }
 
-} // namespace tumble::sim3d
+} // namespace tumble

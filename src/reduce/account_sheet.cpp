@@ -1,0 +1,155 @@
+#include "reduce/account.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace tumble::reduce {
+
+namespace {
+
+std::string error_words(const Error& error) {
+    if (!std::isfinite(error.relative))
+        return "lost";
+    const std::string size = std::isfinite(error.uncertainty)
+                                 ? fmt::format("{:+.1f} ± {:.1f} %", 100 * error.relative, 100 * error.uncertainty)
+                                 : fmt::format("{:+.1f} %", 100 * error.relative);
+    return error.told_apart() ? size : "(" + size + ")";
+}
+
+std::string value_words(const Spread& spread, double uncertainty, const std::string& unit) {
+    if (!std::isfinite(spread.mean))
+        return "none";
+    return fmt::format("{:.3g}{} {}", spread.mean,
+                       std::isfinite(uncertainty) ? fmt::format(" ± {:.2g}", uncertainty) : "", unit);
+}
+
+sheet::Grid table_of(const Account& account) {
+    sheet::Grid grid;
+    grid.columns = {{"scene"}, {"bodies"}, {"core", "s", 3}, {"speed-up", "", 3}, {"overlap", "%", 2}};
+    const auto& quantities = account.climb.stick.quantities();
+    for (std::size_t q = 0; q < quantities.size(); ++q)
+        grid.columns.push_back({quantities[q].name});
+    grid.columns.push_back({"verdict"});
+    for (std::size_t k = 0; k < account.priced.size(); ++k) {
+        const Climbed& climbed = account.climb.rungs[account.priced[k]];
+        const Price& price = account.prices.rungs[k];
+        const bool reference = account.priced[k] == account.reference;
+        std::vector<sheet::Cell> row{climbed.rung.name, fmt::format("{:.0f}", climbed.bodies), climbed.core_s(),
+                                     price.speed_up, 100 * climbed.overlap()};
+        for (std::size_t q = 0; q < quantities.size(); ++q)
+            row.emplace_back(reference
+                                 ? value_words(price.spreads[q], account.prices.reference_spread[q], quantities[q].unit)
+                             : account.prices.judged[q] ? error_words(price.errors[q])
+                                                        : "-");
+        row.emplace_back(reference ? "reference" : word_of(price.verdict));
+        grid.rows.push_back(std::move(row));
+    }
+    return grid;
+}
+
+/// Error against speed-up, a curve per quantity, and the limits.
+sheet::Figure figure_of(const Account& account) {
+    sheet::Figure figure;
+    figure.name = "reduction";
+    figure.title = account.scene.stem().string() + ": what a reduction costs";
+    figure.x = {"speed-up"};
+    figure.y = {"error", "%"};
+    const auto& quantities = account.climb.stick.quantities();
+    double most = 1;
+    for (std::size_t q = 0; q < quantities.size(); ++q) {
+        if (!account.prices.judged[q])
+            continue;
+        sheet::Curve curve{.label = quantities[q].name, .style = sheet::Style::points};
+        for (const Price& price : account.prices.rungs)
+            if (std::isfinite(price.errors[q].uncertainty)) {
+                // Side by side: errors of one rung would hide each other.
+                const double aside = 1 + 0.008 * static_cast<double>(q);
+                curve.add(aside * price.speed_up, 100 * price.errors[q].relative);
+                curve.spread.push_back(100 * price.errors[q].uncertainty);
+                most = std::max(most, price.speed_up);
+            }
+        figure.curves.push_back(std::move(curve));
+    }
+    sheet::Curve limits{
+        .label = fmt::format("{:.3g} %", 100 * account.tolerance), .style = sheet::Style::dashes, .color = 5};
+    const double limit = 100 * account.tolerance;
+    for (const auto& [x, y] : {std::pair(1.0, -limit), {most, -limit}, {most, limit}, {1.0, limit}, {1.0, -limit}})
+        limits.add(x, y);
+    figure.curves.push_back(std::move(limits));
+    return figure;
+}
+
+void say_what_was_not_priced(const Account& account, sheet::Sheet& sheet) {
+    for (std::size_t i = 0; i < account.climb.rungs.size(); ++i) {
+        const Climbed& climbed = account.climb.rungs[i];
+        if (std::find(account.priced.begin(), account.priced.end(), i) != account.priced.end())
+            continue;
+        const std::string& name = climbed.rung.name;
+        if (climbed.standing == Standing::waiting)
+            sheet.say(fmt::format("{}: not run yet; the same command goes on from here.", name));
+        else if (climbed.standing == Standing::finished)
+            sheet.say(fmt::format("{}: was run, but it is no reduction of the reference.", name));
+        else
+            sheet.say(fmt::format("{}: {}: {}.", name,
+                                  climbed.standing == Standing::refused    ? "cannot be run"
+                                  : climbed.standing == Standing::left_out ? "left out"
+                                                                           : "failed",
+                                  climbed.reason));
+    }
+}
+
+void say_what_judges(const Account& account, sheet::Sheet& sheet) {
+    const auto& quantities = account.climb.stick.quantities();
+    for (std::size_t q = 0; q < quantities.size(); ++q)
+        if (!account.prices.judged[q])
+            sheet.say(fmt::format("{} judges nobody: {}.", quantities[q].name,
+                                  std::isfinite(account.prices.reference_spread[q])
+                                      ? "the reference's own is not told apart from zero"
+                                      : "the reference does not have it in this stretch of time"));
+}
+
+std::string conclusion(const Account& account) {
+    const auto cheapest = account.cheapest();
+    if (!cheapest)
+        return fmt::format("No reduction tried stays within {:.3g} %.", 100 * account.tolerance);
+    const Price& price = account.prices.rungs[*account.prices.cheapest];
+    const std::string what =
+        fmt::format("{}, {:.3g} times as fast", account.climb.rungs[*cheapest].rung.name, price.speed_up);
+    if (account.sure())
+        return fmt::format("The cheapest that stays within {:.3g} %, its uncertainty included: {}.",
+                           100 * account.tolerance, what);
+    return fmt::format("The cheapest that seems to stay within {:.3g} %: {}. Its errors are below that and their "
+                       "uncertainties are not; more --seeds or a longer --time make these smaller.",
+                       100 * account.tolerance, what);
+}
+
+} // namespace
+
+sheet::Sheet sheet_of(const Account& account) {
+    sheet::Sheet sheet;
+    if (!account.reference) {
+        sheet.say("Nothing is finished yet, so there is nothing to compare.");
+        say_what_was_not_priced(account, sheet);
+        return sheet;
+    }
+    sheet.parts.emplace_back(table_of(account));
+    sheet.say(
+        fmt::format("Means from {:.4g} to {:.4g} s over {} seeds. Errors are those against the reference, ± half of "
+                    "a 95 % interval; one in brackets is not told apart from chance.",
+                    account.climb.stick.from(), account.climb.stick.until(), account.seeds));
+    if (!account.reference_is_whole())
+        sheet.say(
+            fmt::format("The scene as written was not run to its end: errors are against \"{}\", the fullest that "
+                        "was, and how far that is off is not known.",
+                        account.climb.rungs[*account.reference].rung.name));
+    say_what_judges(account, sheet);
+    say_what_was_not_priced(account, sheet);
+    sheet.say(conclusion(account));
+    const auto& judged = account.prices.judged;
+    if (account.priced.size() > 1 && std::find(judged.begin(), judged.end(), true) != judged.end())
+        sheet.parts.emplace_back(figure_of(account));
+    return sheet;
+}
+
+} // namespace tumble::reduce

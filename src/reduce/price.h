@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What a reduction costs in accuracy, told from what chance alone does. docs/reduced-order.md, "Error and scatter".
+namespace tumble::reduce {
+
+/// What several seeds of one rung gave.
+struct Sample {
+    std::vector<std::vector<double>> values; // per seed, per quantity; NaN: had no meaning there
+    double core_s = 0;                       // mean per run
+};
+
+struct Spread {
+    double mean = 0;
+    double deviation = 0; // of single runs, n - 1
+};
+
+/// How far a rung's mean lies from the reference's, over the size of the reference's.
+struct Error {
+    double relative = std::numeric_limits<double>::quiet_NaN();
+    double uncertainty = std::numeric_limits<double>::infinity(); // half of the 95 % interval
+
+    /// More than its scatter can make.
+    [[nodiscard]] bool told_apart() const;
+};
+
+enum class Verdict {
+    within,       // even with its uncertainty
+    seems_within, // the error is, its uncertainty is not
+    seems_beyond,
+    beyond // even less its uncertainty, or a quantity is lost
+};
+const char* word_of(Verdict verdict);
+
+struct Price {
+    double speed_up = 1;
+    std::vector<Spread> spreads; // per quantity
+    std::vector<Error> errors;   // per quantity; of those that the reference does not have: the default
+    double worst = 0;            // largest |relative|
+    Verdict verdict = Verdict::within;
+};
+
+/// Of every sample against that at `reference`, within `tolerance` (relative). A quantity that the reference does not
+/// have in every seed, or has, but not told apart from zero, is no measure of anything and judges nobody (`judged`).
+struct Prices {
+    std::vector<Price> rungs;
+    std::vector<bool> judged;             // per quantity
+    std::vector<double> reference_spread; // per quantity, 95 % half interval of the reference's mean, in its unit
+    std::optional<std::size_t> cheapest;  // the fastest that is within, else the fastest that seems to be
+};
+Prices price(const std::vector<Sample>& samples, std::size_t reference, double tolerance);
+
+/// Mean and standard deviation.
+Spread spread_of(const std::vector<double>& values);
+
+/// The t with P(|Student's t with so many degrees of freedom| < t) = 0.95; degrees >= 1.
+double student_t_95(int degrees);
+
+} // namespace tumble::reduce

@@ -1,0 +1,175 @@
+#include "about.h"
+#include "folder.h"
+#include "reduce/account.h"
+#include "reduce/kept_run.h"
+#include "scene/load.h"
+#include "small_trough.h"
+
+#include <cmath>
+#include <doctest/doctest.h>
+#include <set>
+
+using namespace tumble;
+using namespace tumble::reduce;
+using tumble::test::about;
+
+namespace {
+
+/// What was run and what was kept, by rung; raises a flag after some steps.
+struct Witness final : ClimbListener {
+    std::vector<std::string> began;
+    int kept = 0;
+    std::atomic<bool> stop{false};
+    int stop_after = -1; // runs
+
+    void begins(const std::string& rung, std::uint64_t /*seed*/, int run, int /*of*/, bool was_kept) override {
+        began.push_back(rung);
+        kept += was_kept ? 1 : 0;
+        at = run;
+    }
+    void progressed(const run::Progress& now) override {
+        if (at == stop_after && now.time > 0.3)
+            stop = true;
+    }
+    int at = 0;
+};
+
+Climb climbed(const test::Folder& folder, Witness& witness, const std::vector<Wish>& wishes,
+              ClimbOptions options = {}) {
+    const auto rungs = ladder(test::small_trough(), wishes);
+    REQUIRE_MESSAGE(rungs, to_string(rungs.problems()));
+    const auto stick = Yardstick::of(rungs->front().scene, {}, std::nullopt, std::nullopt);
+    REQUIRE_MESSAGE(stick, to_string(stick.problems()));
+    options.folder = folder.path;
+    options.stop = &witness.stop;
+    auto climb = reduce::climb(*rungs, *stick, options, witness);
+    REQUIRE_MESSAGE(climb, to_string(climb.problems()));
+    return *climb;
+}
+
+std::vector<double> values_of(const Climb& climb) {
+    std::vector<double> all;
+    for (const Climbed& rung : climb.rungs)
+        for (const Seeded& run : rung.runs)
+            all.insert(all.end(), run.values.begin(), run.values.end());
+    return all;
+}
+
+} // namespace
+
+TEST_CASE("a ladder is climbed from its cheapest rung, goes on where it was stopped, and keeps what is done") {
+    const std::vector<Wish> wishes{*read_wish("softening=4")};
+    const test::Folder whole, broken;
+    Witness at_once, first, second, third;
+    const Climb straight = climbed(whole, at_once, wishes);
+    CHECK(at_once.began == std::vector<std::string>{"softening 4", "softening 4", "as written", "as written"});
+    CHECK_FALSE(straight.stopped);
+    for (const Climbed& rung : straight.rungs) {
+        REQUIRE_MESSAGE(rung.standing == Standing::finished, rung.reason);
+        REQUIRE(rung.runs.size() == 2);
+        CHECK(rung.runs[1].seed == rung.runs[0].seed + 1);
+        CHECK(rung.runs[0].values != rung.runs[1].values); // another seed, another fall
+    }
+    CHECK(straight.rungs[0].work == about(2 * straight.rungs[1].work, 1e-3)); // a step of sqrt(4)
+
+    first.stop_after = 3;
+    const Climb stopped = climbed(broken, first, wishes);
+    CHECK(stopped.stopped);
+    CHECK(stopped.rungs[0].standing == Standing::waiting);
+    CHECK(stopped.rungs[1].standing == Standing::finished);
+    const Account so_far = account_of("small.toml", stopped, 0.1, 2);
+    CHECK(*so_far.reference == 1); // the fullest that there is
+    CHECK_FALSE(so_far.reference_is_whole());
+
+    const Climb resumed = climbed(broken, second, wishes);
+    CHECK(second.kept == 2);
+    CHECK(values_of(resumed) == values_of(straight)); // bit for bit
+    (void)climbed(broken, third, wishes);
+    CHECK(third.kept == 4);
+
+    const Account account = account_of("small.toml", resumed, 0.1, 2);
+    CHECK(*account.reference == 0);
+    CHECK(account.prices.rungs.size() == 2);
+    CHECK(account.prices.rungs[1].speed_up > 1.2); // half of the steps
+    const auto json = to_json(account);
+    CHECK(json["reference"] == "as written");
+    CHECK(json["rungs"][1]["softening"] == 4);
+    CHECK(json["rungs"][1]["quantities"].size() == 3);
+    CHECK(csv_of(account).starts_with(
+        "rung,standing,verdict,runs,core_s,speed_up,overlap,kinetic_energy_per_mass_mean,"));
+}
+
+TEST_CASE("a budget leaves out what would go beyond it") {
+    const test::Folder folder;
+    Witness witness;
+    // The first run is made in any case: before it nothing is known of the pace.
+    const Climb climb = climbed(folder, witness, {*read_wish("softening=4")},
+                                {.folder = {}, .seeds = 2, .budget = 1e-3, .threads = 1, .stop = nullptr});
+    CHECK(climb.rungs[0].standing == Standing::left_out);
+    CHECK(climb.rungs[0].reason.find("beyond the budget") != std::string::npos);
+    CHECK(witness.began == std::vector<std::string>{"softening 4"});
+}
+
+TEST_CASE("a rung that cannot be built is said to be so, with the reason") {
+    const auto rungs = ladder({TUMBLE_ROOT "/scenes/trough-quick.toml", {}}, {*read_wish("slice=0.3")});
+    REQUIRE_MESSAGE(rungs, to_string(rungs.problems()));
+    const auto stick = Yardstick::of(rungs->front().scene, {}, std::nullopt, std::nullopt);
+    const test::Folder folder;
+    Witness witness;
+    witness.stop = true; // before the first step
+    const auto climb = reduce::climb(*rungs, *stick, {.folder = folder.path, .stop = &witness.stop}, witness);
+    REQUIRE_MESSAGE(climb, to_string(climb.problems()));
+    CHECK(climb->stopped);
+    CHECK(climb->rungs[0].standing == Standing::waiting);
+    CHECK(climb->rungs[1].standing == Standing::refused);
+    CHECK(climb->rungs[1].reason.find("must never meet its own image") !=
+          std::string::npos); // 15 mm for cones of 22 mm
+}
+
+TEST_CASE("the cheapest scene is a scene file that says what it was reduced by and how far it is off") {
+    const auto rungs = ladder(test::small_trough(), {*read_wish("softening=4")});
+    const auto stick = Yardstick::of(rungs->front().scene, {}, std::nullopt, std::nullopt);
+    Climb climb{*stick, {}, false};
+    for (const Rung& rung : *rungs) {
+        Climbed climbed{rung, Standing::finished, "", 0, 1, 50, {}};
+        const bool soft = rung.degrees.softening > 1;
+        climbed.work = soft ? 1 : 2;
+        for (const std::uint64_t seed : {7, 8})
+            climbed.runs.push_back(
+                {seed, soft ? 1.0 : 2.0, 0.1, {soft ? 1.02 : 1.0, 0.5, 8.0 + (seed == 7 ? 0.4 : 0)}, {}});
+        climb.rungs.push_back(climbed);
+    }
+    const Account account = account_of("scenes/small.toml", climb, 0.1, 2);
+    REQUIRE(account.cheapest());
+    const test::Folder folder;
+    REQUIRE(write_account(account, folder.path));
+    const auto scene = scene::load_scene(folder.path / "small-reduced.toml");
+    REQUIRE_MESSAGE(scene, to_string(scene.problems()));
+    CHECK(scene->pair(0, 0).normal_stiffness == about(2e5 / 4, 1e-12));
+    CHECK(scene->claim.find("softening 4), 2 times as fast") != std::string::npos);
+    CHECK(scene->claim.find("kinetic energy per mass +2.0 +- 0.0 %") != std::string::npos);
+    // Seeds of either rung scatter alike, 0.4 deg apart: t = 4.30 of two degrees times 0.28 deg over 8.2 deg.
+    CHECK(scene->claim.find("surface slope +0.0 +- 14.8 % (not told apart)") != std::string::npos);
+    CHECK_FALSE(account.sure());
+}
+
+TEST_CASE("a run's name changes with its scene and its seed, and a damaged note of it counts as none") {
+    scene::Scene scene = *test::small_trough().load();
+    std::set<std::string> names{*name_of_run("softening 4, slice 0.5", scene)};
+    CHECK(names.begin()->starts_with("softening-4-slice-0.5-seed-7-"));
+    scene.seed = 8;
+    names.insert(*name_of_run("softening 4, slice 0.5", scene));
+    scene.time_step *= 1.0000001;
+    names.insert(*name_of_run("softening 4, slice 0.5", scene));
+    CHECK(names.size() == 3);
+
+    const test::Folder folder;
+    const KeptRun run{12.5, 0.3, "", {"deep"}};
+    REQUIRE(write_kept(folder.path / "a.json", run));
+    CHECK(read_kept(folder.path / "a.json")->core_s == 12.5);
+    CHECK(read_kept(folder.path / "a.json")->overlap == 0.3);
+    CHECK(read_kept(folder.path / "a.json")->doubts.front() == "deep");
+    test::put(folder.path / "b.json", "{\"core_s\": 12.");
+    CHECK_FALSE(read_kept(folder.path / "b.json"));
+    CHECK_FALSE(read_kept(folder.path / "c.json"));
+}

@@ -1,0 +1,74 @@
+#include "about.h"
+#include "folder.h"
+#include "reduce/yardstick.h"
+#include "small_trough.h"
+
+#include <cmath>
+#include <doctest/doctest.h>
+
+using namespace tumble;
+using namespace tumble::reduce;
+using tumble::test::about;
+
+namespace {
+
+scene::Scene loaded(const std::string& name) {
+    return *SceneText{TUMBLE_ROOT "/scenes/" + name, {}}.load();
+}
+
+std::vector<std::string> names_of(const Yardstick& stick) {
+    std::vector<std::string> names;
+    for (const Quantity& quantity : stick.quantities())
+        names.push_back(quantity.name);
+    return names;
+}
+
+} // namespace
+
+TEST_CASE("a vibrating trough is measured over whole pairs of periods of the second half of its shaking") {
+    const auto stick = Yardstick::of(loaded("trough-quick.toml"), {"mean_speed"}, std::nullopt, std::nullopt);
+    REQUIRE_MESSAGE(stick, to_string(stick.problems()));
+    CHECK(stick->until() == 2.6);
+    CHECK(stick->from() == about(2.6 - 12 * 0.08, 1e-12)); // 1 s holds twelve pairs of periods of 25 Hz
+    CHECK(names_of(*stick) ==
+          std::vector<std::string>{"kinetic energy per mass", "circulation", "surface slope", "mean speed"});
+}
+
+TEST_CASE("a bowl is measured by layers over its wall and by its sensor") {
+    const auto stick = Yardstick::of(loaded("bowl-quick.toml"), {}, std::nullopt, std::nullopt);
+    REQUIRE_MESSAGE(stick, to_string(stick.problems()));
+    CHECK(stick->from() == about(1.2, 1e-12)); // it turns from 0.4 to 2 s
+    CHECK(names_of(*stick) == std::vector<std::string>{"kinetic energy per mass", "rms velocity y", "speed 0 to 42 mm",
+                                                       "speed 42 to 84 mm", "speed 84 to 126 mm", "speed 126 to 168 mm",
+                                                       "speed 168 to 210 mm", "sensor cycle", "sensor amplitude"});
+}
+
+TEST_CASE("the mean over a stretch takes each phase of a period once, and what is no number not at all") {
+    scene::Scene scene = *test::small_trough().load(); // rows every 0.01 s, shaken at 25 Hz from 0.2 to 0.6 s
+    const auto stick = Yardstick::of(scene, {}, std::nullopt, std::nullopt);
+    REQUIRE_MESSAGE(stick, to_string(stick.problems()));
+    CHECK(stick->from() == about(0.44, 1e-12)); // two pairs of periods
+    stick->prepare(scene);
+    CHECK(scene.observe.measures == std::vector<std::string>{"kinetic_energy", "circulation", "surface_slope"});
+    const test::Folder folder;
+    std::string rows = "time_s,kinetic_energy_J,circulation_rad_s,surface_slope_deg\n";
+    for (int row = 0; row <= 60; ++row) {
+        const double time = 0.01 * row + 1e-6; // a step late
+        rows += std::to_string(time) + "," + (row > 44 ? "6" : "1000") + "," +
+                std::to_string(0.5 + std::sin(2 * M_PI * 25 * time)) + "," + (row % 5 == 0 ? "nan" : "8") + "\n";
+    }
+    test::put(folder.path / "series.csv", rows);
+    const auto values = stick->read(folder.path, 2.0);
+    REQUIRE_MESSAGE(values, to_string(values.problems()));
+    CHECK((*values)[0] == about(3, 1e-12));  // 6 J of 2 kg
+    CHECK((*values)[1] == about(0.5, 1e-5)); // the sine is gone, to the digits written
+    CHECK((*values)[2] == 8);
+}
+
+TEST_CASE("a stretch without rows and a measure that does not exist are refused") {
+    const scene::Scene scene = *test::small_trough().load();
+    CHECK(to_string(Yardstick::of(scene, {}, 0.595, std::nullopt).problems()) ==
+          "from 0.595 to 0.6 s there are fewer than two rows of series.csv\n"
+          "    give a longer --time, a longer duration_s or a smaller observe.every_s\n");
+    CHECK_FALSE(Yardstick::of(scene, {"mean_sped"}, std::nullopt, std::nullopt));
+}

@@ -127,7 +127,7 @@ def flat(core, name, sets, *times):
 
 
 def drum(core, sets):
-    """The half-full drum: 800 discs, mean over 3 s."""
+    """The half-full drum: 950 discs, mean over 3 s."""
     return flat(core, "drum-2d", sets, "from=2", "until=5")
 
 

@@ -77,7 +77,8 @@ scene::Scene pouring(const Kind& kind, double count, int seed) {
     for (const std::size_t size : {0, 1}) {
         scene::Fill fill;
         fill.body = add_body(scene, kind.bodies[size]);
-        fill.count = std::llround(count / 2);
+        const std::int64_t all = std::llround(count), smaller = all / 2;
+        fill.count = size == 0 ? smaller : all - smaller;
         const double low = size == 0 ? 0.16 : 0.20; // m, a region for each size, so that both come at once
         fill.region = {{-0.025, low, -0.005}, {0.025, low + 0.04, 0.005}};
         fill.velocity = {0, -0.5, 0};
@@ -96,6 +97,9 @@ Result<Heap> pour(const Kind& kind, double count, int seed) {
         return reel.problems();
     Heap heap;
     heap.frames = std::move(reel->frames);
+    if (heap.frames.back().time < scene.duration - picture)
+        return Problem{.what = fmt::format("the solver stopped at t = {:.3g} s", heap.frames.back().time),
+                       .fix = "a smaller --count"};
     heap.surface = observe::free_surface(heap.frames.back());
     if (heap.surface.points.size() < 6)
         return Problem{.what = "too few bodies lie in the heap to see its slope", .fix = "a larger --count"};

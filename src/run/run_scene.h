@@ -15,18 +15,18 @@
 namespace tumble::run {
 
 struct RunOptions {
-    std::filesystem::path folder;     // empty: out/<name of the scene file>
-    int threads = 1;                  // changes the time taken, never the result
-    bool overwrite = false;           // replace what a run left in the folder
-    bool resume = false;              // go on where a run in the folder ended, or begin where there is none
-    bool accept_changes = false;      // even when the scene was changed since
+    std::filesystem::path folder;           // empty: out/<name of the scene file>
+    int threads = 1;                        // changes the time taken, never the result
+    bool overwrite = false;                 // replace what a run left in the folder
+    bool resume = false;                    // go on where a run in the folder ended, or begin where there is none
+    bool accept_changes = false;            // even when the scene was changed since
     std::optional<double> checkpoint_every; // s of wall time; 0: no checkpoints; 60 without it, where the solver can
-    bool pictures = false;            // PNG frames
-    bool video = false;               // MP4, through ffmpeg
-    std::filesystem::path video_file; // empty: video.mp4 in the folder
-    bool paraview = false;            // VTP and PVD
-    bool text_dump = false;           // one LIGGGHTS-style file
-    StopFlag stop = nullptr;          // end between two steps, or before the first
+    bool pictures = false;                  // PNG frames
+    bool video = false;                     // MP4, through ffmpeg
+    std::filesystem::path video_file;       // empty: video.mp4 in the folder
+    bool paraview = false;                  // VTP and PVD
+    bool text_dump = false;                 // one LIGGGHTS-style file
+    StopFlag stop = nullptr;                // end between two steps, or before the first
 };
 
 /// Where a run stands.
@@ -102,8 +102,8 @@ struct RunSummary {
 /// Runs a scene and leaves its folder as docs/run-folder.md says. A value comes back once a folder stands: finished,
 /// stopped or failed. Problems: nothing was started and nothing left behind (scene that cannot be built, unknown
 /// measure, folder that holds something or cannot be written or is another run's at this moment, too little space,
-/// ffmpeg missing; no checkpoint that can be resumed, a scene that was changed since; checkpoints asked of Box2D; a stop
-/// before there was a world).
+/// ffmpeg missing; no checkpoint that can be resumed, a scene that was changed since; checkpoints asked of Box2D; a
+/// stop before there was a world).
 Result<RunSummary> run_scene(const scene::Scene& scene, const RunOptions& options, RunListener& listener);
 
 } // namespace tumble::run

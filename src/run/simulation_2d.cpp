@@ -143,9 +143,8 @@ template <class WorldPtr> Result<SimulationPtr> simulation_of(const scene::Scene
 } // namespace
 
 Result<SimulationPtr> simulate_in_2d(const scene::Scene& scene, int threads, StopFlag stop, const std::string* state) {
-    return simulation_of(scene,
-                         state ? sim2d::restore_world(scene, threads, *state, stop)
-                                : sim2d::build_world(scene, threads, stop));
+    return simulation_of(scene, state ? sim2d::restore_world(scene, threads, *state, stop)
+                                      : sim2d::build_world(scene, threads, stop));
 }
 
 Result<SimulationPtr> simulate_hard(const scene::Scene& scene, StopFlag stop) {

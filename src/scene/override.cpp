@@ -14,7 +14,7 @@
 namespace tumble::scene {
 namespace {
 
-constexpr const char* right_form = "write --set KEY=VALUE, for example --set material.media.density_kg_m3=1500";
+constexpr const char* form_of_a_set = "write --set KEY=VALUE, for example --set material.media.density_kg_m3=1500";
 
 /// Every place inside the value becomes the flag itself: line 1 of a value typed on a command line says nothing.
 void relocate(Node& node, const Place& place) {
@@ -83,7 +83,7 @@ private:
 
     Node* step(Node& node, const std::string& part, bool last) {
         if (part.empty())
-            return refuse("a part of the key is empty", right_form);
+            return refuse("a part of the key is empty", form_of_a_set);
         if (Table* table = node.as<Table>()) {
             Entry* entry = table->find(part);
             if (!entry && path_ == "pair")
@@ -187,12 +187,12 @@ Problems apply(const Override& set, Node& root) {
     const std::string key(trimmed(set.text.substr(0, equals)));
     const Place place{std::make_shared<const std::string>("--set " + key), 0, 0};
     if (equals == std::string::npos)
-        return {problem_at(place, key, "there is no '=' in it", right_form)};
+        return {problem_at(place, key, "there is no '=' in it", form_of_a_set)};
     if (key.empty())
         return {problem_at({std::make_shared<const std::string>("--set"), 0, 0}, "", "there is no key before '='",
-                           right_form)};
+                           form_of_a_set)};
     if (std::count(key.begin(), key.end(), '.') > deepest_nesting)
-        return {problem_at(place, key, "the key has too many parts", right_form)};
+        return {problem_at(place, key, "the key has too many parts", form_of_a_set)};
     auto value = parse_value(set.text.substr(equals + 1), place);
     if (!value)
         return value.problems();

@@ -204,8 +204,9 @@ Result<std::vector<BodyState>> place_due(std::vector<FillState>& fills, const Si
     std::int64_t discs = 0;
     for (const FillState& fill : fills)
         if (due(fill))
-            discs += (fill.fill.position ? 1 : fill.asked - fill.placed) *
-                     static_cast<std::int64_t>(site.shapes[static_cast<std::size_t>(fill.fill.body)].exposed.size() / 3);
+            discs +=
+                (fill.fill.position ? 1 : fill.asked - fill.placed) *
+                static_cast<std::int64_t>(site.shapes[static_cast<std::size_t>(fill.fill.body)].exposed.size() / 3);
     Placer placer(site, discs);
     for (std::size_t k = 0; k < fills.size(); ++k)
         if (due(fills[k]))

@@ -160,8 +160,8 @@ template <class Archive, As<World> W> void carry(Archive& archive, W& world) {
     auto& [scene, dt, step, shapes, plain_shapes, drag, pairs, materials, remembers_more, has_clumps, holds, hold,
            walls, fills, next_fill_step, id, shape, motion, load, orientation, turn, travel, slot_of, shape_constants,
            chunks, chunk_of, images, flow, reach, skin, wall_skin, near_skin, rush, last_rush, sphere_skin,
-           smallest_radius, stale, kept, cells, wraps, bounds, rebuilds, ledger, books, kernels, stop, crew,
-           seconds] = world;
+           smallest_radius, stale, kept, cells, wraps, bounds, rebuilds, ledger, books, kernels, stop, crew, seconds] =
+        world;
     archive(step, Standing{walls}, Standing{fills}, next_fill_step, id, shape, motion, load, orientation, turn, travel,
             chunks, chunk_of, flow, rush, stale, rebuilds, ledger, books);
     // Of the scene: scene, dt, shapes, plain_shapes, drag, pairs, materials, remembers_more, has_clumps, holds, hold,

@@ -24,6 +24,13 @@ target_compile_options(tumble_options INTERFACE -ffp-contract=off -fno-fast-math
 # Every file must agree on alignment although the hot ones are built for wider registers.
 target_compile_definitions(tumble_options INTERFACE EIGEN_MAX_ALIGN_BYTES=32)
 
+# Tests are compiled as often as they are run, and what takes time in them is in the libraries: doctest without a try
+# around every comparison, and less of the optimiser.
+add_library(tumble_test_options INTERFACE)
+target_link_libraries(tumble_test_options INTERFACE tumble_options)
+target_compile_options(tumble_test_options INTERFACE -O1)
+target_compile_definitions(tumble_test_options INTERFACE DOCTEST_CONFIG_SUPER_FAST_ASSERTS)
+
 if(TUMBLE_SANITIZE)
   target_compile_options(tumble_options INTERFACE -fsanitize=${TUMBLE_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(tumble_options INTERFACE -fsanitize=${TUMBLE_SANITIZE})

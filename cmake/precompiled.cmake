@@ -9,14 +9,14 @@ if(TUMBLE_PRECOMPILED_HEADERS)
   set(TUMBLE_LARGE_HEADERS <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <cmath> <filesystem> <fmt/format.h>
                            <functional> <map> <memory> <nlohmann/json.hpp> <optional> <span> <string> <variant> <vector>)
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/precompiled.cpp CONTENT "")
-  function(tumble_precompiled_set name)
+  function(tumble_precompiled_set name options)
     add_library(${name} OBJECT ${CMAKE_BINARY_DIR}/precompiled.cpp)
     target_link_libraries(${name} PRIVATE Eigen3::Eigen fmt::fmt nlohmann_json::nlohmann_json doctest::doctest
-                                          Threads::Threads tumble_options)
+                                          Threads::Threads ${options})
     target_precompile_headers(${name} PRIVATE ${TUMBLE_LARGE_HEADERS} ${ARGN})
   endfunction()
-  tumble_precompiled_set(tumble_headers)
-  tumble_precompiled_set(tumble_test_headers <doctest/doctest.h>)
+  tumble_precompiled_set(tumble_headers tumble_options)
+  tumble_precompiled_set(tumble_test_headers tumble_test_options <doctest/doctest.h>)
 endif()
 
 # For programs and libraries: set tumble_headers; for tests: tumble_test_headers.

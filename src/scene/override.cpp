@@ -189,8 +189,8 @@ Problems apply(const Override& set, Node& root) {
     if (equals == std::string::npos)
         return {problem_at(place, key, "there is no '=' in it", form_of_a_set)};
     if (key.empty())
-        return {
-            problem_at({std::make_shared<const std::string>("--set"), 0, 0}, "", "there is no key before '='", form_of_a_set)};
+        return {problem_at({std::make_shared<const std::string>("--set"), 0, 0}, "", "there is no key before '='",
+                           form_of_a_set)};
     if (std::count(key.begin(), key.end(), '.') > deepest_nesting)
         return {problem_at(place, key, "the key has too many parts", form_of_a_set)};
     auto value = parse_value(set.text.substr(equals + 1), place);

@@ -62,7 +62,7 @@ sheet::Figure figure_of(const Account& account) {
             continue;
         sheet::Curve curve{.label = quantities[q].name, .style = sheet::Style::points};
         for (const Price& price : account.prices.rungs)
-            if (std::isfinite(price.errors[q].uncertainty)) {
+            if (price.errors[q].uncertainty > 0 && std::isfinite(price.errors[q].uncertainty)) { // not the reference
                 // Side by side: errors of one rung would hide each other.
                 const double aside = 1 + 0.008 * static_cast<double>(q);
                 curve.add(aside * price.speed_up, 100 * price.errors[q].relative);

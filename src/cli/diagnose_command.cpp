@@ -104,10 +104,10 @@ int diagnose_it(const DiagnoseArguments& arguments) {
 
 void add_diagnose_command(CLI::App& program, Action& action) {
     CLI::App* command = program.add_subcommand(
-        "diagnose",
-        "Example: tumble diagnose scenes/bounce.toml --data scenes/measured/bounce.toml --report out/bounce\n\n"
-        "Holds measured data against a scene: says what the simulation gets wrong, or that the data cannot "
-        "tell.");
+        "diagnose", "Example: tumble diagnose scenes/bounce.toml --data scenes/measured/bounce/measurement.toml "
+                    "--report out/bounce\n\n"
+                    "Holds measured data against a scene: says what the simulation gets wrong, or that the data cannot "
+                    "tell.");
     const auto arguments = std::make_shared<DiagnoseArguments>();
     arguments->scene.add_to(*command);
     command->add_option("--data", arguments->data, "What was measured (TOML; docs/diagnosis.md)")

@@ -93,6 +93,11 @@ Result<Resumable> find_checkpoint(const scene::Scene& scene, const std::string& 
             if (!changes)
                 return changes.problems();
             Result<Resumable> found = resumable_from(file, scene, folder, options, std::move(*checkpoint));
+            if (found && found->simulation->time() > scene.duration + scene.time_step)
+                return Problem{.file = file.string(),
+                               .what = fmt::format("stands at t = {:.6g} s, beyond the end of the run at {:.6g} s",
+                                                   found->simulation->time(), scene.duration),
+                               .fix = "give a longer --duration"};
             if (found) {
                 found->changes = *changes;
                 for (const Problem& problem : useless)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <utility>
 
 namespace tumble::scene {
 namespace {
@@ -50,7 +51,20 @@ std::string row(const Key& key, const KeyTable& table) {
     return text + " " + bar_escaped(key.sentence) + " |\n";
 }
 
-/// "Exactly one of `clump`, `radius_m`, ..." for each group of the table.
+/// The keys of a group that scenes of that dimension may have.
+std::vector<std::string> members(const KeyTable& table, const std::string& group, Dimensions in) {
+    std::vector<std::string> names;
+    for (const Key& key : table.keys)
+        if (key.one_of == group && (key.in == Dimensions::both || key.in == in))
+            names.push_back("`" + key.name + "`");
+    return names;
+}
+
+std::string give_one(const std::vector<std::string>& names) {
+    return fmt::format("give {}{}", names.size() > 1 ? "exactly one of " : "", fmt::join(names, ", "));
+}
+
+/// "Give exactly one of `clump`, `radius_m`, ..." for each group of the table.
 std::string groups(const KeyTable& table) {
     std::string text;
     std::vector<std::string> done;
@@ -58,11 +72,14 @@ std::string groups(const KeyTable& table) {
         if (key.one_of.empty() || std::find(done.begin(), done.end(), key.one_of) != done.end())
             continue;
         done.push_back(key.one_of);
-        std::vector<std::string> names;
-        for (const Key& other : table.keys)
-            if (other.one_of == key.one_of)
-                names.push_back("`" + other.name + (other.in == key.in ? "`" : "` (2D)"));
-        text += fmt::format("Give exactly one of {}.\n", fmt::join(names, ", "));
+        const auto in_2d = members(table, key.one_of, Dimensions::two);
+        const auto in_3d = members(table, key.one_of, Dimensions::three);
+        if (in_2d == in_3d)
+            text += "G" + give_one(in_3d).substr(1) + ".\n";
+        else
+            for (const auto& [dimension, names] : {std::pair{"3D", in_3d}, {"2D", in_2d}})
+                if (!names.empty())
+                    text += fmt::format("In {} {}.\n", dimension, give_one(names));
     }
     return text.empty() ? "" : "\n" + text;
 }

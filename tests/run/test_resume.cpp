@@ -152,6 +152,12 @@ TEST_CASE("a finished run goes on to a longer end, and to the same end without a
     CHECK(ran(longer, going_on_in(folder.path / "parts")).summary.state == "finished");
     check_same_run(folder.path / "whole", folder.path / "parts");
 
+    const Outcome back = ran(shorter, going_on_in(folder.path / "parts"));
+    REQUIRE(!back.problems.empty());
+    CHECK(back.problems.front().what.find("beyond the end of the run at 0.0203 s") != std::string::npos);
+    CHECK(back.problems.front().fix == "give a longer --duration");
+    check_same_run(folder.path / "whole", folder.path / "parts");
+
     // An end at which a frame is due anyway gets no second one.
     const scene::Scene even = loaded(pouring, {"duration_s=0.012"});
     REQUIRE(ran(even, in(folder.path / "even")).summary.frames == 3);

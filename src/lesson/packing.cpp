@@ -151,14 +151,15 @@ std::optional<Problem> add_packing(Walk& walk, double friction) {
     }
     walk.parts.emplace_back(grid);
     walk.show(std::move(film));
-    walk.say(
-        "Friction decides more than shape: without it both lie closer. Between spheres and cones of one volume there "
-        "is no "
-        "difference beyond the scatter of single fills: three others gave 0.39 to 0.40 for spheres and 0.39 to 0.41 "
-        "for "
-        "cones with a friction of 0.58, 0.32 to 0.36 and 0.31 to 0.33 without. The thesis prints no figure for its "
-        "voidage. Spheres that are larger than their cone's volume, or a bed that is shaken before one looks, would "
-        "explain its pictures; shape alone does not.");
+    walk.say(fmt::format(
+        "Without friction both lie closer: {:.2f} for spheres and {:.2f} for cones, with it {:.2f} and {:.2f}. More "
+        "the "
+        "table cannot show: the bed is {:.1f} sphere diameters wide and lies on a flat floor, which makes layers, and "
+        "it "
+        "is one fill. A difference between spheres and cones of one volume would need a bed several times as "
+        "large and many fills. The thesis prints no figure for its voidage.",
+        walk.fact("voidage_spheres_smooth"), walk.fact("voidage_cones_smooth"), walk.fact("voidage_spheres"),
+        walk.fact("voidage_cones"), period / (2 * radius)));
     return std::nullopt;
 }
 

@@ -184,13 +184,17 @@ Result<Walk> teach(const Values& values) {
     walk.parts.emplace_back(grid);
     walk.parts.emplace_back(figure);
     walk.show(std::move(film));
+    const double slides_at = std::atan(mu) * 180 / std::numbers::pi;
     walk.say(fmt::format(
         "The dashed lines are the flanks whose slopes the table has. Without friction a heap is low, yet not "
-        "flat: what lies in a hollow has to climb before it runs (beads in space that know no friction stand "
-        "at 5.8 deg, Peyneau and Roux 2008). With it discs still roll, so their heap stays below arctan μ, "
-        "at which a block would begin to slide (`tumble lesson friction`). Three discs bound together do "
+        "flat: what lies in a hollow has to climb before it runs. {} Three discs bound together do "
         "not roll so easily; here their heap stands {:.2g} times as steep. Friction and shape both raise "
         "it: a measured angle of repose alone does not tell one from the other.",
+        walk.fact("angle_discs") < slides_at
+            ? "With it discs still roll, so their heap stays below arctan μ, at which a block would begin to slide "
+              "(`tumble lesson friction`)."
+            : "So little friction leaves the discs' heap steeper than arctan μ, at which a block would begin to slide "
+              "(`tumble lesson friction`): hollows hold more than friction does, and arctan μ bounds nothing.",
         walk.fact("angle_wedges") / walk.fact("angle_discs")));
     walk.say("Three fills that differ in nothing but where their bodies begin differ by as much as the table's columns "
              "from and to are apart: one heap is a sample of one. A slope does not depend on how many grains there "

@@ -135,7 +135,7 @@ std::optional<Problem> in_a_row(Walk& walk, const Setup& s) {
     walk.parts.emplace_back(grid);
     walk.say(
         "All keep momentum and energy, and they disagree: what hard contacts answer here is a matter of which of them "
-        "the program finds in a step. In a dense bed most impacts are of this kind.");
+        "the program finds in a step. In a dense bed bodies are struck that touch others already.");
     return std::nullopt;
 }
 
@@ -166,11 +166,11 @@ std::optional<Problem> at_rest(Walk& walk, const Setup& s) {
     const Result<double> soft = sunk(s.stage()), whole = sunk(hard(s.stage()));
     if (!soft || !whole)
         return (soft ? whole : soft).problems().front();
-    walk.say(
-        fmt::format("{:.4g} um here ({:.4g} um in the solver). Hard discs do not sink. Box2D lets each contact "
-                    "overlap by its slop of {:.3g} of the radius, {:.3g} um, however heavy what lies on it is: {:.4g} "
-                    "um in all. That is a number of the program, not of the material.",
-                    1e6 * expected, 1e6 * *soft, slop, 1e6 * slop * radius, 1e6 * *whole));
+    walk.say(fmt::format(
+        "{:.4g} um here ({:.4g} um in the solver). Hard discs do not sink. Box2D lets each contact "
+        "overlap by up to its slop of {:.3g} of the radius, {:.3g} um, however heavy what lies on it is: {:.4g} "
+        "um in all. That is a number of the program, not of the material.",
+        1e6 * expected, 1e6 * *soft, slop, 1e6 * slop * radius, 1e6 * *whole));
     walk.fact("soft_sunk", *soft, "m");
     walk.fact("soft_sunk_predicted", expected, "m");
     walk.fact("hard_sunk", *whole, "m");

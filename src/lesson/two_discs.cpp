@@ -245,16 +245,20 @@ Result<Walk> teach(const Values& values) {
     walk.parts.emplace_back(error);
     walk.fact("loop_difference", worst_difference(*seen, hand));
     walk.fact("critical_step", critical, "s");
-    const double whole = seen->n_b(2), eighth = halved->n_b(2);
+    const double whole = seen->n_b(2), eighth = halved->n_b(2), same_moment = halved->n_b(4);
     walk.fact("halved_growth_b_t2", eighth, "m");
+    walk.fact("halved_overlap_b_same_moment", same_moment, "m");
+    walk.fact("fine_overlap_b_t2", fine.n_b(2 * finer), "m");
     walk.question = "Halve the time step and look at the overlap at B at t2 again. By what factor is it smaller, and "
-                    "is that an error of the method?";
+                    "how much of that is an error of the method?";
     walk.answer = fmt::format(
         "By {:.4g}: {:.4g} m became {:.4g} m. (3.16) with (3.10) to (3.14) put in says κ v Δt³ (1/m_x + 1/m_y): the "
-        "walls' path, the velocity it leads to and the discs' path each carry one Δt. It is no error, t2 = 2 Δt is "
-        "simply an earlier moment. At equal times runs of different steps differ by far less, as the last figure "
-        "shows.",
-        whole / eighth, whole, eighth);
+        "walls' path, the velocity it leads to and the discs' path each carry one Δt. That is no error, t2 = 2 Δt is "
+        "simply an earlier moment. But the first two steps do miss something: a push that grows evenly, κ v t, moves a "
+        "mass by κ v t³ / (6 m), which at 2 Δt gives 4/3 where (3.16) has 1. n steps reach 1 - 1/n² of it, whatever "
+        "Δt is, so at one and the same moment the error falls with Δt²: at {:.3g} s two steps give {:.4g} m, four "
+        "half steps {:.4g} m, and very short ones {:.4g} m.",
+        whole / eighth, whole, eighth, 2 * setup.dt, whole, same_moment, fine.n_b(2 * finer));
     return walk;
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "base/stop.h"
 #include "reduce/ladder.h"
 #include "reduce/yardstick.h"
 #include "run/run_scene.h"
 
-#include <atomic>
 #include <cstdint>
 #include <limits>
 
@@ -17,7 +17,7 @@ struct ClimbOptions {
     int seeds = 2;                                           // the scene's own and those after it
     double budget = std::numeric_limits<double>::infinity(); // s of wall time for all that is still to run
     int threads = 1;
-    const std::atomic<bool>* stop = nullptr;
+    StopFlag stop = nullptr;
 };
 
 /// One run that is over.

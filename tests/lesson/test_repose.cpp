@@ -8,7 +8,7 @@ using namespace tumble::lesson::testing;
 
 TEST_CASE("repose: friction makes a heap, shape makes it steeper, and discs stay below the angle of friction") {
     const Walk walk = taught("repose");
-    // What knows no friction still has hollows: 5.8 deg in space (Peyneau and Roux 2008).
+    // What knows no friction still has hollows.
     CHECK(walk.fact("angle_smooth") < 10);
     CHECK(walk.fact("angle_discs") > walk.fact("angle_smooth"));
     CHECK(walk.fact("angle_wedges") > walk.fact("angle_discs"));

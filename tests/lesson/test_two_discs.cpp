@@ -31,6 +31,15 @@ TEST_CASE("two-discs: the growth at B falls with the third power of the step") {
     CHECK(walk.fact("growth_b_t2") / walk.fact("halved_growth_b_t2") == about(8, 1e-9));
 }
 
+TEST_CASE("two-discs: the first two steps reach 3/4 of the overlap at B, four half steps 15/16") {
+    // A push that grows evenly moves a mass by k v t^3 / (6 m); n steps by 1 - 1/n^2 of it. A spring this soft hardly
+    // resists, and the finest run has n = 200.
+    const Walk walk = taught("two-discs", {{"normal_stiffness_N_per_m", "1"}});
+    const double fine = walk.fact("fine_overlap_b_t2");
+    CHECK(walk.fact("growth_b_t2") / fine == about(3.0 / 4, 1e-3));
+    CHECK(walk.fact("halved_overlap_b_same_moment") / fine == about(15.0 / 16, 1e-3));
+}
+
 TEST_CASE("two-discs: a step beyond 2 / omega of the faster mode is refused") {
     // Equal masses: the discs swing against each other with 3 k / m.
     const Typed equal{{"mass_x_kg", "1"}, {"mass_y_kg", "1"}, {"normal_stiffness_N_per_m", "1e5"}};

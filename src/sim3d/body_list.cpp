@@ -76,15 +76,12 @@ void cut_chunks(World& world) {
         chunk.near_spheres.resize(kinds);
         chunk.body_contacts.resize(kinds);
         chunk.wall_contacts.resize(kinds);
-        chunk.outbox.resize(static_cast<std::size_t>(count));
         std::fill(world.chunk_of.begin() + chunk.begin, world.chunk_of.begin() + chunk.end, k);
     }
 }
 
 void clear(Chunk& chunk) {
-    // Letters of the last step are addressed to slots that may be others' now.
-    for (auto& letters : chunk.outbox)
-        letters.clear();
+    chunk.foreign_count = 0; // the letters of the last step are addressed to slots that may be others' now
     chunk.partners_after = 0;
     chunk.partners_before = 0;
     chunk.sphere_pairs.clear();

@@ -20,11 +20,11 @@ namespace {
 using Eigen::Vector3d;
 
 // Lists as long as these parts of the bodies were found quickest on dense beds (bench/spheres, bench/trough).
-constexpr double skin_per_bounding_radius = 0.16;
+constexpr double skin_per_bounding_radius = 0.2;
 constexpr double sphere_skin_per_radius = 0.15;
-constexpr double near_skin_per_skin = 0.3;
+constexpr double near_skin_per_skin = 0.25;
 // Walls do not take part in the mean flow, so bodies may pass them long before they pass each other.
-constexpr double wall_skin_per_skin = 4;
+constexpr double wall_skin_per_skin = 3;
 // Necks of adhesion must lie well within every skin.
 constexpr double longest_neck = 0.04; // of the smallest radius
 

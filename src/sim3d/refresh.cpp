@@ -39,7 +39,10 @@ void take_touching(const ClumpCandidates& pool, const BodyPair& pair, std::vecto
 } // namespace
 
 Vector3d sphere_arm(const World& world, int slot, int exposed) {
-    const double* s = world.shape_at(slot).exposed + 4 * static_cast<std::ptrdiff_t>(exposed);
+    const ShapeConstants& shape = world.shape_at(slot);
+    if (shape.single)
+        return Vector3d::Zero(); // spares the look at how it is turned
+    const double* s = shape.exposed + 4 * static_cast<std::ptrdiff_t>(exposed);
     return Eigen::Map<const RowMajor>(world.turn[static_cast<std::size_t>(slot)].rotation) * Vector3d(s[0], s[1], s[2]);
 }
 

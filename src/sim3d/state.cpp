@@ -16,7 +16,6 @@ void complete(World& world) {
     for (Chunk& chunk : world.chunks) {
         chunk.body_contacts.resize(world.pairs.size());
         chunk.wall_contacts.resize(world.pairs.size());
-        chunk.outbox.resize(world.chunks.size());
     }
 }
 

@@ -123,13 +123,14 @@ template <class Archive, As<Sums> S> void carry(Archive& archive, S& sums) {
 template <class Archive, As<Chunk> C> void carry(Archive& archive, C& chunk) {
     auto& [begin, end, partners_after, partners_before, sphere_pairs, near_spheres, near_until, body_pairs, candidates,
            touches, body_walls, wall_primitives, wall_candidates, wall_further, sphere_primitives, body_contacts,
-           wall_contacts, outbox, foreign, found, dropped_history, dropped_adhesion, crossed_body, crossed_wall, sums,
-           seconds] = chunk;
+           wall_contacts, foreign, foreign_count, found, dropped_history, dropped_adhesion, crossed_body, crossed_wall,
+           sums, seconds] = chunk;
     archive(begin, end, partners_after, partners_before, sphere_pairs, near_spheres, near_until, body_pairs, candidates,
             body_walls, wall_primitives, wall_candidates, sphere_primitives, sums);
     carry_if_any(archive, wall_further, max_wall_touches * wall_candidates.size());
-    // Each step's own: touches, body_contacts, wall_contacts, outbox, foreign, found, dropped_history,
-    // dropped_adhesion. Set only in a step that ends the run: crossed_body and crossed_wall. Wall time: seconds.
+    // Each step's own: touches, body_contacts, wall_contacts, foreign, foreign_count, found,
+    // dropped_history, dropped_adhesion. Set only in a step that ends the run: crossed_body and crossed_wall. Wall
+    // time: seconds.
 }
 
 // The world.

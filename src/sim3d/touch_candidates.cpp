@@ -169,9 +169,8 @@ void put(double* to, const Vector3d& from) {
     Eigen::Map<Vector3d>{to} = from;
 }
 
-WallContact wall_contact(const WallState& wall, const BodyMotion& body, const Vector3d& arm, double radius,
-                         const WallTouch& touch, double hold) {
-    WallContact contact{};
+void set_geometry(WallContact& contact, const WallState& wall, const BodyMotion& body, const Vector3d& arm,
+                  double radius, const WallTouch& touch, double hold) {
     contact.damping_share = 1;
     contact.overlap = -touch.gap - hold;
     contact.radius = radius;
@@ -182,11 +181,11 @@ WallContact wall_contact(const WallState& wall, const BodyMotion& body, const Ve
     put(contact.wall_velocity, wall.half_pose.velocity_at(point));
     put(contact.wall_now, wall.pose.velocity_at(point));
     put(contact.wall_spin, wall.half_pose.angular_velocity);
-    return contact;
 }
 
-/// Appends the body's touches with the wall to `contacts`; returns how many.
-int touch_wall(const World& world, Chunk& chunk, const BodyWall& near, std::vector<WallContact>& contacts) {
+/// Appends the body's touches with the wall to `contacts`; returns how many. `touches` is room for them.
+int touch_wall(const World& world, Chunk& chunk, const BodyWall& near, std::vector<WallContact>& contacts,
+               std::span<WallTouch> touches) {
     const WallState& wall = world.walls[static_cast<std::size_t>(near.wall)];
     const BodyMotion& body = world.motion[static_cast<std::size_t>(near.body)];
     const ShapeConstants& shape = world.shape_at(near.body);
@@ -197,7 +196,6 @@ int touch_wall(const World& world, Chunk& chunk, const BodyWall& near, std::vect
         const Vector3d arm = sphere_arm(world, near.body, candidate.sphere);
         const double radius = shape.exposed[4 * candidate.sphere + 3];
         const Vector3d local = wall.pose.rotation.transpose() * (Vector3d(body.position) + arm - wall.pose.translation);
-        std::array<WallTouch, max_wall_touches> touches;
         const int count = wall.surface.touches(local, radius + hold,
                                                {chunk.sphere_primitives.data() + candidate.primitives_begin,
                                                 static_cast<std::size_t>(candidate.primitives_count)},
@@ -213,12 +211,12 @@ int touch_wall(const World& world, Chunk& chunk, const BodyWall& near, std::vect
                                                 : nullptr,
                            now);
         for (int t = 0; t < count; ++t) {
-            WallContact contact = wall_contact(wall, body, arm, radius, touches[static_cast<std::size_t>(t)], hold);
+            WallContact& contact = contacts.emplace_back();
+            set_geometry(contact, wall, body, arm, radius, touches[static_cast<std::size_t>(t)], hold);
             contact.body = near.body;
             contact.candidate = k;
             contact.touch = t;
             contact.memory = candidate.memory[static_cast<std::size_t>(t)].lanes;
-            contacts.push_back(contact);
         }
         touching += count;
     }
@@ -228,12 +226,13 @@ int touch_wall(const World& world, Chunk& chunk, const BodyWall& near, std::vect
 void touch_walls(const World& world, Chunk& chunk) {
     for (auto& list : chunk.wall_contacts)
         list.clear();
+    std::array<WallTouch, max_wall_touches> touches;
     for (const BodyWall& near : chunk.body_walls) {
         if (near.count == 0)
             continue;
         const int kind = world.kind_of(near.body, world.walls[static_cast<std::size_t>(near.wall)].wall.material);
         auto& contacts = chunk.wall_contacts[static_cast<std::size_t>(kind)];
-        const int touching = touch_wall(world, chunk, near, contacts);
+        const int touching = touch_wall(world, chunk, near, contacts, touches);
         if (touching > 1 && world.scene.contact.share_among_body_contacts)
             share_damping(contacts, touching);
     }

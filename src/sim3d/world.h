@@ -24,8 +24,8 @@
 
 /// The solver's state. Bodies stand in slots, sorted by cell so that neighbours in space are neighbours in memory; a
 /// body's id never changes, its slot may. Slots are cut into chunks of fixed ranges that do not depend on the number of
-/// threads; whatever a chunk does, it does in one fixed order, and chunks hand each other forces through outboxes that
-/// are emptied in a fixed order. That is why one thread and two give the same bits.
+/// threads; whatever a chunk does, it does in one fixed order, and each takes the forces that others have for its
+/// bodies in a fixed order. That is why one thread and two give the same bits.
 namespace tumble::sim3d {
 
 /// Per template, what the solver needs beside BodyShape.
@@ -173,13 +173,13 @@ struct Chunk {
     std::vector<std::vector<BodyContact>> body_contacts; // per material pair
     std::vector<std::vector<WallContact>> wall_contacts; // per material pair
 
-    std::vector<std::vector<ForeignPush>> outbox; // per receiving chunk
-    std::vector<ForeignPush> foreign;             // room for the kernels; delivered through the outbox
-    std::vector<int> found;                       // room for the kernels
-    double dropped_history = 0;                   // J forgotten by contacts that ended in this step
-    double dropped_adhesion = 0;                  // J that went with their necks
-    int crossed_body = -1;                        // slot of a body whose sphere's centre has passed through a wall, ...
-    int crossed_wall = -1;                        // ... and the wall
+    std::vector<ForeignPush> foreign; // forces for bodies of other chunks, which look for theirs; room for the kernels
+    int foreign_count = 0;
+    std::vector<int> found;      // room for the kernels
+    double dropped_history = 0;  // J forgotten by contacts that ended in this step
+    double dropped_adhesion = 0; // J that went with their necks
+    int crossed_body = -1;       // slot of a body whose sphere's centre has passed through a wall, ...
+    int crossed_wall = -1;       // ... and the wall
     Sums sums;
     PhaseSeconds seconds{};
 };

@@ -30,18 +30,16 @@ struct Bodies {
     }
 };
 
-/// Geometry of eight contacts that the law and the torques need.
+/// Geometry of eight contacts that the law needs.
 struct Contacts {
     contact::Touch<Pack> touch;
     contact::Turn<Pack> turn;
-    Pack depth;              // m, the overlap, or less than 0 over a gap
-    Vec3<Pack> arm_a, arm_b; // m, centre of mass to the contact
+    Pack depth; // m, the overlap, or less than 0 over a gap
     Pack smaller_radius;
 };
 
-/// `d` from b's sphere centre to a's, `to_a` and `to_b` from the centres of mass to the sphere centres.
-TUMBLE_INLINE Contacts between(const Vec3<Pack>& d, Pack ra, Pack rb, const Bodies& a, const Bodies& b,
-                               const Vec3<Pack>& to_a, const Vec3<Pack>& to_b) {
+/// All but the surfaces' relative velocity; `d` from b's sphere centre to a's.
+TUMBLE_INLINE Contacts between(const Vec3<Pack>& d, Pack ra, Pack rb, const Bodies& a, const Bodies& b) {
     Contacts c;
     const Pack distance = root(dot(d, d));
     c.smaller_radius = select(rb < ra, rb, ra);
@@ -55,15 +53,30 @@ TUMBLE_INLINE Contacts between(const Vec3<Pack>& d, Pack ra, Pack rb, const Bodi
     const Pack shared = Pack(1.0) / (radii * masses);
     c.touch.radius = ra * rb * masses * shared;
     c.touch.mass = a.mass * b.mass * radii * shared;
-    c.arm_a = to_a + c.touch.normal * (Pack(0.5) * c.touch.overlap - ra);
-    c.arm_b = to_b + c.touch.normal * (rb - Pack(0.5) * c.touch.overlap);
-    c.touch.velocity = a.velocity - b.velocity + cross(a.spin, c.arm_a) - cross(b.spin, c.arm_b);
     c.turn.spin = a.spin - b.spin;
     const Pack of_a = a.mass * ra * ra;
     const Pack of_b = b.mass * rb * rb;
     c.turn.inertia = Pack(contact::sphere_rolls) * of_a * of_b / (of_a + of_b);
     return c;
 }
+
+/// Where the forces of contacts take hold of their bodies, m from the centres of mass.
+struct Arms {
+    Vec3<Pack> a, b;
+
+    TUMBLE_INLINE Vec3<Pack> velocity(const Bodies& of_a, const Bodies& of_b) const {
+        return of_a.velocity - of_b.velocity + cross(of_a.spin, a) - cross(of_b.spin, b);
+    }
+};
+
+/// The same of spheres about their centres of mass, whose arms lie along the normal.
+struct Reaches {
+    Pack a, b; // m, from the centres to the middle of the overlap
+
+    TUMBLE_INLINE Vec3<Pack> velocity(const Bodies& of_a, const Bodies& of_b, const Vec3<Pack>& normal) const {
+        return of_a.velocity - of_b.velocity + cross(normal, of_a.spin * a + of_b.spin * b);
+    }
+};
 
 /// Sums over the lanes that are contacts and do not only fill up a pack.
 struct PackSums {
@@ -119,33 +132,55 @@ TUMBLE_INLINE Pack live_lanes(int n) {
     return select(Pack(number) < Pack(static_cast<double>(n)), Pack(1.0), Pack(0.0));
 }
 
+TUMBLE_INLINE void rows(Quad* to, const Vec3<Pack>& v, Pack w) {
+    for_rows({v.x, v.y, v.z, w}, [&](int k, Quad row) TUMBLE_INLINE_LAMBDA { to[k] = row; });
+}
+
 /// What a pack of contacts does, a contact per row.
 struct Pushed {
-    Quad force[lanes], torque_a[lanes], torque_b[lanes], memory[lanes];
+    Quad force[lanes], memory[lanes];
 
-    TUMBLE_INLINE Pushed(const Contacts& c, const contact::Push<Pack>& push) {
+    TUMBLE_INLINE explicit Pushed(const contact::Push<Pack>& push) {
         rows(force, push.force, Pack(0.0));
-        rows(torque_a, cross(c.arm_a, push.force), Pack(0.0));
-        rows(torque_b, cross(push.force, c.arm_b), Pack(0.0));
         rows(memory, push.memory.spring, push.memory.energy);
     }
-
-protected:
-    TUMBLE_INLINE static void rows(Quad* to, const Vec3<Pack>& v, Pack w) {
-        for_rows({v.x, v.y, v.z, w}, [&](int k, Quad row) TUMBLE_INLINE_LAMBDA { to[k] = row; });
-    }
+    /// N m, beside what the force does at its arm.
+    TUMBLE_INLINE static Quad torque(int) { return Quad{}; }
 };
 
 struct FullPushed : Pushed {
-    Quad torque[lanes], rolling[lanes], further[lanes];
+    Quad resisting[lanes], rolling[lanes], further[lanes];
 
-    TUMBLE_INLINE FullPushed(const Contacts& c, const contact::FullPush<Pack>& push) : Pushed(c, push) {
-        rows(torque_a, cross(c.arm_a, push.force) + push.torque, Pack(0.0));
-        rows(torque_b, cross(push.force, c.arm_b) - push.torque, Pack(0.0));
-        rows(torque, push.torque, Pack(0.0));
+    TUMBLE_INLINE explicit FullPushed(const contact::FullPush<Pack>& push) : Pushed(push) {
+        rows(resisting, push.torque, Pack(0.0));
         rows(rolling, push.further.rolling.spring, push.further.rolling.energy);
         rows(further, {push.further.impact_speed, push.further.bonded, push.further.bond_energy}, Pack(0.0));
     }
+    TUMBLE_INLINE Quad torque(int lane) const { return resisting[lane]; }
+};
+
+/// N m, what the forces do at their arms, a contact per row.
+struct ArmTorques {
+    Quad a[lanes], b[lanes];
+
+    TUMBLE_INLINE ArmTorques(const Arms& arms, const Vec3<Pack>& force) {
+        rows(a, cross(arms.a, force), Pack(0.0));
+        rows(b, cross(force, arms.b), Pack(0.0));
+    }
+    TUMBLE_INLINE Quad on_a(int lane) const { return a[lane]; }
+    TUMBLE_INLINE Quad on_b(int lane) const { return b[lane]; }
+};
+
+struct ReachTorques {
+    Quad per_reach[lanes]; // N
+    Pack reach_a, reach_b;
+
+    TUMBLE_INLINE ReachTorques(const Reaches& reaches, const Vec3<Pack>& force, const Vec3<Pack>& normal)
+        : reach_a(reaches.a), reach_b(reaches.b) {
+        rows(per_reach, cross(force, normal), Pack(0.0));
+    }
+    TUMBLE_INLINE Quad on_a(int lane) const { return per_reach[lane] * reach_a.v[lane]; }
+    TUMBLE_INLINE Quad on_b(int lane) const { return per_reach[lane] * reach_b.v[lane]; }
 };
 
 TUMBLE_INLINE void load_body(BodyLoad& load, Quad force, Quad torque) {
@@ -153,18 +188,17 @@ TUMBLE_INLINE void load_body(BodyLoad& load, Quad force, Quad torque) {
     quad_at(load.torque) += torque;
 }
 
-TUMBLE_INLINE void hand_out(PushContext& context, const Pushed& pushed, int lane, int a, int b) {
-    load_body(context.load[a], pushed.force[lane], pushed.torque_a[lane]);
-    if (b < context.end) { // a pair belongs to the chunk of its lower slot, a
-        load_body(context.load[b], -pushed.force[lane], pushed.torque_b[lane]);
-        return;
-    }
-    ForeignPush& foreign = context.foreign[context.foreign_count++];
-    foreign.body = b;
-    for (int axis = 0; axis < 3; ++axis) {
-        foreign.force[axis] = -pushed.force[lane][axis];
-        foreign.torque[axis] = pushed.torque_b[lane][axis];
-    }
+template <class Pushed, class Torques>
+TUMBLE_INLINE void hand_out(PushContext& context, const Pushed& pushed, const Torques& torques, int lane, int a,
+                            int b) {
+    load_body(context.load[a], pushed.force[lane], torques.on_a(lane) + pushed.torque(lane));
+    const Quad force_b = -pushed.force[lane];
+    const Quad torque_b = torques.on_b(lane) - pushed.torque(lane);
+    if (b < context.end) // a pair belongs to the chunk of its lower slot, a
+        load_body(context.load[b], force_b, torque_b);
+    else
+        context.foreign[context.foreign_count++] = {
+            b, {force_b[0], force_b[1], force_b[2]}, {torque_b[0], torque_b[1], torque_b[2]}};
 }
 
 /// Calls pack(first, n) for every eight of `count` contacts.
@@ -281,14 +315,19 @@ template <class By> struct Pusher {
             Vec3<Pack> d = xyz(at_a) - xyz(at_b);
             if (shifted)
                 d = d - xyz(gather([&](int k) TUMBLE_INLINE_LAMBDA { return image[k]->along; }));
-            const Vec3<Pack> none{Pack(0.0), Pack(0.0), Pack(0.0)};
-            const Contacts c = between(d, at_a.w, at_b.w, Bodies(a), Bodies(b), none, none);
+            const Bodies of_a(a);
+            const Bodies of_b(b);
+            Contacts c = between(d, at_a.w, at_b.w, of_a, of_b);
+            const Pack half = Pack(0.5) * c.touch.overlap;
+            const Reaches reaches{at_a.w - half, at_b.w - half};
+            c.touch.velocity = reaches.velocity(of_a, of_b, c.touch.normal);
             const auto result = by.push(context, c, kept);
             sums.add(c, result, live_lanes(n));
-            const Pushed pushed(c, result);
+            const Pushed pushed(result);
+            const ReachTorques torques(reaches, result.force, c.touch.normal);
             for (int lane = 0; lane < n; ++lane) {
                 kept.store(lane, pushed);
-                hand_out(context, pushed, lane, pairs[which[first + lane]].a, pairs[which[first + lane]].b);
+                hand_out(context, pushed, torques, lane, pairs[which[first + lane]].a, pairs[which[first + lane]].b);
             }
         });
         sums.add_to(*context.sums, count);
@@ -310,14 +349,20 @@ template <class By> struct Pusher {
             const Columns d = gather([&](int k) TUMBLE_INLINE_LAMBDA { return contact[k]->d; });
             const Columns to_a = gather([&](int k) TUMBLE_INLINE_LAMBDA { return contact[k]->arm_a; });
             const Columns to_b = gather([&](int k) TUMBLE_INLINE_LAMBDA { return contact[k]->arm_b; });
-            Contacts c = between(xyz(d), to_a.w, to_b.w, Bodies(a), Bodies(b), xyz(to_a), xyz(to_b));
+            const Bodies of_a(a);
+            const Bodies of_b(b);
+            Contacts c = between(xyz(d), to_a.w, to_b.w, of_a, of_b);
+            const Pack half = Pack(0.5) * c.touch.overlap;
+            const Arms arms{xyz(to_a) + c.touch.normal * (half - to_a.w), xyz(to_b) + c.touch.normal * (to_b.w - half)};
+            c.touch.velocity = arms.velocity(of_a, of_b);
             c.touch.damping_share = d.w;
             const auto result = by.push(context, c, kept);
             sums.add(c, result, live_lanes(n));
-            const Pushed pushed(c, result);
+            const Pushed pushed(result);
+            const ArmTorques torques(arms, result.force);
             for (int lane = 0; lane < n; ++lane) {
                 kept.store(lane, pushed);
-                hand_out(context, pushed, lane, contact[lane]->a, contact[lane]->b);
+                hand_out(context, pushed, torques, lane, contact[lane]->a, contact[lane]->b);
             }
         });
         sums.add_to(*context.sums, count);
@@ -346,24 +391,26 @@ template <class By> struct Pusher {
             c.touch.radius = c.smaller_radius = arm.w;
             c.touch.mass = body.mass;
             c.touch.damping_share = wall.w;
-            c.arm_a = c.arm_b = xyz(arm) + c.touch.normal * (Pack(0.5) * c.touch.overlap - arm.w);
-            c.touch.velocity = body.velocity - xyz(wall) + cross(body.spin, c.arm_a);
+            const Vec3<Pack> from_centre = xyz(arm) + c.touch.normal * (Pack(0.5) * c.touch.overlap - arm.w);
+            c.touch.velocity = body.velocity - xyz(wall) + cross(body.spin, from_centre);
             if constexpr (By::turns)
                 c.turn = over_wall(body, c, contact);
             auto result = by.push(context, c, kept);
             contact::book_ahead(result, c.touch.normal, ahead_at_wall(context, xyz(wall), contact), Pack(context.dt));
             sums.add(c, result, live_lanes(n));
-            const Pushed pushed(c, result);
+            const Pushed pushed(result);
+            Quad torque[lanes];
+            rows(torque, cross(from_centre, result.force), Pack(0.0));
             for (int lane = 0; lane < n; ++lane) {
                 const WallContact& to = *contact[lane];
                 kept.store(lane, pushed);
-                load_body(context.load[to.body], pushed.force[lane], pushed.torque_a[lane]);
+                load_body(context.load[to.body], pushed.force[lane], torque[lane] + pushed.torque(lane));
                 double power = 0;
                 for (int axis = 0; axis < 3; ++axis)
                     power += pushed.force[lane][axis] * to.wall_now[axis];
                 if constexpr (By::turns)
                     for (int axis = 0; axis < 3; ++axis)
-                        power += pushed.torque[lane][axis] * to.wall_spin[axis];
+                        power += pushed.torque(lane)[axis] * to.wall_spin[axis];
                 context.sums->wall_work += power * context.dt;
             }
         });

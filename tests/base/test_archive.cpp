@@ -5,6 +5,8 @@
 #include <doctest/doctest.h>
 #include <limits>
 
+namespace test_archive {
+
 using namespace tumble;
 
 namespace {
@@ -178,3 +180,5 @@ TEST_CASE("random numbers go on where they were") {
     for (int k = 0; k < 10; ++k)
         CHECK(again.bits() == rng.bits());
 }
+
+} // namespace test_archive

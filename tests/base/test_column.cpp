@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+namespace test_column {
+
 using namespace tumble;
 
 TEST_CASE("the longest run at an extreme is found where it is, not runs elsewhere") {
@@ -22,3 +24,5 @@ TEST_CASE("the middle value does not care for one that is far off") {
     CHECK(median({3, 1, 1e9}) == 3);
     CHECK(median({}) == 0);
 }
+
+} // namespace test_column

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+namespace test_hash {
+
 using namespace tumble;
 
 TEST_CASE("the hash gives the published values of FNV-1a") {
@@ -27,3 +29,5 @@ TEST_CASE("one bit changes the hash") {
     CHECK(Hash64{}.add(0.0).value() != Hash64{}.add(-0.0).value());
     CHECK(Hash64{}.add(1).add(2).value() != Hash64{}.add(2).add(1).value());
 }
+
+} // namespace test_hash

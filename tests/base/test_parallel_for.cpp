@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <vector>
 
+namespace test_parallel_for {
+
 using namespace tumble;
 
 TEST_CASE("every number is taken exactly once, by crews of any size, round after round") {
@@ -59,3 +61,5 @@ TEST_CASE("an exception in a task ends the round and reaches the caller, whichev
         }
     }
 }
+
+} // namespace test_parallel_for

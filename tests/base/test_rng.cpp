@@ -3,6 +3,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace test_rng {
+
 using namespace tumble;
 
 TEST_CASE("the same seed gives the same numbers, another seed others") {
@@ -45,3 +47,5 @@ TEST_CASE("the first numbers of xoshiro256++ seeded by splitmix64 are those of t
     constexpr std::uint64_t sum = s0 + s3;
     CHECK(Rng(0).bits() == ((sum << 23 | sum >> 41) + s0));
 }
+
+} // namespace test_rng

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+namespace test_table {
+
 using namespace tumble;
 
 namespace {
@@ -114,3 +116,5 @@ TEST_CASE("what is written reads back the same") {
     const std::vector<std::string> awkward{"", "two\nlines"};
     CHECK(csv_line(awkward) == ",\"two lines\"\n");
 }
+
+} // namespace test_table

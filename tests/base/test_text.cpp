@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+namespace test_text {
+
 using namespace tumble;
 
 TEST_CASE("trimming takes the blanks at both ends only") {
@@ -117,3 +119,5 @@ TEST_CASE("messages show the beginning of a text, without control characters") {
     CHECK(excerpt(std::string_view("a\0\x1b", 3)) == "a??");
     CHECK(parse_number(std::string(1'000'000, 'x')).problems().at(0).what.size() < 200);
 }
+
+} // namespace test_text

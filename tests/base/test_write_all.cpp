@@ -5,6 +5,8 @@
 #include <doctest/doctest.h>
 #include <fcntl.h>
 
+namespace test_write_all {
+
 using namespace tumble;
 using namespace tumble::test;
 
@@ -57,3 +59,5 @@ TEST_CASE("short writes and signals are gone on from, and what the system says c
     CHECK(through(full_disk).error == ENOSPC);
     CHECK(through(nothing).error == EIO);
 }
+
+} // namespace test_write_all

@@ -1,5 +1,7 @@
 #include "process.h"
 
+namespace test_beside {
+
 using namespace tumble::test;
 namespace fs = std::filesystem;
 
@@ -22,3 +24,5 @@ TEST_CASE("render --beside draws two runs into one picture, and says what is wro
     CHECK(contains(scene.err, "run it first"));
     CHECK(!fs::exists(folder.path / "a/redrawn"));
 }
+
+} // namespace test_beside

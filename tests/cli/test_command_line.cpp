@@ -5,6 +5,8 @@
 #include <set>
 #include <tuple>
 
+namespace test_command_line {
+
 using namespace tumble::test;
 
 TEST_CASE("a mistyped command, flag or file gets the nearest right word and exit code 2") {
@@ -182,3 +184,5 @@ TEST_CASE("fit and walls write what they say, and nothing twice; flow wants a ru
     CHECK(flow.code == 0);
     CHECK(nlohmann::json::parse(flow.out)["layers"].size() == 3);
 }
+
+} // namespace test_command_line

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+namespace test_diagnose_command {
+
 using namespace tumble::test;
 
 namespace {
@@ -91,3 +93,5 @@ TEST_CASE("a sealed case is revealed, and a folder without one is refused") {
     CHECK(broken.code == 2);
     CHECK(contains(broken.err, "holds no sealed answer"));
 }
+
+} // namespace test_diagnose_command

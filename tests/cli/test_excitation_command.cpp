@@ -3,6 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+namespace test_excitation_command {
+
 using namespace tumble::test;
 
 namespace {
@@ -59,3 +61,5 @@ TEST_CASE("data that are wrong get exit code 2 and the place") {
     CHECK(tumble_in(folder, {"excitation", "none.csv"}).code == 2);
     CHECK(tumble_in(folder, {"excitation", "a.csv", "--at_mm", "1,2,3"}).code == 2);
 }
+
+} // namespace test_excitation_command

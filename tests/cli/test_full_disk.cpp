@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <sys/mount.h>
 
+namespace test_full_disk {
+
 using namespace tumble::test;
 namespace fs = std::filesystem;
 
@@ -116,3 +118,5 @@ TEST_CASE("a disk that runs full while a run is redrawn or exported has code 1, 
         CHECK(fs::is_empty(folder.path / "disk"));
     }
 }
+
+} // namespace test_full_disk

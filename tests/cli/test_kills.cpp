@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+namespace test_kills {
+
 using namespace tumble::test;
 namespace fs = std::filesystem;
 
@@ -181,3 +183,5 @@ TEST_CASE("flags that contradict each other are refused") {
     CHECK(tumble_in(folder, {"run", "crowd.toml", "--checkpoint-every", "-1"}).code == 2);
     CHECK_FALSE(fs::exists(folder.path / "out"));
 }
+
+} // namespace test_kills

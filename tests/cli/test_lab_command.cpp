@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace test_lab_command {
+
 using namespace tumble::test;
 
 TEST_CASE("without a name experiments are listed, with one it is performed, on stdout") {
@@ -50,3 +52,5 @@ TEST_CASE("a record of a testing machine is evaluated, and a wrong name, flag or
     CHECK(value.code == 2);
     CHECK(contains(value.err, "--restitution is 2, out of its range"));
 }
+
+} // namespace test_lab_command

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_lesson_command {
+
 using namespace tumble::test;
 
 TEST_CASE("without a name lessons are listed, with one it is walked through, on stdout") {
@@ -122,3 +124,5 @@ TEST_CASE("without gnuplot --out says what to install, and the exit code is 1") 
     CHECK(outcome.code == 1);
     CHECK(contains(outcome.err, "apt install gnuplot-nox"));
 }
+
+} // namespace test_lesson_command

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace test_reduce_command {
+
 using namespace tumble::test;
 
 namespace {
@@ -57,3 +59,5 @@ TEST_CASE("wrong words to reduce get exit code 2 and say all that is wrong at on
     CHECK(refused.code == 2);
     CHECK_MESSAGE(contains(refused.err, "reduce"), refused.err);
 }
+
+} // namespace test_reduce_command

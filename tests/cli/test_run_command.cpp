@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace test_run_command {
+
 using namespace tumble::test;
 namespace fs = std::filesystem;
 
@@ -236,3 +238,5 @@ TEST_CASE("a video comes out of run and of render where ffmpeg is installed") {
     CHECK(named.code == 0);
     CHECK(contains(named.out, ", top.mp4 (plays "));
 }
+
+} // namespace test_run_command

@@ -2,6 +2,8 @@
 
 #include <cerrno>
 
+namespace test_terminal {
+
 using namespace tumble::test;
 
 namespace {
@@ -52,3 +54,5 @@ TEST_CASE("a terminal gets one line that is drawn over, with time, rate, time le
     CHECK(plain.find("\033[36m") == std::string::npos);
     CHECK(plain.find("\033[3") == std::string::npos);
 }
+
+} // namespace test_terminal

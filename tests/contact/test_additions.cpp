@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_additions {
+
 using namespace tumble;
 using namespace tumble::contact;
 using tumble::test::about;
@@ -288,3 +290,5 @@ TEST_CASE("discs without additions are pushed by FullDiscs as by their law, bit 
     compare(CundallStrack(pair, false, true));
     compare(HertzDiscs<Mindlin>(pair, true));
 }
+
+} // namespace test_additions

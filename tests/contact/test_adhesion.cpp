@@ -7,6 +7,8 @@
 #include <numbers>
 #include <vector>
 
+namespace test_adhesion {
+
 using namespace tumble;
 using namespace tumble::contact;
 using tumble::test::about;
@@ -193,3 +195,5 @@ TEST_CASE("friction is limited by what presses the surfaces together: the pull o
     const auto push = FullLaw<Hertz, Mindlin>{}.push(pressed, {}, pair, fresh, Further<double>{}, dt);
     CHECK(push.force.y == about(-0.5 * (push.force.x + 3 * pi * work * radius)));
 }
+
+} // namespace test_adhesion

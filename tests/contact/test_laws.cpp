@@ -7,6 +7,8 @@
 #include <doctest/doctest.h>
 #include <numbers>
 
+namespace test_laws {
+
 using namespace tumble;
 using namespace tumble::contact;
 using tumble::test::about;
@@ -165,3 +167,5 @@ TEST_CASE_TEMPLATE("eight contacts at once give each the very bits of one alone"
         CHECK(eight.lost_normal_damping.v[k] == one.lost_normal_damping);
     }
 }
+
+} // namespace test_laws

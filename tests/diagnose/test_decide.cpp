@@ -4,6 +4,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace test_decide {
+
 using namespace tumble::diagnose;
 using tumble::Rng;
 
@@ -143,3 +145,5 @@ TEST_CASE("an amplitude that one condition alone asks for is vetoed") {
     const Tally all = tally(evidence, effect, 1, 30, 18);
     CHECK(all.named_right + all.named_wrong <= 1);
 }
+
+} // namespace test_decide

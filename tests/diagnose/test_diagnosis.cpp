@@ -7,6 +7,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace test_diagnosis {
+
 using namespace tumble;
 using namespace tumble::diagnose;
 using tumble::test::about;
@@ -333,3 +335,5 @@ TEST_CASE("a scene that cannot be run, or data that are all held out, end in pro
     unknown.nuisances[0].key = "pair.rubber-rubber.restitutoin";
     CHECK(!diagnose::diagnose({floor_and_ball, "ball.toml"}, unknown, closed_form));
 }
+
+} // namespace test_diagnosis

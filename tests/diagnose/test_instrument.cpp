@@ -4,6 +4,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace test_instrument {
+
 using namespace tumble::diagnose;
 using tumble::test::about;
 
@@ -111,3 +113,5 @@ TEST_CASE("a cause that does not exist is refused with the nearest one") {
     CHECK(chosen.problems()[0].fix.find("ins.gain") != std::string::npos);
     CHECK(choose_causes({"clock"})->size() == 2); // a family
 }
+
+} // namespace test_instrument

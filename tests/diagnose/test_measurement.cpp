@@ -5,6 +5,8 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+namespace test_measurement {
+
 using namespace tumble;
 using namespace tumble::diagnose;
 using tumble::test::about;
@@ -158,3 +160,5 @@ TEST_CASE("each bad input has its answer: place, what is wrong, what to do") {
     CHECK(warning(replaced(whole, "sigma = 1.5\n", ""), falling) ==
           "sigma missing: height_mm: its scatter is not stated; give sigma; it is estimated from the residual instead");
 }
+
+} // namespace test_measurement

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace test_statistics {
+
 using namespace tumble::diagnose;
 using tumble::test::about;
 
@@ -34,3 +36,5 @@ TEST_CASE("a projector takes out a span once, however often its columns say the 
     CHECK((projector.out(vector) - left).norm() < 1e-14 * vector.norm()); // rounding
     CHECK(projector.inside(vector) == about(vector.squaredNorm() - left.squaredNorm()));
 }
+
+} // namespace test_statistics

@@ -5,6 +5,8 @@
 #include <array>
 #include <tuple>
 
+namespace test_knock {
+
 using namespace tumble;
 using namespace tumble::excitation;
 using namespace tumble::excitation::testing;
@@ -78,3 +80,5 @@ TEST_CASE("a record without a knock, or one that only makes a thud, is refused w
     REQUIRE_FALSE(none.ok());
     CHECK(none.problems()[0].what == "nothing rings after the knocks");
 }
+
+} // namespace test_knock

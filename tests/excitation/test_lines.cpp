@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+namespace test_lines {
+
 using namespace tumble;
 using namespace tumble::excitation;
 using namespace tumble::excitation::testing;
@@ -180,3 +182,5 @@ TEST_CASE("a motor's slip is measured against the nearest speed of a field above
     CHECK(slip_of(29.5, 60)->synchronous == 30);
     CHECK_FALSE(slip_of(20, 50));
 }
+
+} // namespace test_lines

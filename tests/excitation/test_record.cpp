@@ -2,6 +2,8 @@
 #include "base/text.h"
 #include "synthetic.h"
 
+namespace test_record {
+
 using namespace tumble;
 using namespace tumble::excitation;
 using namespace tumble::excitation::testing;
@@ -120,3 +122,5 @@ TEST_CASE("a written record reads back to the same numbers") {
     CHECK(read->time == made.time);
     CHECK(read->channels[1].values == made.channels[1].values);
 }
+
+} // namespace test_record

@@ -2,6 +2,8 @@
 #include "excitation/rocking.h"
 #include "synthetic.h"
 
+namespace test_rocking {
+
 using namespace tumble;
 using namespace tumble::excitation;
 using namespace tumble::excitation::testing;
@@ -83,3 +85,5 @@ TEST_CASE("a body that does not rock is not said to, and sensors in line with th
     REQUIRE_FALSE(blind.ok());
     CHECK(blind.problems()[0].what.starts_with("the two sensors cannot see a turn about x"));
 }
+
+} // namespace test_rocking

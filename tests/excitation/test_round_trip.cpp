@@ -5,6 +5,8 @@
 #include "scene/load.h"
 #include "synthetic.h"
 
+namespace test_round_trip {
+
 using namespace tumble;
 using namespace tumble::excitation;
 using namespace tumble::excitation::testing;
@@ -78,3 +80,5 @@ TEST_CASE("a run of the written scene reproduces the record") {
     }
     CHECK(worst < 4e-4 * 50); // of the 47 m/s2 that the record reaches
 }
+
+} // namespace test_round_trip

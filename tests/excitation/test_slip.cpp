@@ -6,6 +6,8 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+namespace test_slip {
+
 using namespace tumble;
 using namespace tumble::excitation;
 using tumble::test::about;
@@ -79,3 +81,5 @@ TEST_CASE("a list is known by its head, and one that was not rounded to bins is 
     REQUIRE_FALSE(free.ok());
     CHECK(free.problems()[0].what == "the frequencies are no multiples of one bin width");
 }
+
+} // namespace test_slip

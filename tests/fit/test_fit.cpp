@@ -8,6 +8,8 @@
 #include <doctest/doctest.h>
 #include <numbers>
 
+namespace test_fit {
+
 using namespace tumble;
 using namespace tumble::fit;
 using Eigen::Vector3d;
@@ -168,3 +170,5 @@ TEST_CASE("the thesis' cone of 65 spheres is short of its own cone of 20 by 24 m
     CHECK(report.solid_volume == about(pi * 1e-4 * 0.024 / 3, 1e-4));
     CHECK(report.union_volume == about(2.80571e-6, 1e-5)); // fuller than the ideal cone
 }
+
+} // namespace test_fit

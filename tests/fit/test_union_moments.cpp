@@ -5,6 +5,8 @@
 #include <doctest/doctest.h>
 #include <numbers>
 
+namespace test_union_moments {
+
 using namespace tumble;
 using namespace tumble::fit;
 using Eigen::Vector3d;
@@ -24,3 +26,5 @@ TEST_CASE("two overlapping spheres have the volume of two less the lens") {
         }
     }
 }
+
+} // namespace test_union_moments

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+namespace test_impact {
+
 using namespace tumble;
 using namespace tumble::hard2d;
 using namespace tumble::hard2d::testing;
@@ -137,3 +139,5 @@ TEST_CASE("among themselves bodies keep momentum and angular momentum, and lose 
             CHECK(books.lost_in_sum > 0.2 * books.inserted);
     }
 }
+
+} // namespace test_impact

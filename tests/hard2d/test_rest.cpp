@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace test_rest {
+
 using namespace tumble;
 using namespace tumble::hard2d;
 using namespace tumble::hard2d::testing;
@@ -135,3 +137,5 @@ TEST_CASE("the same world, a thousand times larger and seen in slow motion, move
     };
     CHECK((after(0.002) - after(2)).norm() < 1e-3);
 }
+
+} // namespace test_rest

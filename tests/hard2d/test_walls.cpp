@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace test_walls {
+
 using namespace tumble;
 using namespace tumble::hard2d;
 using namespace tumble::hard2d::testing;
@@ -88,3 +90,5 @@ TEST_CASE("walls touch from both sides") {
     CHECK((box.body_at(4).position - Vector2d(-3, 0)).norm() < 0.45 + 1e-3);
     CHECK(box.body_at(5).velocity.y() == about(1, 1e-2));
 }
+
+} // namespace test_walls

@@ -3,6 +3,8 @@
 
 #include <cstring>
 
+namespace test_world {
+
 using namespace tumble;
 using namespace tumble::hard2d;
 using namespace tumble::hard2d::testing;
@@ -145,3 +147,5 @@ TEST_CASE("a body that leaves the domain or is too fast for its steps stops the 
     REQUIRE(cut);
     CHECK(cut->what.find("none further than twice the smallest radius in a step") != std::string::npos);
 }
+
+} // namespace test_world

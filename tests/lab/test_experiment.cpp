@@ -3,6 +3,8 @@
 #include <cmath>
 #include <set>
 
+namespace test_experiment {
+
 using namespace tumble;
 using namespace tumble::lab;
 using namespace tumble::lab::testing;
@@ -36,3 +38,5 @@ TEST_CASE("a recording is a CSV file with its heads, every number read back to t
     const Recording recording{"one", {"t_s", "height_m"}, {{0, 0.1}, {0.5, 1.0 / 3}}};
     CHECK(recording.csv() == "t_s,height_m\n0,0.1\n0.5,0.3333333333333333\n");
 }
+
+} // namespace test_experiment

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <variant>
 
+namespace test_falls {
+
 using namespace tumble;
 using namespace tumble::lab;
 using namespace tumble::lab::testing;
@@ -64,3 +66,5 @@ TEST_CASE("the block that never rebounds lands once a cycle to 3.72, alternates 
             CHECK(std::get<std::string>(grid->rows[2][4]) == "1.79");
         }
 }
+
+} // namespace test_falls

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+namespace test_matter {
+
 using namespace tumble;
 using namespace tumble::lab;
 using namespace tumble::lab::testing;
@@ -88,3 +90,5 @@ TEST_CASE("an accelerometer at the rim shows the motion of the wall there, gravi
         CHECK(std::abs(outcome.recordings[0].rows[k][2] - (9.81 - up * rate * rate * std::sin(rate * t))) < 0.01);
     }
 }
+
+} // namespace test_matter

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+namespace test_slopes {
+
 using namespace tumble;
 using namespace tumble::lab;
 using namespace tumble::lab::testing;
@@ -50,3 +52,5 @@ TEST_CASE("friction is what holds a heap of triangles") {
     // Without friction each contact slides: what is left has no slope but that of its few layers.
     CHECK(angle("0.5") > angle("0") + 5);
 }
+
+} // namespace test_slopes

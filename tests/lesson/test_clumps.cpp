@@ -6,6 +6,8 @@
 #include <numbers>
 #include <string>
 
+namespace test_clumps {
+
 using namespace tumble::lesson;
 using namespace tumble::lesson::testing;
 using tumble::test::about;
@@ -47,3 +49,5 @@ TEST_CASE(
     CHECK(walk.fact("voidage_cones") > walk.fact("voidage_cones_smooth") + 0.04);
     CHECK(walk.fact("voidage_cones_smooth") < 0.34);
 }
+
+} // namespace test_clumps

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace test_energy {
+
 using namespace tumble::lesson;
 using namespace tumble::lesson::testing;
 using tumble::test::about;
@@ -25,3 +27,5 @@ TEST_CASE("energy: a ball comes back to e^2 and e^4 of its height, and the books
     CHECK(seen > gravity + walk.fact("departure_least") - 1e-3);
     CHECK(seen < gravity + walk.fact("departure_most") + 1e-3);
 }
+
+} // namespace test_energy

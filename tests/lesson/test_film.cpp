@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+namespace test_film {
+
 using namespace tumble;
 using tumble::test::about;
 using namespace tumble::lesson;
@@ -77,3 +79,5 @@ TEST_CASE(
     CHECK(fastest(0) < 10 * 1e-3 * 0.1 * w);
     CHECK(fastest(1) > 0.1 * 0.1 * w);
 }
+
+} // namespace test_film

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+namespace test_force_law {
+
 using namespace tumble::lesson;
 using namespace tumble::lesson::testing;
 using tumble::test::about;
@@ -40,3 +42,5 @@ TEST_CASE("force-law: the spring is seen before it gives, however small its part
     CHECK(walk.fact("yield") == about(mu * force / slope, 0.01));
     CHECK(taught("force-law", {{"friction", "0"}}).fact("shear_limit") == 0);
 }
+
+} // namespace test_force_law

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <numbers>
 
+namespace test_friction {
+
 using namespace tumble::lesson;
 using namespace tumble::lesson::testing;
 using tumble::test::about;
@@ -28,3 +30,5 @@ TEST_CASE("friction: a disc that slips rolls after v / (3 mu g) with two thirds 
     CHECK(walk.fact("rolls_from") == about(2 / (3 * 0.4 * 9.81), 2e-3));
     CHECK(walk.fact("rolling_speed") == about(4.0 / 3, 2e-3));
 }
+
+} // namespace test_friction

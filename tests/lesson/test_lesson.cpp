@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+namespace test_lesson {
+
 using namespace tumble;
 using namespace tumble::lesson;
 
@@ -75,3 +77,5 @@ TEST_CASE("values are taken in their range, and every wrong one is told with wha
     CHECK(values.problems()[1].what == "--speed_m_s takes a number, not 'fast'");
     CHECK(values.problems()[2].fix == "did you mean 'friction'?");
 }
+
+} // namespace test_lesson

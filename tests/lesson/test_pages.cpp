@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <string>
 
+namespace test_pages {
+
 using namespace tumble;
 using namespace tumble::lesson;
 
@@ -33,3 +35,5 @@ TEST_CASE("docs/lessons says what the program teaches, and every figure shows it
     const bool fresh = test::content_of(pages / "index.md") == contents_page();
     CHECK_MESSAGE(fresh, "docs/lessons/index.md" << remedy);
 }
+
+} // namespace test_pages

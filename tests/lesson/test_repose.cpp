@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace test_repose {
+
 using namespace tumble::lesson;
 using namespace tumble::lesson::testing;
 
@@ -16,3 +18,5 @@ TEST_CASE("repose: friction makes a heap, shape makes it steeper, and discs stay
     for (const char* kind : {"angle_discs", "angle_wedges"}) // fills differ, by less than shape does
         CHECK(walk.fact(std::string(kind) + "_scatter") < walk.fact("angle_wedges") - walk.fact("angle_discs"));
 }
+
+} // namespace test_repose

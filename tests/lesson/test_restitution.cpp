@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <numbers>
 
+namespace test_restitution {
+
 using namespace tumble::lesson;
 using namespace tumble::lesson::testing;
 using tumble::test::about;
@@ -61,3 +63,5 @@ TEST_CASE("restitution: a spring too soft for the impact is refused in the lesso
     const auto stiff = read_values(**lesson, {{"normal_stiffness_N_per_m", "2.6e4"}, {"speed_m_s", "2"}});
     CHECK((*lesson)->teach(*stiff).ok());
 }
+
+} // namespace test_restitution

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+namespace test_rolling_resistance {
+
 using namespace tumble::lesson;
 using namespace tumble::lesson::testing;
 using tumble::test::about;
@@ -25,3 +27,5 @@ TEST_CASE(
     CHECK(walk.fact("spin_at_rest_epsd") < 1e-3);
     CHECK(walk.fact("worst_acceleration") < 0.02); // of mu_r g
 }
+
+} // namespace test_rolling_resistance

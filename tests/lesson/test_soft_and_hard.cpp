@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace test_soft_and_hard {
+
 using tumble::test::about;
 using namespace tumble::lesson;
 using namespace tumble::lesson::testing;
@@ -58,3 +60,5 @@ TEST_CASE("soft-and-hard: a column sinks by its weight over the stiffness, or by
     CHECK(walk.fact("soft_steps") > 20 * walk.fact("hard_steps"));
     CHECK(walk.fact("hard_height") == about(walk.fact("soft_height"), 0.1));
 }
+
+} // namespace test_soft_and_hard

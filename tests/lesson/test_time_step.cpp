@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <numbers>
 
+namespace test_time_step {
+
 using namespace tumble::lesson;
 using namespace tumble::lesson::testing;
 using tumble::test::about;
@@ -41,3 +43,5 @@ TEST_CASE("time-step: the softest spring with the largest mass makes the lesson,
 TEST_CASE("time-step: fifty steps in a contact give the peak force to two in a thousand") {
     CHECK(taught("time-step").fact("force_of_50_steps") == about(1, 2e-3));
 }
+
+} // namespace test_time_step

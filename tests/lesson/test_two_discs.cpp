@@ -1,6 +1,8 @@
 #include "about.h"
 #include "taught.h"
 
+namespace test_two_discs {
+
 using namespace tumble::lesson;
 using namespace tumble::lesson::testing;
 using tumble::test::about;
@@ -52,3 +54,5 @@ TEST_CASE("two-discs: a step beyond 2 / omega of the faster mode is refused") {
     REQUIRE_FALSE(refused.ok());
     CHECK(refused.problems()[0].key == "--time_step_s");
 }
+
+} // namespace test_two_discs

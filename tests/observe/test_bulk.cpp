@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+namespace test_bulk {
+
 using namespace tumble;
 using namespace tumble::test;
 
@@ -100,3 +102,5 @@ TEST_CASE("without bodies or across a periodic z there is no circulation") {
     frame.layout = layout;
     CHECK(std::isnan(observe::bulk_motion(frame).circulation));
 }
+
+} // namespace test_bulk

@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+namespace test_cycle {
+
 using namespace tumble;
 using observe::Cycle;
 using observe::find_cycle;
@@ -77,3 +79,5 @@ TEST_CASE("what never turns has no cycle, and values that are no numbers are lef
                         }).cycle();
     CHECK(holes.period == about(0.97, 0.02));
 }
+
+} // namespace test_cycle

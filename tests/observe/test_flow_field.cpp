@@ -7,6 +7,8 @@
 #include <doctest/doctest.h>
 #include <numbers>
 
+namespace test_flow_field {
+
 using namespace tumble;
 using namespace tumble::test;
 
@@ -122,3 +124,5 @@ TEST_CASE(
     CHECK(residence.mean_s(0) == about(0.4, 0.03));
     CHECK(residence.mean_s(1) == about(0.4, 0.03));
 }
+
+} // namespace test_flow_field

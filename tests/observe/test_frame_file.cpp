@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <doctest/doctest.h>
 
+namespace test_frame_file {
+
 using namespace tumble;
 using namespace tumble::test;
 
@@ -214,3 +216,5 @@ TEST_CASE("numpy reads a frame in the lines that docs/run-folder.md shows") {
                                      "assert frame['wall_velocity_m_s'][0].tolist() == [1, 2, 3]\n");
     CHECK(std::system(("cd '" + folder.path.string() + "' && " + python + " read.py > /dev/null").c_str()) == 0);
 }
+
+} // namespace test_frame_file

@@ -6,6 +6,8 @@
 #include <doctest/doctest.h>
 #include <set>
 
+namespace test_measures {
+
 using namespace tumble;
 using namespace tumble::test;
 
@@ -116,3 +118,5 @@ TEST_CASE("docs/measures.md names the usual measures in the order they are writt
     std::replace(page.begin(), page.end(), '\n', ' ');
     CHECK(page.find(list) != std::string::npos);
 }
+
+} // namespace test_measures

@@ -9,6 +9,8 @@
 #include <doctest/doctest.h>
 #include <map>
 
+namespace test_paraview {
+
 using namespace tumble;
 using namespace tumble::test;
 
@@ -177,3 +179,5 @@ TEST_CASE("the text dump has one line per sphere below LIGGGHTS' heads") {
                   "1 1 1 2.01 3 0.01 -0.02 5 0 1\n"
                   "2 1 1 1.99 3 0.005 0.02 5 0 1\n");
 }
+
+} // namespace test_paraview

@@ -4,6 +4,8 @@
 #include <doctest/doctest.h>
 #include <limits>
 
+namespace test_series {
+
 using namespace tumble;
 using namespace tumble::test;
 
@@ -85,3 +87,5 @@ TEST_CASE("a series goes on behind the rows that it is said to have, and only un
     CHECK_FALSE(observe::SeriesWriter::go_on(folder.path / "none.csv", {"time_s"}, 7).ok());
     CHECK(content_of(file).size() == 27);
 }
+
+} // namespace test_series

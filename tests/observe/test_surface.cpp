@@ -5,6 +5,8 @@
 #include <doctest/doctest.h>
 #include <numbers>
 
+namespace test_surface {
+
 using namespace tumble;
 using namespace tumble::test;
 
@@ -94,3 +96,5 @@ TEST_CASE("no bodies, a periodic z or a lost body give no surface, not a wrong o
     wrapped.layout = periodic;
     CHECK(observe::free_surface(wrapped).points.empty());
 }
+
+} // namespace test_surface

@@ -6,6 +6,8 @@
 #include <doctest/doctest.h>
 #include <map>
 
+namespace test_tracer {
+
 using namespace tumble;
 using namespace tumble::test;
 
@@ -90,3 +92,5 @@ TEST_CASE("a tracer follows the body of its shape with the lowest id, and is not
     frame.id = {0, 5, 3};
     CHECK(told(reader, frame).at("x_m") == 1);
 }
+
+} // namespace test_tracer

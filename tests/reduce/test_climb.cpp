@@ -9,6 +9,8 @@
 #include <doctest/doctest.h>
 #include <set>
 
+namespace test_climb {
+
 using namespace tumble;
 using namespace tumble::reduce;
 using tumble::test::about;
@@ -173,3 +175,5 @@ TEST_CASE("a run's name changes with its scene and its seed, and a damaged note 
     CHECK_FALSE(read_kept(folder.path / "b.json"));
     CHECK_FALSE(read_kept(folder.path / "c.json"));
 }
+
+} // namespace test_climb

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+namespace test_ladder {
+
 using namespace tumble;
 using namespace tumble::reduce;
 using tumble::test::about;
@@ -71,3 +73,5 @@ TEST_CASE("wishes that cannot be are refused") {
     CHECK(refusal("slice=2") == "'2' is no degree of slice\n    give shares above 0 and below 1: slice=0.5\n");
     CHECK(refusal("size=").find("'' is no degree of size") != std::string::npos);
 }
+
+} // namespace test_ladder

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace test_price {
+
 using namespace tumble;
 using namespace tumble::reduce;
 using tumble::test::about;
@@ -78,3 +80,5 @@ TEST_CASE("a rung that has lost what the reference has is beyond") {
     CHECK(prices.rungs[1].verdict == Verdict::beyond);
     CHECK_FALSE(prices.rungs[1].errors[0].told_apart());
 }
+
+} // namespace test_price

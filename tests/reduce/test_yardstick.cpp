@@ -6,6 +6,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace test_yardstick {
+
 using namespace tumble;
 using namespace tumble::reduce;
 using tumble::test::about;
@@ -72,3 +74,5 @@ TEST_CASE("a stretch without rows and a measure that does not exist are refused"
           "    give a longer --time, a longer duration_s or a smaller observe.every_s\n");
     CHECK_FALSE(Yardstick::of(scene, {"mean_sped"}, std::nullopt, std::nullopt));
 }
+
+} // namespace test_yardstick

@@ -4,6 +4,8 @@
 
 #include <numbers>
 
+namespace test_camera {
+
 using namespace tumble;
 using namespace tumble::render;
 using Eigen::AlignedBox3d;
@@ -144,3 +146,5 @@ TEST_CASE("the bounds of a frame hold every sphere and every moved wall, and the
     CHECK(bounds_of(frame).min().x() == -4);
     CHECK(bounds_of(frame).max().z() == 3.5);
 }
+
+} // namespace test_camera

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace test_color_map {
+
 using namespace tumble;
 using namespace tumble::render;
 using Eigen::Vector3d;
@@ -116,3 +118,5 @@ TEST_CASE("a scene may name exactly the colour scales and quantities that there 
         names.push_back(quantity.name);
     CHECK(words_of("color") == names);
 }
+
+} // namespace test_color_map

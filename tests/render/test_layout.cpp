@@ -5,6 +5,8 @@
 #include <doctest/doctest.h>
 #include <vector>
 
+namespace test_layout {
+
 using namespace tumble::render;
 using tumble::test::about;
 
@@ -78,3 +80,5 @@ TEST_CASE("a picture too small for letters belongs to the scene") {
     CHECK(layout.scene.width() == 200);
     CHECK(layout.scene.height() == 120);
 }
+
+} // namespace test_layout

@@ -3,6 +3,8 @@
 #include "render/color_map.h"
 #include "render/theme.h"
 
+namespace test_lettering {
+
 using namespace tumble;
 using namespace tumble::render;
 using namespace tumble::render::testing;
@@ -263,3 +265,5 @@ TEST_CASE("two painters of different sizes draw in turn and on other threads") {
     CHECK(small.draw(frame).rgba == first.rgba);
     CHECK(large.draw(frame).rgba == other.rgba);
 }
+
+} // namespace test_lettering

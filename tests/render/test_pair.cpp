@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace test_pair {
+
 using namespace tumble;
 using namespace tumble::render;
 using namespace tumble::render::testing;
@@ -100,3 +102,5 @@ TEST_CASE("a pair of frames needs one range of colours and room for its letterin
     settings.color = "spede";
     CHECK(!PairPainter::open(settings, {layout, layout}, {"", ""}).ok());
 }
+
+} // namespace test_pair

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <stb/stb_image.h>
 
+namespace test_png_writer {
+
 using namespace tumble;
 using namespace tumble::render;
 using namespace tumble::render::testing;
@@ -102,3 +104,5 @@ TEST_CASE("an older picture is replaced only by a whole one") {
     std::ifstream file(folder.path / "a.png");
     CHECK(std::string(std::istreambuf_iterator<char>(file), {}) == "older");
 }
+
+} // namespace test_png_writer

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <random>
 
+namespace test_spheres {
+
 using namespace tumble;
 using namespace tumble::render;
 using namespace tumble::render::testing;
@@ -236,3 +238,5 @@ TEST_CASE("every wrong setting of a picture is reported at once with its key") {
     REQUIRE(!huge.ok());
     CHECK(huge.problems().front().key == "render.width_px");
 }
+
+} // namespace test_spheres

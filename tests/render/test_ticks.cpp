@@ -7,6 +7,8 @@
 #include <doctest/doctest.h>
 #include <limits>
 
+namespace test_ticks {
+
 using namespace tumble::render;
 using tumble::test::about;
 
@@ -97,3 +99,5 @@ TEST_CASE("the time stamp has the digits that the frames need") {
     CHECK(time_stamp(1.2345, 0.0005) == "t = 1.2345 s");
     CHECK(time_stamp(2, 1) == "t = 2.00 s");
 }
+
+} // namespace test_ticks

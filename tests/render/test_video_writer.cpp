@@ -6,6 +6,8 @@
 #include <csignal>
 #include <cstdlib>
 
+namespace test_video_writer {
+
 using namespace tumble;
 using namespace tumble::render;
 using namespace tumble::render::testing;
@@ -184,3 +186,5 @@ TEST_CASE("a program that takes nothing and does not end is killed after its tim
     REQUIRE(process.error() == 0);
     CHECK(process.wait(50ms) == -1);
 }
+
+} // namespace test_video_writer

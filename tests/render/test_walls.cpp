@@ -5,6 +5,8 @@
 
 #include <numbers>
 
+namespace test_walls {
+
 using namespace tumble;
 using namespace tumble::render;
 using namespace tumble::render::testing;
@@ -131,3 +133,5 @@ TEST_CASE("triangles without area and with corners that do not exist are left ou
     wall.triangles.push_back({0, 1, 99});
     CHECK(make_wall_surface(wall).triangles.size() == 2);
 }
+
+} // namespace test_walls

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+namespace test_beside {
+
 using namespace tumble;
 using namespace tumble::test;
 namespace fs = std::filesystem;
@@ -79,3 +81,5 @@ TEST_CASE("what is there is not drawn over without force, and a broken compariso
     CHECK(refused.problems()[0].what == "two runs side by side need a picture of 480 x 240 pixels or more");
     CHECK(!fs::exists(two.folder.path / "small"));
 }
+
+} // namespace test_beside

@@ -8,6 +8,8 @@
 #include <doctest/doctest.h>
 #include <numbers>
 
+namespace test_flow_report {
+
 using namespace tumble;
 using tumble::test::about;
 
@@ -111,3 +113,5 @@ TEST_CASE("a tracer of a body that is not there is refused where it is written, 
     CHECK(done.problems()[0].fix == "did you mean 'bouncer'?");
     CHECK(done.problems()[0].line > 0);
 }
+
+} // namespace test_flow_report

@@ -6,6 +6,8 @@
 #include <new>
 #include <thread>
 
+namespace test_frame_queue {
+
 using namespace tumble;
 
 namespace {
@@ -95,3 +97,5 @@ TEST_CASE("an exception in a sink, as when memory runs out, becomes a problem an
     CHECK(problems[0].what == "a frame could not be kept: std::bad_alloc");
     CHECK(problems[1].what == problems[0].what);
 }
+
+} // namespace test_frame_queue

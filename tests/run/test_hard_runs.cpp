@@ -14,6 +14,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+namespace test_hard_runs {
+
 using namespace tumble;
 using namespace tumble::test;
 
@@ -201,3 +203,5 @@ TEST_CASE("a resolved scene with solver = box2d loads again to the same settings
     CHECK(twice->pairs[0].restitution == 0.5);
     CHECK(!scene::load_scene_text(springless, "soft.toml").ok());
 }
+
+} // namespace test_hard_runs

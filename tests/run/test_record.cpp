@@ -8,6 +8,8 @@
 #include <doctest/doctest.h>
 #include <filesystem>
 
+namespace test_record {
+
 using namespace tumble;
 using tumble::test::about;
 
@@ -83,3 +85,5 @@ TEST_CASE("heights follow restitution smoothly: where in a step an impact begins
             CHECK(std::abs(heights[k] - 2 * heights[k - 1] + heights[k - 2]) < 2e-5);
     }
 }
+
+} // namespace test_record

@@ -7,6 +7,8 @@
 
 #include <doctest/doctest.h>
 
+namespace test_replay {
+
 using namespace tumble;
 using namespace tumble::test;
 namespace fs = std::filesystem;
@@ -175,3 +177,5 @@ TEST_CASE("what is no run, or has no frame in the time asked for, is refused and
     CHECK_FALSE(run::redraw(run, options, silent).ok());
     CHECK_FALSE(fs::exists(folder.path / "drawn"));
 }
+
+} // namespace test_replay

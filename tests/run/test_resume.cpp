@@ -12,6 +12,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+namespace test_resume {
+
 using namespace tumble;
 using namespace tumble::test;
 namespace fs = std::filesystem;
@@ -463,3 +465,5 @@ TEST_CASE("a checkpoint that cannot be written is told of once, and the run goes
                         [&](const std::string& sentence) { return sentence.starts_with(told); }) == 1);
     CHECK(summary->warnings == spoiler.heard);
 }
+
+} // namespace test_resume

@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+namespace test_run_report {
+
 using namespace tumble;
 
 TEST_CASE("docs/run-folder.md explains every key of run.json") {
@@ -22,3 +24,5 @@ TEST_CASE("reasons come as one line with what to do, and numbers that are none a
     CHECK(json["energy_closure_J"].is_null());
     CHECK(json["steps_per_s"] == 0);
 }
+
+} // namespace test_run_report

@@ -9,6 +9,8 @@
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
+namespace test_run_scene {
+
 using namespace tumble;
 using namespace tumble::test;
 namespace fs = std::filesystem;
@@ -346,3 +348,5 @@ TEST_CASE("pictures are the same bytes however fast they are drawn, one per fram
         CHECK_MESSAGE(content_of(folder.path / "a" / name) == content_of(folder.path / "b" / name), name);
     }
 }
+
+} // namespace test_run_scene

@@ -2,6 +2,8 @@
 #include "run/scene_doubts.h"
 #include "run/scenes.h"
 
+namespace test_scene_doubts {
+
 using namespace tumble;
 using namespace tumble::test;
 
@@ -58,3 +60,5 @@ TEST_CASE("bodies that come after the end are doubted, those that come in time a
     CHECK(text.find("1 of body 'ball' come at 5 s, but the run ends at 0.02 s") != std::string::npos);
     CHECK(doubts({"fill.0.start_s=0.01"}).empty());
 }
+
+} // namespace test_scene_doubts

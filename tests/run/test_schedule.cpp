@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+namespace test_schedule {
+
 using tumble::run::Schedule;
 
 TEST_CASE("events stand at the steps nearest to exact multiples, also after a million of them") {
@@ -45,3 +47,5 @@ TEST_CASE("the last step counts once more only where no event falls on it") {
     CHECK(Schedule(1e-6, 1e-5).count_with_last(100) == 101);
     CHECK(Schedule(1, 1e-5).count_with_last(0) == 1);
 }
+
+} // namespace test_schedule

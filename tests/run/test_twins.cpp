@@ -7,6 +7,8 @@
 
 #include <doctest/doctest.h>
 
+namespace test_twins {
+
 using namespace tumble;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -116,3 +118,5 @@ TEST_CASE("spheres in a plane move like discs of equal mass, inertia and law: He
 TEST_CASE("spheres in a plane move like discs of equal mass, inertia and law: without friction") {
     compare(scene::NormalLaw::hertz, scene::TangentialLaw::none);
 }
+
+} // namespace test_twins

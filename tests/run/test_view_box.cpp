@@ -3,6 +3,8 @@
 #include "run/simulation.h"
 #include "run/view_box.h"
 
+namespace test_view_box {
+
 using namespace tumble;
 using namespace tumble::test;
 
@@ -29,3 +31,5 @@ TEST_CASE("a picture of a run that begins holds the places that its walls will m
         box_of({"wall.floor.motion=[{kind=\"linear\", velocity_m_s=[0, -2, 0], stop_s=0.01}]"});
     CHECK(box.min().y() == about(-0.02));
 }
+
+} // namespace test_view_box

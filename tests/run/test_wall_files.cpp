@@ -7,6 +7,8 @@
 #include <doctest/doctest.h>
 #include <numbers>
 
+namespace test_wall_files {
+
 using namespace tumble;
 using Eigen::Vector3d;
 using tumble::test::about;
@@ -65,3 +67,5 @@ TEST_CASE("walls of another name, and files that are there, are refused") {
     CHECK(!run::write_wall_files(bowl_and_disc(), {"disc"}, 0, folder.path, false).ok());
     CHECK(run::write_wall_files(bowl_and_disc(), {"disc"}, 0, folder.path, true).ok());
 }
+
+} // namespace test_wall_files

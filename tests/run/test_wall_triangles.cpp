@@ -5,6 +5,8 @@
 #include <doctest/doctest.h>
 #include <numbers>
 
+namespace test_wall_triangles {
+
 using namespace tumble;
 using Eigen::Vector3d;
 using tumble::test::about;
@@ -125,3 +127,5 @@ TEST_CASE("a mesh keeps its triangles and shares corners") {
     CHECK(wall.vertices.size() == 4);
     CHECK(area(wall) == about(1));
 }
+
+} // namespace test_wall_triangles

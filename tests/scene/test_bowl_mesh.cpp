@@ -9,6 +9,8 @@
 #include <map>
 #include <numbers>
 
+namespace test_bowl_mesh {
+
 using namespace tumble;
 using namespace tumble::scene;
 using tumble::test::about;
@@ -174,3 +176,5 @@ TEST_CASE("what cannot be built is named by its key") {
         CHECK(!fault_of(disc(ribs)));
     }
 }
+
+} // namespace test_bowl_mesh

@@ -7,6 +7,8 @@
 #include <sstream>
 #include <vector>
 
+namespace test_broken_scenes {
+
 using namespace tumble;
 using namespace tumble::scene;
 
@@ -61,3 +63,5 @@ TEST_CASE("each message says where it is, and what to do on the next line") {
             CHECK(!problem.fix.empty());
         }
 }
+
+} // namespace test_broken_scenes

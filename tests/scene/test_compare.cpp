@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+namespace test_compare {
+
 using namespace tumble;
 
 namespace {
@@ -64,3 +66,5 @@ TEST_CASE("what is no TOML cannot be compared, and is said to be which of the tw
     REQUIRE_FALSE(changes.ok());
     CHECK(changes.problems()[0].file == "the scene now");
 }
+
+} // namespace test_compare

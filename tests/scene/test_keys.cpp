@@ -8,6 +8,8 @@
 #include <set>
 #include <sstream>
 
+namespace test_keys {
+
 using namespace tumble::scene;
 
 TEST_CASE("every key has a sentence, a name of its own, and a default within its range") {
@@ -61,3 +63,5 @@ TEST_CASE("docs/scene_reference.md is what the list of keys says") {
     CHECK_MESSAGE(text.str() == scene_reference(),
                   "the page is stale: run TUMBLE_WRITE_REFERENCE=1 test_scene -tc='docs/scene_reference*'");
 }
+
+} // namespace test_keys

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <numbers>
 
+namespace test_load {
+
 using namespace tumble;
 using namespace tumble::scene;
 using tumble::test::about;
@@ -251,3 +253,5 @@ TEST_CASE("a wall that comes in during the run stands where it may begin, one th
         CHECK(problems(shape, 0.2).find("lies outside the domain") != std::string::npos); // 0.2 m in the 1 s of the run
     }
 }
+
+} // namespace test_load

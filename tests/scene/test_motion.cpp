@@ -5,6 +5,8 @@
 #include <doctest/doctest.h>
 #include <numbers>
 
+namespace test_motion {
+
 using namespace tumble::scene;
 using Eigen::Vector3d;
 using tumble::test::about;
@@ -193,3 +195,5 @@ TEST_CASE("no point moves faster than the speed bound, and one harmonic reaches 
     CHECK(speed_bound(one, centre, 10) == about(4e-3 * 50 * pi, 1e-14));
     CHECK(speed_bound({}, centre, 10) == 0);
 }
+
+} // namespace test_motion

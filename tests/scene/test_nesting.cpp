@@ -4,6 +4,8 @@
 #include <doctest/doctest.h>
 #include <string>
 
+namespace test_nesting {
+
 using namespace tumble::scene;
 
 TEST_CASE("brackets, inline tables and dotted names count towards the depth") {
@@ -36,3 +38,5 @@ TEST_CASE("a name of half a million parts is refused before it is parsed") {
     CHECK(root.problems()[0].line == 1);
     CHECK(root.problems()[0].what == "nested more than 16 deep");
 }
+
+} // namespace test_nesting

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+namespace test_override {
+
 using namespace tumble;
 using namespace tumble::scene;
 
@@ -122,3 +124,5 @@ TEST_CASE("a later set wins over an earlier one and over the file") {
     REQUIRE(scene);
     CHECK(scene->seed == 2);
 }
+
+} // namespace test_override

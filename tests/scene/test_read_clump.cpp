@@ -6,6 +6,8 @@
 #include <doctest/doctest.h>
 #include <string>
 
+namespace test_read_clump {
+
 using namespace tumble;
 using namespace tumble::scene;
 using tumble::test::about;
@@ -79,3 +81,5 @@ TEST_CASE("more spheres than a body may have are refused before they fill the me
         text += "0 0 0 1\n";
     CHECK(refusal(text) == "cone.csv:4001:1: more than 4000 spheres");
 }
+
+} // namespace test_read_clump

@@ -6,6 +6,8 @@
 #include <limits>
 #include <string>
 
+namespace test_read_stl {
+
 using namespace tumble;
 using namespace tumble::scene;
 
@@ -100,3 +102,5 @@ TEST_CASE("a broken binary file says which triangle or how many bytes") {
 TEST_CASE("a triangle a thousand times longer than wide is thin, not degenerate") {
     CHECK(parse_stl(ascii("0.5 0.0005 0"), "lid.stl"));
 }
+
+} // namespace test_read_stl

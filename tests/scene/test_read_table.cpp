@@ -4,6 +4,8 @@
 #include <doctest/doctest.h>
 #include <numbers>
 
+namespace test_read_table {
+
 using namespace tumble;
 using namespace tumble::scene;
 using tumble::test::about;
@@ -66,3 +68,5 @@ TEST_CASE("harmonics that cannot be are refused at their place") {
     CHECK(harmonics_refusal("axis,amplitude,period\nyz,1,0.04\n") == "h.csv:2:1: 'yz' is not an axis x, y or z");
     CHECK(harmonics_refusal("axis,amplitude,period\n") == "h.csv: 0 harmonics, not 1 to 10000");
 }
+
+} // namespace test_read_table

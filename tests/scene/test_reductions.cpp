@@ -7,6 +7,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+namespace test_reductions {
+
 using namespace tumble;
 using namespace tumble::scene;
 using tumble::test::about;
@@ -123,3 +125,5 @@ TEST_CASE("reductions that a scene cannot take are refused with the reason") {
     CHECK(refusal("trough-quick.toml", {{"domain.periodic=[]"}, {"reduce.slice=0.5"}}).find("has none") !=
           std::string::npos);
 }
+
+} // namespace test_reductions

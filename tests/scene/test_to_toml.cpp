@@ -8,6 +8,8 @@
 #include <set>
 #include <tuple>
 
+namespace test_to_toml {
+
 using namespace tumble;
 using namespace tumble::scene;
 
@@ -237,3 +239,5 @@ TEST_CASE("a resolved scene of two dimensions loads again to the same bodies, pa
     CHECK(std::get<ArcShape>(a.walls[2].outline).sweep == std::get<ArcShape>(b.walls[2].outline).sweep);
     CHECK(std::get<PolylineShape>(a.walls[3].outline).points == std::get<PolylineShape>(b.walls[3].outline).points);
 }
+
+} // namespace test_to_toml

@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <doctest/doctest.h>
 
+namespace test_plot {
+
 using namespace tumble;
 using namespace tumble::sheet;
 
@@ -70,3 +72,5 @@ TEST_CASE("figures are written as PNG and SVG, and a folder that is not there is
     CHECK(test::content_of(folder.path / "line.svg").ends_with(mark_of(line) + "\n"));
     CHECK_FALSE(draw(line, folder.path / "none" / "line.png").ok());
 }
+
+} // namespace test_plot

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+namespace test_show {
+
 using namespace tumble::sheet;
 
 TEST_CASE("lines break between words, and letters are counted, not bytes") {
@@ -9,3 +11,5 @@ TEST_CASE("lines break between words, and letters are counted, not bytes") {
     CHECK(wrapped("one two three", 7) == "one two\nthree\n");
     CHECK(wrapped("ααα βββ γγγ", 7, "") == "ααα βββ\nγγγ\n");
 }
+
+} // namespace test_show

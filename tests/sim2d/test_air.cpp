@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace test_air {
+
 using namespace tumble;
 using namespace tumble::sim2d;
 using namespace tumble::sim2d::testing;
@@ -27,3 +29,5 @@ TEST_CASE("a disc falls through air as v_t tanh(g t / v_t), and the books close"
     CHECK(books.lost_air_drag > 0.3 * -books.gravity);
     CHECK(std::abs(books.closure) < 1e-4 * books.lost_air_drag);
 }
+
+} // namespace test_air

@@ -5,6 +5,8 @@
 #include <doctest/doctest.h>
 #include <numbers>
 
+namespace test_body_shape {
+
 using namespace tumble;
 using namespace tumble::sim2d;
 using tumble::test::about;
@@ -92,3 +94,5 @@ TEST_CASE("a given mass scales the inertia, a given inertia replaces it") {
     body.principal_inertia = Eigen::Vector3d::Constant(0.7);
     CHECK(make_body_shape(body, stone, 1)->inertia == 0.7);
 }
+
+} // namespace test_body_shape

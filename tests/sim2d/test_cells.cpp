@@ -6,6 +6,8 @@
 #include <set>
 #include <tuple>
 
+namespace test_cells {
+
 using namespace tumble;
 using namespace tumble::sim2d;
 using Eigen::Vector2d;
@@ -91,3 +93,5 @@ TEST_CASE("the order lists every point once") {
     for (int k = 0; k < 300; ++k)
         CHECK(sorted[static_cast<std::size_t>(k)] == k);
 }
+
+} // namespace test_cells

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace test_clump {
+
 using namespace tumble;
 using namespace tumble::sim2d;
 using namespace tumble::sim2d::testing;
@@ -59,3 +61,5 @@ TEST_CASE("a clump thrown without forces turns evenly about its centre of mass, 
     CHECK(end.angle == about(5, 1e-12));
     CHECK(end.angular_velocity == about(5, 1e-14));
 }
+
+} // namespace test_clump

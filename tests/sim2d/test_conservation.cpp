@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace test_conservation {
+
 using namespace tumble;
 using namespace tumble::sim2d;
 using namespace tumble::sim2d::testing;
@@ -128,3 +130,5 @@ TEST_CASE("a normal force that may not pull ends a rebound sooner: restitution a
         CHECK(box.body_at(0).velocity.y() == about(0.5 * std::exp(-zeta / root * angle), 2e-3));
     }
 }
+
+} // namespace test_conservation

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+namespace test_determinism {
+
 using namespace tumble;
 using namespace tumble::sim2d;
 using namespace tumble::sim2d::testing;
@@ -66,3 +68,5 @@ TEST_CASE("the books of a shaken crowd close, the better the shorter the step") 
     CHECK(damped < 2e-3);
     CHECK(finely_damped < damped / 4);
 }
+
+} // namespace test_determinism

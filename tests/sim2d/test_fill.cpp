@@ -9,6 +9,8 @@
 #include <numbers>
 #include <thread>
 
+namespace test_fill {
+
 using namespace tumble;
 using namespace tumble::sim2d;
 using namespace tumble::sim2d::testing;
@@ -205,3 +207,5 @@ TEST_CASE("walls with an open end have no inside") {
     CHECK(!ring.encloses({0.72, -0.72}));
     CHECK(!WallLine(scene::SegmentShape{{-1, 0}, {1, 0}}, domain).encloses({0, 0}));
 }
+
+} // namespace test_fill

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace test_friction {
+
 using namespace tumble;
 using namespace tumble::sim2d;
 using namespace tumble::sim2d::testing;
@@ -116,3 +118,5 @@ TEST_CASE("an oblique impact that sticks swings the contact point by cos(pi sqrt
         CHECK(hit.tangential == about(before - (before - after) / 3, 3e-3));
     }
 }
+
+} // namespace test_friction

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace test_impact {
+
 using namespace tumble;
 using namespace tumble::sim2d;
 using namespace tumble::sim2d::testing;
@@ -117,3 +119,5 @@ TEST_CASE("before the first step the books hold the bodies with the energy that 
     CHECK(books.gravity == about(mass * 9.81 * (0.5 - 2)));
     CHECK(std::abs(books.closure) < 1e-14 * books.kinetic_translation);
 }
+
+} // namespace test_impact

@@ -7,6 +7,8 @@
 #include <doctest/doctest.h>
 #include <numbers>
 
+namespace test_law {
+
 using namespace tumble::contact;
 using tumble::test::about;
 
@@ -148,3 +150,5 @@ TEST_CASE("a normal force that may not pull does not") {
     CHECK(CundallStrack(pair_of(1000, 1, 0.2, 0), true, true).push(leaving, DiscMemory<double>{0, 0}, 1e-4).normal ==
           0);
 }
+
+} // namespace test_law

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace test_neighbours {
+
 using namespace tumble;
 using namespace tumble::sim2d;
 using namespace tumble::sim2d::testing;
@@ -151,3 +153,5 @@ TEST_CASE("the books close also where gravity points along a period") {
     CHECK(std::abs(books.closure) < 1e-9 * books.kinetic_translation);
     CHECK(books.kinetic_translation > 0);
 }
+
+} // namespace test_neighbours

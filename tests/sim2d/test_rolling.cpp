@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace test_rolling {
+
 using namespace tumble;
 using namespace tumble::sim2d;
 using namespace tumble::sim2d::testing;
@@ -169,3 +171,5 @@ TEST_CASE("a rolling friction of 0 changes no bit of discs, whatever the law") {
             }
         }
 }
+
+} // namespace test_rolling

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+namespace test_state {
+
 using namespace tumble;
 using namespace tumble::sim2d;
 using namespace tumble::sim2d::testing;
@@ -165,3 +167,5 @@ TEST_CASE("a state that is damaged or of another scene is refused") {
     single.bodies[1].spheres.resize(1); // rows of discs that this clump lacks
     CHECK(refusal(single, state) == "the saved state does not fit the scene: a list of neighbours leads nowhere");
 }
+
+} // namespace test_state

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace test_time_step {
+
 using namespace tumble;
 using namespace tumble::sim2d;
 using namespace tumble::sim2d::testing;
@@ -108,3 +110,5 @@ TEST_CASE("a step above the limit is refused, with what to do, unless the scene 
     CHECK(refused.problems()[0].key == "time_step_s");
     CHECK(refused.problems()[0].fix.find("use at most") != std::string::npos);
 }
+
+} // namespace test_time_step

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace test_wall_books {
+
 using namespace tumble;
 using namespace tumble::sim2d;
 using namespace tumble::sim2d::testing;
@@ -57,3 +59,5 @@ TEST_CASE("the books of a disc on a shaken floor close to second order in the st
         CHECK(coarse.missed > 12 * fine.missed);
     }
 }
+
+} // namespace test_wall_books

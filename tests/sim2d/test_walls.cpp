@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace test_walls {
+
 using namespace tumble;
 using namespace tumble::sim2d;
 using namespace tumble::sim2d::testing;
@@ -171,3 +173,5 @@ TEST_CASE("a disc whose centre passes a wall where two pieces meet stops the run
     CHECK(passes(quarter, {0.002, 0.002}, {0.001, -0.002}));
     CHECK(!passes(quarter, {-0.001, 0.002}, {-0.002, -0.002}));
 }
+
+} // namespace test_walls

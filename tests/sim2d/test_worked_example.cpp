@@ -1,6 +1,8 @@
 #include "about.h"
 #include "sandbox.h"
 
+namespace test_worked_example {
+
 using namespace tumble;
 using namespace tumble::sim2d;
 using namespace tumble::sim2d::testing;
@@ -50,3 +52,5 @@ TEST_CASE("two discs between closing walls move as (3.10) to (3.17) say, digit f
     CHECK(moved(0, 0) == about((x_1 + x_2) * dt, 1e-11));
     CHECK(moved(1, 2) == about((y_1 + y_2) * dt, 1e-11));
 }
+
+} // namespace test_worked_example

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+namespace test_additions {
+
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
@@ -61,3 +63,5 @@ TEST_CASE("with every addition, the books of a pour close, the better the shorte
     CHECK(missed(1e-5) < 5e-3);
     CHECK(missed(5e-6) < 3e-3);
 }
+
+} // namespace test_additions

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace test_adhesion {
+
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
@@ -159,3 +161,5 @@ TEST_CASE("a material too soft and sticky for JKR is refused with the reason") {
     CHECK(built.problems()[0].key == "contact.adhesion");
     CHECK(built.problems()[0].what.find("necks of adhesion would reach over") == 0);
 }
+
+} // namespace test_adhesion

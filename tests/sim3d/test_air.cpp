@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace test_air {
+
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
@@ -90,3 +92,5 @@ TEST_CASE("air of no density and no viscosity changes no bit") {
     CHECK(fate({0, 0, 0.44}).position == fate({}).position);
     CHECK(fate({1.2, 0, 0}).position == fate({}).position);
 }
+
+} // namespace test_air

@@ -8,6 +8,8 @@
 #include <doctest/doctest.h>
 #include <numbers>
 
+namespace test_body_shape {
+
 using namespace tumble;
 using namespace tumble::sim3d;
 using Eigen::Matrix3d;
@@ -330,3 +332,5 @@ TEST_CASE("all 65 spheres of the thesis' cone can touch something") {
     CHECK(contact_spheres(shape_of(cone_65())).size() == 65);
     CHECK(contact_spheres(shape_of(sensor_43())).size() == 43);
 }
+
+} // namespace test_body_shape

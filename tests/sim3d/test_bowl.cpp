@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace test_bowl {
+
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
@@ -166,3 +168,5 @@ TEST_CASE("a ball on the flat part, on a facet of the rim and in the middle of a
     CHECK(crest[0].normal.y() == about(1));
     CHECK(crest[0].gap == about(-0.0001));
 }
+
+} // namespace test_bowl

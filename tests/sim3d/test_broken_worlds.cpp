@@ -6,6 +6,8 @@
 #include <fstream>
 #include <sstream>
 
+namespace test_broken_worlds {
+
 using namespace tumble;
 
 namespace {
@@ -45,3 +47,5 @@ TEST_CASE("each scene that no world can be made of loads, and gets exactly the m
     }
     CHECK(count >= 6);
 }
+
+} // namespace test_broken_worlds

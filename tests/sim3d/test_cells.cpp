@@ -7,6 +7,8 @@
 #include <set>
 #include <tuple>
 
+namespace test_cells {
+
 using namespace tumble;
 using namespace tumble::sim3d;
 using Eigen::Vector3d;
@@ -111,3 +113,5 @@ TEST_CASE("two bodies a kilometre apart do not cost millions of cells") {
     cells.sort(c.domain, c.bodies, c.reach);
     CHECK(cells.count() <= 4 * 2 + 64);
 }
+
+} // namespace test_cells

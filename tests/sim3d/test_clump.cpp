@@ -6,6 +6,8 @@
 #include <numbers>
 #include <tuple>
 
+namespace test_clump {
+
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
@@ -186,3 +188,5 @@ TEST_CASE("every pair of two clumps of many spheres counts, also more than 16 bi
     CHECK(books_of(*box.world).contacts == n * n);
     CHECK(books_of(*box.world).stored_normal == about(stored, 1e-9));
 }
+
+} // namespace test_clump

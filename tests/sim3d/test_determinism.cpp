@@ -4,6 +4,8 @@
 #include "sim3d/step.h"
 #include "sim3d/world.h"
 
+namespace test_determinism {
+
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
@@ -181,3 +183,5 @@ TEST_CASE("spheres that are not turned keep the orientation they came with, and 
     CHECK(same_bits(bodies, expected));
     CHECK(books_of(*kept.world).closure == books_of(*turned.world).closure);
 }
+
+} // namespace test_determinism

@@ -9,6 +9,8 @@
 #include <string>
 #include <thread>
 
+namespace test_fill {
+
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
@@ -336,3 +338,5 @@ TEST_CASE("a body that turns too far in a step for its orientation to follow sto
                   "step where 0.2 are the most");
     }
 }
+
+} // namespace test_fill

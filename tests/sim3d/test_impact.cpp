@@ -6,6 +6,8 @@
 #include <numbers>
 #include <string>
 
+namespace test_impact {
+
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
@@ -249,3 +251,5 @@ TEST_CASE("the books close also where gravity points along a period") {
     CHECK(books.kinetic_translation > 50 * 0.5 * ball_mass(0.01, 2500));
     CHECK(std::abs(books.closure) < 1e-9 * books.kinetic_translation);
 }
+
+} // namespace test_impact

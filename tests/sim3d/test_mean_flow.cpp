@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+namespace test_mean_flow {
+
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
@@ -77,3 +79,5 @@ TEST_CASE("a wall that moves with the flow goes no way beside it, and one that t
     // The corner farthest from the axis stands sqrt(1 + 4) m off and moves along the chord.
     CHECK(way_beside(flow, from, to, 1e-3) == about(2 * std::sin(angle / 2) * std::sqrt(5.0)));
 }
+
+} // namespace test_mean_flow

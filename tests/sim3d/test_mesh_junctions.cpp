@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+namespace test_mesh_junctions {
+
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
@@ -56,3 +58,5 @@ TEST_CASE("sheets cut otherwise on the two ends of a period go on without an edg
         CHECK(found[0].feature == feature);
     }
 }
+
+} // namespace test_mesh_junctions

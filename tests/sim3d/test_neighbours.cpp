@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+namespace test_neighbours {
+
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
@@ -119,3 +121,5 @@ TEST_CASE("the skin changes how often lists are made and not a contact") {
         hold_contacts_to_brute_force(box, 200);
     }
 }
+
+} // namespace test_neighbours

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace test_oblique {
+
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
@@ -97,3 +99,5 @@ TEST_CASE("a sliding sphere rolls after 2 u0 / (7 mu g), at 5/7 of its speed") {
         CHECK(box.body_now(0).velocity.x() == about(5.0 / 7.0 * u0, 6e-3));
     }
 }
+
+} // namespace test_oblique

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace test_rolling {
+
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
@@ -222,3 +224,5 @@ TEST_CASE("a rolling friction of 0 changes no bit, whatever the law") {
             }
         }
 }
+
+} // namespace test_rolling

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string>
 
+namespace test_speed_dependence {
+
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
@@ -129,3 +131,5 @@ TEST_CASE("what does not fall changes no bit: a power of 0 is the plain law, and
     CHECK(fate(plain).position == fate(same).position);
     CHECK(fate(plain).angular_velocity == fate(same).angular_velocity);
 }
+
+} // namespace test_speed_dependence

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+namespace test_state {
+
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
@@ -169,3 +171,5 @@ TEST_CASE("a state that is damaged or of another scene is refused") {
     single.bodies[1].spheres.resize(1); // candidates name spheres that this clump lacks
     CHECK(refusal(single, state) == "the saved state does not fit the scene: a list of neighbours leads nowhere");
 }
+
+} // namespace test_state

@@ -6,6 +6,8 @@
 #include <doctest/doctest.h>
 #include <numbers>
 
+namespace test_time_step {
+
 using namespace tumble;
 using namespace tumble::sim3d;
 using Eigen::Vector3d;
@@ -207,3 +209,5 @@ TEST_CASE("contacts that cannot occur do not bound the step") {
     CHECK(std::isinf(limit(0, 1, false)));
     CHECK(std::isfinite(limit(0, 2, false)));
 }
+
+} // namespace test_time_step

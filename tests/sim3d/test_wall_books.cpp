@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace test_wall_books {
+
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
@@ -59,3 +61,5 @@ TEST_CASE("the books of a ball on a shaken floor close to second order in the st
         CHECK(coarse.missed > 12 * fine.missed);
     }
 }
+
+} // namespace test_wall_books

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace test_wall_contact {
+
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
@@ -266,3 +268,5 @@ TEST_CASE("two spheres of a clump that straddle the border rest on a periodic me
     CHECK(mesh_contacts == 2);
     CHECK(on_mesh.position.y() == about(on_plane.position.y(), 1e-9));
 }
+
+} // namespace test_wall_contact

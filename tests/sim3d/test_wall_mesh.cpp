@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+namespace test_wall_mesh {
+
 using namespace tumble;
 using namespace tumble::sim3d;
 using namespace tumble::sim3d::testing;
@@ -351,3 +353,5 @@ TEST_CASE("broken triangles are named, all at once, and a flood of them is cut s
     CHECK(problems_of({{Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()}}).find("triangle 1 has no area") == 10);
     CHECK(problems_of({}).find("no triangles") != std::string::npos);
 }
+
+} // namespace test_wall_mesh

@@ -7,6 +7,8 @@
 #include <doctest/doctest.h>
 #include <numbers>
 
+namespace test_wall_surface {
+
 using namespace tumble;
 using namespace tumble::sim3d;
 using Eigen::Vector3d;
@@ -354,3 +356,5 @@ TEST_CASE("sizes that make no wall are refused") {
     CHECK(first_problem(scene::MeshShape{}) == "there are no triangles in the mesh");
     CHECK(WallSurface().primitives() == 0);
 }
+
+} // namespace test_wall_surface

@@ -13,4 +13,10 @@ inline double periods_past(const Domain& domain, Eigen::Index axis, double x) {
     return std::floor((x - domain.box.lo[axis]) / (domain.box.hi[axis] - domain.box.lo[axis]));
 }
 
+/// Whether the box reaches through the whole period of an axis, so that it has no sides along it.
+inline bool spans_period(const Domain& domain, const Box& box, Eigen::Index axis) {
+    return domain.periodic[static_cast<std::size_t>(axis)] && box.lo[axis] <= domain.box.lo[axis] &&
+           box.hi[axis] >= domain.box.hi[axis];
+}
+
 } // namespace tumble::scene

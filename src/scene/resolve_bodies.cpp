@@ -1,6 +1,7 @@
 #include "base/text.h"
 #include "scene/faults.h"
 #include "scene/keys.h"
+#include "scene/period.h"
 #include "scene/read_clump.h"
 #include "scene/resolve.h"
 
@@ -76,6 +77,24 @@ bool inside(const Vector3d& point, const Box& box) {
     return (point.array() >= box.lo.array()).all() && (point.array() <= box.hi.array()).all();
 }
 
+/// A body with a sphere wider than the region never fits, however it is turned.
+void check_width(const View& view, const Fill& fill, const Resolving& to) {
+    if (to.scene.bodies.empty())
+        return;
+    double radius = 0;
+    for (const Sphere& sphere : to.scene.bodies[static_cast<std::size_t>(fill.body)].spheres)
+        radius = std::max(radius, sphere.radius);
+    for (int axis = 0; axis < to.scene.dimension; ++axis)
+        if (const double width = fill.region.hi[axis] - fill.region.lo[axis];
+            2 * radius > width && !spans_period(to.scene.domain, fill.region, axis))
+            return to.refuse(
+                view, "region_hi_m",
+                fmt::format("the region is {:.4g} m wide along {}, and one {} of body '{}' alone is {:.4g} m wide",
+                            width, "xyz"[axis], to.scene.dimension == 2 ? "disc" : "sphere",
+                            to.scene.bodies[static_cast<std::size_t>(fill.body)].name, 2 * radius),
+                "look at the unit of its size, or enlarge the region");
+}
+
 void check_region(const View& view, const Fill& fill, const Resolving& to) {
     if (view.written("region_lo_m") != view.written("region_hi_m") && !view.written("position_m")) {
         to.refuse(view, view.written("region_hi_m") ? "region_hi_m" : "region_lo_m",
@@ -91,6 +110,7 @@ void check_region(const View& view, const Fill& fill, const Resolving& to) {
                   "each value of region_hi_m must be above that of region_lo_m");
         return;
     }
+    check_width(view, fill, to);
     const Box& domain = to.scene.domain.box;
     for (const char* key : {"region_lo_m", "region_hi_m"})
         if (has_volume(domain) && !inside(view.vector(key), domain))

@@ -1,5 +1,7 @@
 #include "sim2d/cells.h"
 
+#include "base/cell_width.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -22,10 +24,7 @@ void Cells::sort(const scene::Domain& domain, const std::vector<Vector2d>& point
         }
     }
     const Vector2d length = (hi - lo).cwiseMax(std::max(reach, 1e-12));
-    double width = std::max(reach, 1e-12);
-    const double room = cells_per_point * static_cast<double>(points.size()) + 64;
-    while ((length / width).array().floor().max(1).prod() > room)
-        width *= 1.26;
+    const double width = cell_width_for(length, reach, cells_per_point * static_cast<double>(points.size()) + 64);
     for (int k = 0; k < 2; ++k) {
         const auto at = static_cast<std::size_t>(k);
         size_[at] = std::max(1, static_cast<int>(std::floor(length[k] / width)));

@@ -1,5 +1,6 @@
 #include "sim2d/placing.h"
 
+#include "scene/period.h"
 #include "scene/written.h"
 
 #include <algorithm>
@@ -21,16 +22,11 @@ double angle_for(FillState& fill) {
     return fill.fill.orientation == scene::Orientation::random ? fill.rng.uniform(0, 2 * std::numbers::pi) : 0.0;
 }
 
-bool spans_period(const scene::Domain& domain, const scene::Box& region, int axis) {
-    return domain.periodic[static_cast<std::size_t>(axis)] && region.lo[axis] <= domain.box.lo[axis] &&
-           region.hi[axis] >= domain.box.hi[axis];
-}
-
 bool inside_region(const scene::Domain& domain, const scene::Box& region, const std::vector<Disc>& discs) {
     for (const Disc& disc : discs)
         for (int axis = 0; axis < 2; ++axis)
-            if (!spans_period(domain, region, axis) && (disc.centre[axis] - disc.radius < region.lo[axis] ||
-                                                        disc.centre[axis] + disc.radius > region.hi[axis]))
+            if (!scene::spans_period(domain, region, axis) && (disc.centre[axis] - disc.radius < region.lo[axis] ||
+                                                               disc.centre[axis] + disc.radius > region.hi[axis]))
                 return false;
     return true;
 }
@@ -110,6 +106,7 @@ public:
         } else if (!at_random(fill)) {
             return std::nullopt;
         }
+        fill.begun = true;
         fill.placed += static_cast<std::int64_t>(placed_.size() - before);
         const double again = static_cast<double>(site_.step) * site_.dt + fill.fill.every;
         fill.next_step = static_cast<std::int64_t>(std::ceil(again / site_.dt));
@@ -226,7 +223,7 @@ std::int64_t next_due(const std::vector<FillState>& fills) {
 std::vector<std::string> owed_by(const std::vector<FillState>& fills, const std::vector<ShapeData>& shapes) {
     std::vector<std::string> reports;
     for (const FillState& fill : fills)
-        if (fill.placed < fill.asked && (fill.over || fill.placed > 0))
+        if (fill.begun && fill.placed < fill.asked)
             reports.push_back(owed(shapes, fill));
     return reports;
 }

@@ -116,8 +116,8 @@ template <class Archive, As<WallState> W> void carry(Archive& archive, W& state)
 }
 
 template <class Archive, As<FillState> F> void carry(Archive& archive, F& state) {
-    auto& [fill, rng, asked, placed, next_step, over] = state; // the first is the scene's
-    archive(rng, asked, placed, next_step, over);
+    auto& [fill, rng, asked, placed, next_step, begun, over] = state; // the first is the scene's
+    archive(rng, asked, placed, next_step, begun, over);
 }
 
 template <class Archive, As<Ledger> L> void carry(Archive& archive, L& ledger) {

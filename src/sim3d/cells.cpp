@@ -1,5 +1,7 @@
 #include "sim3d/cells.h"
 
+#include "base/cell_width.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -20,10 +22,7 @@ void Cells::sort(const scene::Domain& domain, const Lines<Bounds>& bodies, doubl
         }
     }
     const Eigen::Vector3d length = (hi - lo).cwiseMax(reach);
-    double width = reach;
-    const double room = cells_per_body * static_cast<double>(bodies.size()) + 64;
-    while ((length / width).array().floor().max(1).prod() > room)
-        width *= 1.26;
+    const double width = cell_width_for(length, reach, cells_per_body * static_cast<double>(bodies.size()) + 64);
     for (int k = 0; k < 3; ++k) {
         const auto at = static_cast<std::size_t>(k);
         size_[at] = std::max(1, static_cast<int>(std::floor(length[k] / width)));

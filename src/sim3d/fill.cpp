@@ -1,5 +1,6 @@
 #include "sim3d/fill.h"
 
+#include "base/cell_width.h"
 #include "scene/period.h"
 #include "scene/written.h"
 #include "sim3d/placement.h"
@@ -34,13 +35,12 @@ class Crowd {
 public:
     /// Room for the world's bodies and `more`.
     Crowd(const World& world, std::int64_t more) : world_(world) {
-        double width = 1e-9;
+        double largest = 0;
         for (const ShapeConstants& shape : world.shape_constants)
-            width = std::max(width, 2 * shape.bounding_radius);
+            largest = std::max(largest, 2 * shape.bounding_radius);
         const Vector3d length = world.scene.domain.box.hi - world.scene.domain.box.lo;
-        const double room = cells_per_body * (static_cast<double>(more) + world.bodies()) + 64;
-        while ((length / width).array().floor().max(1).prod() > room)
-            width *= 1.26;
+        const double width =
+            cell_width_for(length, largest, cells_per_body * (static_cast<double>(more) + world.bodies()) + 64);
         for (int k = 0; k < 3; ++k)
             size_[static_cast<std::size_t>(k)] = std::max(static_cast<int>(length[k] / width), 1);
         first_.assign(static_cast<std::size_t>(size_[0] * size_[1] * size_[2]), -1);
@@ -127,18 +127,13 @@ private:
     std::vector<Placement> bodies_;
 };
 
-bool spans_period(const scene::Domain& domain, const scene::Box& region, int axis) {
-    return domain.periodic[static_cast<std::size_t>(axis)] && region.lo[axis] <= domain.box.lo[axis] &&
-           region.hi[axis] >= domain.box.hi[axis];
-}
-
 bool inside_region(const World& world, const scene::Box& region, const Placement& body) {
     const ShapeConstants& shape = world.shape_constants[static_cast<std::size_t>(body.shape)];
     for (int s = 0; s < shape.exposed_count; ++s) {
         const double* sphere = shape.exposed + 4 * static_cast<std::ptrdiff_t>(s);
         const Vector3d centre = body.position + body.rotation * Vector3d(sphere[0], sphere[1], sphere[2]);
         for (int axis = 0; axis < 3; ++axis)
-            if (!spans_period(world.scene.domain, region, axis) &&
+            if (!scene::spans_period(world.scene.domain, region, axis) &&
                 (centre[axis] - sphere[3] < region.lo[axis] || centre[axis] + sphere[3] > region.hi[axis]))
                 return false;
     }
@@ -244,6 +239,7 @@ std::optional<Problem> insert_fill(World& world, FillState& fill) {
             return std::nullopt;
         }
     }
+    fill.begun = true;
     fill.placed += static_cast<std::int64_t>(placed.size());
     const double again = world.time() + fill.fill.every;
     fill.next_step = static_cast<std::int64_t>(std::ceil(again / world.dt));
@@ -260,7 +256,8 @@ std::optional<Problem> insert_fill(World& world, FillState& fill) {
 Problems prepare_fills(World& world) {
     Problems problems;
     for (const scene::Fill& fill : world.scene.fills) {
-        FillState state{fill, Rng(world.scene.seed * 0x9e3779b97f4a7c15ULL + world.fills.size()), 0, 0, 0, false};
+        FillState state{fill, Rng(world.scene.seed * 0x9e3779b97f4a7c15ULL + world.fills.size()), 0, 0, 0, false,
+                        false};
         const double mass = world.shapes[static_cast<std::size_t>(fill.body)].shape.mass;
         state.asked = fill.count ? *fill.count : std::llround(fill.mass.value_or(0) / mass);
         state.next_step = static_cast<std::int64_t>(std::ceil(fill.start / world.dt - 1e-9));
@@ -287,7 +284,7 @@ std::optional<Problem> insert_due_fills(World& world) {
 std::vector<std::string> unfilled(const World& world) {
     std::vector<std::string> reports;
     for (const FillState& fill : world.fills)
-        if (fill.placed < fill.asked && (fill.over || fill.placed > 0))
+        if (fill.begun && fill.placed < fill.asked)
             reports.push_back(owed(world, fill));
     return reports;
 }

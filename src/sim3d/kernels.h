@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string_view>
 
-/// The loops that take the time. kernel_*.cpp are built once per instruction set; everything they see is a plain
+/// The loops that take the time. kernels/*.cpp are built once per instruction set; everything they see is a plain
 /// pointer or number, so that no template of the standard library is built for a set the machine may lack.
 namespace tumble::sim3d {
 

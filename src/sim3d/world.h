@@ -203,6 +203,7 @@ struct FillState {
     std::int64_t asked = 0;
     std::int64_t placed = 0;
     std::int64_t next_step = 0;
+    bool begun = false; // has been tried
     bool over = false;
 };
 

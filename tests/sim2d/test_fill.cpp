@@ -59,6 +59,20 @@ constexpr double turn = 2 * std::numbers::pi;
 
 } // namespace
 
+TEST_CASE("a world without discs steps on, and its fill begins when it should") {
+    Sandbox box({0.67, 0.58}, 1e-5);
+    box.scene.domain.box = {{-0.1, -0.1, 0}, {0.1, 0.1, 0}};
+    box.scene.fills = {square(0.05, box.disc(3e-3))};
+    box.scene.fills[0].start = box.scene.fills[0].until = 50e-5;
+    auto world = build_world(box.scene, 1);
+    REQUIRE_MESSAGE(world.ok(), to_string(world.problems()));
+    REQUIRE(!advance(**world, 50));
+    CHECK(bodies_of(**world).empty());
+    CHECK(unfilled(**world).empty()); // it owes nothing yet
+    REQUIRE(!advance(**world, 2));
+    CHECK(bodies_of(**world).size() == 60);
+}
+
 TEST_CASE("a fill places what it is asked for, inside the walls, and nothing overlaps") {
     Sandbox box = box_of_20_m(false);
     scene::BoxShape walls;

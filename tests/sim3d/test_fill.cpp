@@ -60,6 +60,32 @@ TEST_CASE("before the first step the books hold the bodies with the energy that 
     CHECK(books_of(*box.world).kinetic_translation == about(books.kinetic_translation));
 }
 
+TEST_CASE("a world without bodies steps on, and its fill begins when it should") {
+    Sandbox box = jar();
+    box.scene.fills = {fill_of(box.ball(3e-3), 20)};
+    box.scene.fills[0].start = box.scene.fills[0].until = 50e-5;
+    auto world = build_world(box.scene, 1);
+    REQUIRE_MESSAGE(world.ok(), to_string(world.problems()));
+    REQUIRE(!advance(**world, 50));
+    CHECK(bodies_of(**world).empty());
+    CHECK(books_of(**world).closure == 0);
+    CHECK(unfilled(**world).empty()); // it owes nothing yet
+    REQUIRE(!advance(**world, 2));
+    CHECK(bodies_of(**world).size() == 20);
+}
+
+TEST_CASE("a fill that has begun and has placed nothing is reported, although it may go on") {
+    Sandbox box = jar();
+    box.scene.fills = {fill_of(box.ball(3e-3), 5)};
+    box.scene.fills[0].region = {{-0.05, -0.05, -0.05}, {0.05, -0.04, 0.05}}; // below the jar
+    box.scene.fills[0].until = 1;
+    auto world = build_world(box.scene, 1);
+    REQUIRE_MESSAGE(world.ok(), to_string(world.problems()));
+    REQUIRE(!advance(**world, 3));
+    REQUIRE(unfilled(**world).size() == 1);
+    CHECK(unfilled(**world)[0].find("placed 0") != std::string::npos);
+}
+
 TEST_CASE("a fill places what it is asked for, inside the walls, and nothing overlaps") {
     Sandbox box = jar();
     box.scene.fills = {fill_of(box.body({{{0, 0, 0}, 3e-3}, {{4e-3, 0, 0}, 2e-3}}), 150), fill_of(box.ball(3e-3), 150)};
@@ -72,17 +98,27 @@ TEST_CASE("a fill places what it is asked for, inside the walls, and nothing ove
     CHECK(books_of(**world).overlap_max == 0);
 }
 
-TEST_CASE("random orientations are spread evenly: the mean direction of 4000 is near zero") {
+TEST_CASE("random orientations are spread evenly: the first and second moments of three axes of 4000 bodies") {
     Sandbox box = jar();
     box.scene.walls.clear();
     box.scene.fills = {fill_of(box.body({{{0, 0, 0}, 3e-4}, {{4e-4, 0, 0}, 2e-4}}), 4000)};
     auto world = build_world(box.scene, 1);
     REQUIRE_MESSAGE(world.ok(), to_string(world.problems()));
-    Vector3d mean = Vector3d::Zero();
-    for (const BodyState& body : bodies_of(**world))
-        mean += body.orientation * Vector3d::UnitX() / 4000;
-    // Each component of a random unit vector has variance 1/3: four standard errors.
-    CHECK(mean.cwiseAbs().maxCoeff() < 4 * std::sqrt(1.0 / 3 / 4000));
+    // Each component of a random unit vector has mean 0 and mean square 1/3; the square has variance 1/5 - 1/9, the
+    // product of two 1/15. Four standard errors.
+    for (const Vector3d& axis :
+         {Vector3d(Vector3d::UnitX()), Vector3d(Vector3d::UnitY()), Vector3d(Vector3d::UnitZ())}) {
+        Vector3d mean = Vector3d::Zero(), square = Vector3d::Zero(), product = Vector3d::Zero();
+        for (const BodyState& body : bodies_of(**world)) {
+            const Vector3d turned = body.orientation * axis;
+            mean += turned / 4000;
+            square += turned.cwiseAbs2() / 4000;
+            product += turned.cwiseProduct(Vector3d(turned.y(), turned.z(), turned.x())) / 4000;
+        }
+        CHECK(mean.cwiseAbs().maxCoeff() < 4 * std::sqrt(1.0 / 3 / 4000));
+        CHECK((square - Vector3d::Constant(1.0 / 3)).cwiseAbs().maxCoeff() < 4 * std::sqrt((1.0 / 5 - 1.0 / 9) / 4000));
+        CHECK(product.cwiseAbs().maxCoeff() < 4 * std::sqrt(1.0 / 15 / 4000));
+    }
 }
 
 TEST_CASE("a mass is turned into the nearest number of bodies") {

@@ -213,7 +213,7 @@ TEST_CASE("the books of a damped, sliding impact close, the better the shorter t
     const double coarse = closure(4e-8);
     const double fine = closure(1e-8);
     CHECK(coarse < 2e-3);
-    CHECK(fine < 0.4 * coarse);
+    CHECK(fine < 0.3 * coarse);
 }
 
 TEST_CASE("without pulling forces a linear impact ends when the force does, as Schwager and Poeschel derive") {

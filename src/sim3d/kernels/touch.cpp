@@ -43,7 +43,7 @@ TUMBLE_INLINE void append(unsigned set, int first, int* to, int& count) {
 }
 
 /// Calls pack(first, n) for every eight of `count` pairs; full packs are known to be full.
-template <class PackOf> TUMBLE_INLINE void by_packs(int count, PackOf&& pack) {
+template <class PackOf> TUMBLE_INLINE void by_whole_packs(int count, PackOf&& pack) {
     int first = 0;
     for (; first + lanes <= count; first += lanes)
         pack(first, lanes);
@@ -84,7 +84,7 @@ int near_bodies(const Bounds* bounds, int begin, int end, const Bounds& sphere, 
 int near_spheres(const BodyMotion* motion, const SpherePair* pairs, int count, const Shift* images, double skin,
                  int* found) {
     int n = 0;
-    by_packs(count, [&](int first, int of_these) TUMBLE_INLINE_LAMBDA {
+    by_whole_packs(count, [&](int first, int of_these) TUMBLE_INLINE_LAMBDA {
         append(closer_than(skin, motion, pairs + first, of_these, images), first, found, n);
     });
     return n;
@@ -93,7 +93,7 @@ int near_spheres(const BodyMotion* motion, const SpherePair* pairs, int count, c
 TouchCounts touch_spheres(const BodyMotion* motion, const NearPair* pairs, int count, const Shift* images, double hold,
                           std::uint8_t* touching, int* contacts, int* ended) {
     TouchCounts counts{0, 0};
-    by_packs(count, [&](int first, int n) TUMBLE_INLINE_LAMBDA {
+    by_whole_packs(count, [&](int first, int n) TUMBLE_INLINE_LAMBDA {
         const unsigned was = bits_of_bytes(touching + first, n);
         unsigned now = closer_than(0, motion, pairs + first, n, images);
         if (hold > 0)

@@ -15,10 +15,12 @@ SHAKING = 0.04                         # s, period of the wall's motion
 # The bed answers every second shake alike (it turns at -0.5 rad/s in one period, at +0.2 in the next), so means are
 # taken over pairs of periods; the first pair is left to the start.
 PAIR = 2 * SHAKING
-# Differences below either count as agreement: three seeds each leave four degrees of freedom, and Student's t then stays
-# within 4 standard errors in 98 of 100 comparisons.
-STANDARD_ERRORS, SHARE = 4, 0.02
-MASS, SEEDS = 4.675e-3, (49979687, 67867967, 86028121, 104395301)
+# Differences below either count as agreement. Eleven figures are compared, so each is held to what Student's t exceeds in
+# one of a hundred comparisons; by degrees of freedom, two less than there are runs.
+STUDENT_99 = {2: 9.92, 4: 4.60, 6: 3.71, 8: 3.36, 10: 3.17, 12: 3.05, 14: 2.98, 16: 2.92, 18: 2.88}
+SHARE = 0.02
+MASS = 4.675e-3
+SEEDS = (49979687, 67867967, 86028121, 104395301, 122949823, 141650939, 160481183, 179424673, 198491317, 217645199)
 INERTIA = 1.66e-7                      # kg m2, mean of the cone's principal moments; for the spin's energy only
 
 
@@ -123,7 +125,7 @@ def one_seed(seed, settings, core):
     return statistics(rest, vibrating, spheres_of(ran.folder / "ours.dump"), every, dt), theirs
 
 
-def compare(cones=200, seeds=3, cores=(0, 1), dt=1e-5, rest_steps=60000, shake_steps=40000, every=200):
+def compare(cones=200, seeds=8, cores=(0, 1), dt=1e-5, rest_steps=60000, shake_steps=40000, every=200):
     """{figure: {"tumble": [per seed], "liggghts": [per seed], "apart": difference of the means in standard errors,
     "agrees"}}"""
     settings = {"cones": cones, "dt": dt, "rest_steps": rest_steps, "shake_steps": shake_steps, "every": every}
@@ -135,7 +137,7 @@ def compare(cones=200, seeds=3, cores=(0, 1), dt=1e-5, rest_steps=60000, shake_s
         ours, theirs = (np.array([pair[side][name] for pair in both], float) for side in (0, 1))
         error = np.sqrt((ours.var(ddof=1) + theirs.var(ddof=1)) / seeds) if seeds > 1 else np.nan
         gap = ours.mean() - theirs.mean()
-        agrees = abs(gap) <= max(STANDARD_ERRORS * error, SHARE * abs(theirs.mean())) if seeds > 1 else None
+        agrees = abs(gap) <= max(STUDENT_99[2 * seeds - 2] * error, SHARE * abs(theirs.mean())) if seeds > 1 else None
         table[name] = {"tumble": ours.tolist(), "liggghts": theirs.tolist(),
                        "apart": float(gap / error) if error > 0 else (0.0 if gap == 0 else None),
                        "agrees": None if agrees is None else bool(agrees)}

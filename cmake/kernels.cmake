@@ -19,6 +19,9 @@ function(tumble_kernels layer)
     target_link_libraries(${kernels} PRIVATE tumble_options)
     target_compile_options(${kernels} PRIVATE -O3 -Wno-psabi $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
                            ${TUMBLE_ISA_FLAGS_${isa}})
+    if(TUMBLE_FUZZ) # no fuzzer steps a world; under the sanitizers these loops take longest of all to compile
+      target_compile_options(${kernels} PRIVATE -O1 -fno-sanitize=all)
+    endif()
     target_compile_definitions(${kernels} PRIVATE TUMBLE_ISA=isa_${isa})
     target_link_libraries(tumble_${layer} PRIVATE $<TARGET_OBJECTS:${kernels}>)
     target_compile_definitions(tumble_${layer} PRIVATE TUMBLE_HAS_isa_${isa})

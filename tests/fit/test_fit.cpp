@@ -104,7 +104,7 @@ TEST_CASE("the spheres of a cone are as many as asked for, touch it from inside 
         CHECK(report.union_volume < solid.volume);
         CHECK(std::abs(report.union_centre.x()) < 0.01 * cone.diameter); // rings of an odd number lean a little
     }
-    const auto large = spheres_in(cone, {36, 0.004}); // the inscribed sphere has 3.25 mm
+    const auto large = spheres_in(cone, {36, 0.004}); // the inscribed sphere has 3.33 mm
     REQUIRE(!large.ok());
     CHECK(large.problems()[0].fix.starts_with("give --smallest below that and above 0; a quarter of it, 0.8"));
     CHECK(!spheres_in(cone, {7, 0.0006}).ok());

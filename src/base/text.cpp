@@ -150,7 +150,14 @@ std::string shortest(double value) {
     return {digits.data(), end};
 }
 
+std::string fixed(double value, int digits) {
+    std::string text = fmt::format("{:.{}f}", value, digits);
+    const bool zero = text.find_first_not_of("-0.") == std::string::npos;
+    return zero && text[0] == '-' ? text.substr(1) : text;
+}
+
 std::string format_si(double value, std::string_view unit, int digits) {
+    value += 0.0; // of -0 makes 0
     if (unit == "kg") {
         if (std::abs(value) < 1 && value != 0)
             return format_si(value * 1e3, "g", digits);

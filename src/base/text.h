@@ -46,6 +46,9 @@ Result<std::int64_t> parse_integer(std::string_view text);
 /// The shortest decimal form that reads back to the same bits.
 std::string shortest(double value);
 
+/// So many digits behind the point; a value that rounds to 0 has no sign: "0.000", never "-0.000".
+std::string fixed(double value, int digits);
+
 /// "40.34 us", "10.7 kN", "4.675 g": the value in its SI unit, with a prefix from p to T and at most `digits`
 /// significant digits. Compound units and those that take no prefix ("kg/m3", "m2", "deg", "%", "") stay as they are.
 std::string format_si(double value, std::string_view unit, int digits = 4);

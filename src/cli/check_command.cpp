@@ -73,6 +73,7 @@ std::string step_text(const scene::TimeStepReport& report) {
 }
 
 std::string cost_text(const run::SceneCheck& check, const scene::Render& settings) {
+    const double seconds = 3600 * check.hours;
     const auto size = [](double bytes) { return scene::in_words(static_cast<std::size_t>(bytes)); };
     return table(
         {{"steps", fmt::format("{}", check.steps)},
@@ -81,8 +82,8 @@ std::string cost_text(const run::SceneCheck& check, const scene::Render& setting
          {"drawn", fmt::format("with --frames or --video {} of {} x {}, beside the steps: not in the time below",
                                counted(check.frames, "picture", "pictures"), settings.width, settings.height)},
          {"memory", fmt::format("about {}", size(check.memory_bytes))},
-         {"time", fmt::format("about {} on one core, taking {:.1g} body-steps/s", duration(3600 * check.hours),
-                              check.assumed_rate)}});
+         {"time", fmt::format("{} on one core, taking {:.1g} body-steps/s and 1 us a step at least",
+                              seconds < 1 ? "less than 1 s" : "about " + duration(seconds), check.assumed_rate)}});
 }
 
 int check_it(const CheckArguments& arguments) {

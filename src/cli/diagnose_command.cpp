@@ -1,7 +1,10 @@
+#include "base/make_folder.h"
 #include "base/text.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "cli/flag_checks.h"
+#include "cli/progress_line.h"
 #include "cli/scene_arguments.h"
 #include "diagnose/verdict.h"
 #include "observe/whole_file.h"
@@ -52,6 +55,30 @@ void tell(const diagnose::Diagnosis& diagnosis, bool quiet) {
     note(fmt::format("{} runs, {:.3g} s simulated", diagnosis.runs, diagnosis.simulated));
 }
 
+/// How far a diagnosis has come, on stderr: nobody knows beforehand how many simulations it will take.
+class Watch {
+public:
+    explicit Watch(bool quiet) : line_(quiet), quiet_(quiet) {}
+
+    void begins(const std::string& stage) {
+        line_.end();
+        if (!quiet_)
+            note("now: " + stage);
+    }
+    Result<observe::Series> run(const scene::Scene& scene) {
+        line_.working(fmt::format("     simulation {}, {:.3g} s simulated so far", ++runs_, simulated_));
+        simulated_ += scene.duration;
+        return run::record(scene);
+    }
+    void end() { line_.end(); }
+
+private:
+    ProgressLine line_;
+    bool quiet_;
+    int runs_ = 0;
+    double simulated_ = 0; // s
+};
+
 /// What was asked for as files. Problems: a place that cannot be written.
 Problems leave_files(const DiagnoseArguments& arguments, const diagnose::Diagnosis& diagnosis) {
     Problems problems;
@@ -61,8 +88,6 @@ Problems leave_files(const DiagnoseArguments& arguments, const diagnose::Diagnos
             problems.push_back(problem);
     };
     if (!arguments.report.empty()) {
-        std::error_code error;
-        fs::create_directories(arguments.report, error);
         leave(arguments.report / "diagnosis.json", report::to_json(diagnosis, run::version()).dump(2) + "\n");
         leave(arguments.report / "diagnosis.html", report::page_of(diagnosis, run::version()));
         leave(arguments.report / "residuals.csv", report::residuals_csv(diagnosis));
@@ -85,11 +110,17 @@ int diagnose_it(const DiagnoseArguments& arguments) {
     const auto measurement = diagnose::load_measurement(arguments.data);
     if (!measurement)
         return refuse(measurement.problems(), arguments.json, wrong);
+    if (!arguments.report.empty()) // a place that cannot be had is better known before the work than after it
+        if (const auto made = make_folder(arguments.report); !made)
+            return refuse(made.problems(), arguments.json, wrong);
     diagnose::SceneText scene{*text, arguments.scene.file};
     for (const std::string& set : arguments.scene.sets)
         scene.sets.push_back({set});
+    Watch watch(arguments.quiet);
     const auto diagnosis = diagnose::diagnose(
-        scene, *measurement, [](const scene::Scene& one) { return run::record(one); }, arguments.plan);
+        scene, *measurement, [&](const scene::Scene& one) { return watch.run(one); }, arguments.plan,
+        [&](const std::string& stage) { watch.begins(stage); });
+    watch.end();
     if (!diagnosis)
         return refuse(diagnosis.problems(), arguments.json, wrong);
     const Problems problems = leave_files(arguments, *diagnosis);
@@ -120,7 +151,7 @@ void add_diagnose_command(CLI::App& program, Action& action) {
         ->type_name("FILE")
         ->check(refuse_dash);
     command->add_flag("--plan", arguments->plan, "Propose experiments also where the answer is not ambiguous");
-    command->add_flag("--quiet", arguments->quiet, "No warnings on stderr");
+    command->add_flag("--quiet", arguments->quiet, "No progress, no warnings on stderr");
     command->add_flag("--json", arguments->json, "Print the diagnosis as JSON");
     command->callback([arguments, &action] { action = [arguments] { return diagnose_it(*arguments); }; });
 }

@@ -1,6 +1,7 @@
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "cli/flag_checks.h"
 #include "cli/sheet_flags.h"
 #include "excitation/show.h"
 #include "observe/whole_file.h"
@@ -127,22 +128,22 @@ void add_excitation_command(CLI::App& program, Action& action) {
     at("--at_mm", arguments->at_mm, "Where the first sensor sits, mm");
     at("--second_at_mm", arguments->second_at_mm, "Where the second sensor sits, mm");
     command->add_option("--about", arguments->about, "Axis that the body rocks about (x without it)")
-        ->check(CLI::IsMember({"x", "y", "z"}));
+        ->check(one_of({"x", "y", "z"}));
     command
         ->add_option("--motor_rpm", arguments->motor_rpm,
                      "Nominal speed: the fundamental is looked for within 8 % of it (without it: the strongest line)")
-        ->check(CLI::Range(1.0, 1e6));
+        ->check(number_from(1.0, 1e6));
     command->add_option("--up_to_Hz", arguments->settings.up_to, "Highest line looked for (250 without it)")
-        ->check(CLI::Range(1.0, 1e6));
+        ->check(number_from(1.0, 1e6));
     command->add_option("--mains_Hz", arguments->settings.mains, "Frequency of the mains (50 without it)")
-        ->check(CLI::Range(1.0, 1000.0));
+        ->check(number_from(1.0, 1000.0));
     command
         ->add_option("--bin_Hz", arguments->settings.bin,
                      "Width of a list's bins (without it: the widest that all lines are multiples of)")
-        ->check(CLI::Range(1e-6, 1e6));
+        ->check(number_from(1e-6, 1e6));
     command->add_flag("--hammer", arguments->hammer, "Knocks on a machine at rest: natural frequencies and damping");
     command->add_option("--start_s", arguments->start_s, "When the motion begins in the scene (0 without it)")
-        ->check(CLI::Range(0.0, 1e6));
+        ->check(number_from(0.0, 1e6));
     command->add_option("--out", arguments->folder, "Folder for motion.toml and the figures (needs gnuplot)")
         ->type_name("DIR");
     command->add_flag("--json", arguments->json, "Print the result as JSON");

@@ -1,6 +1,7 @@
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "cli/flag_checks.h"
 #include "cli/progress_line.h"
 #include "cli/scene_arguments.h"
 #include "cli/stop_flag.h"

@@ -1,6 +1,7 @@
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "cli/flag_checks.h"
 #include "cli/scene_arguments.h"
 #include "fit/report.h"
 #include "fit/spheres.h"
@@ -134,6 +135,9 @@ int fit_it(const FitArguments& arguments) {
     else
         for (const std::string& line : fit::sentences(report, result->spheres.size()))
             say(line);
+    if (arguments.compare.empty() && arguments.volume_mm3 == 0)
+        for (const std::string& line : fit::advice(report))
+            note("advice: " + line);
     return fine;
 }
 
@@ -151,18 +155,18 @@ void add_fit_command(CLI::App& program, Action& action) {
         ->type_name("D,H")
         ->delimiter(',')
         ->expected(2)
-        ->check(CLI::PositiveNumber);
+        ->check(number_above_zero());
     command->add_option("--scale", arguments->scale, "Metres per unit of the mesh: 0.001 for millimetres")
-        ->check(CLI::PositiveNumber);
+        ->check(number_above_zero());
     command->add_option("--spheres", arguments->spheres, "How many")
         ->type_name("N")
-        ->check(CLI::Range(1, static_cast<int>(scene::most_spheres)));
+        ->check(whole_number_from(1, static_cast<long long>(scene::most_spheres)));
     command->add_option("--smallest", arguments->smallest_mm, "Least radius, mm; 0.5 without it")
         ->type_name("R")
-        ->check(CLI::PositiveNumber);
+        ->check(number_above_zero());
     command->add_option("--volume", arguments->volume_mm3, "Scale at the end so that the union has this volume, mm3")
         ->type_name("V")
-        ->check(CLI::PositiveNumber);
+        ->check(number_above_zero());
     command->add_option("--compare", arguments->compare, "Fit nothing; say how far this clump is off")
         ->type_name("CLUMP.csv");
     command->add_option("--out", arguments->out, "Clump file to write")->type_name("FILE")->check(refuse_dash);

@@ -1,6 +1,8 @@
+#include "base/text.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "cli/flag_checks.h"
 #include "cli/progress_line.h"
 #include "cli/scene_arguments.h"
 #include "cli/stop_flag.h"
@@ -92,7 +94,7 @@ Json summary_of(const run::FlowReport& report) {
 }
 
 std::string cell(const Json& value, int digits = 3) {
-    return value.is_null() ? "-" : fmt::format("{:.{}f}", value.get<double>(), digits);
+    return value.is_null() ? "-" : fixed(value.get<double>(), digits);
 }
 
 void print(const Json& summary) {
@@ -102,9 +104,9 @@ void print(const Json& summary) {
     std::vector<std::vector<std::string>> rows{
         {"height m", "mass kg", "radial m/s", "tangential m/s", "vertical m/s", "speed m/s", "residence s"}};
     for (const Json& layer : summary["layers"])
-        rows.push_back({fmt::format("{:.3f} to {:.3f}", layer["from_m"].get<double>(), layer["to_m"].get<double>()),
-                        cell(layer["mass_kg"]), cell(layer["v_radial_m_s"]), cell(layer["v_tangential_m_s"]),
-                        cell(layer["v_vertical_m_s"]), cell(layer["speed_m_s"]), cell(layer["residence_s"])});
+        rows.push_back({cell(layer["from_m"]) + " to " + cell(layer["to_m"]), cell(layer["mass_kg"]),
+                        cell(layer["v_radial_m_s"]), cell(layer["v_tangential_m_s"]), cell(layer["v_vertical_m_s"]),
+                        cell(layer["speed_m_s"]), cell(layer["residence_s"])});
     say(table(rows));
     for (const Json& body : summary["bodies"]) {
         say(fmt::format("{}: goes up and down by {} m (peak to peak), a cycle takes {} s ({} seen)",
@@ -179,13 +181,15 @@ void add_flow_command(CLI::App& program, Action& action) {
         ->delimiter(',')
         ->expected(2);
     command->add_option("--radius", options.grid.radius, "How far the rings reach, m; as far as bodies do without it")
-        ->check(CLI::PositiveNumber);
+        ->check(number_above_zero());
     command->add_option("--heights", arguments->heights, "Lowest and highest, m; as far as bodies reach without it")
         ->type_name("LO,HI")
         ->delimiter(',')
         ->expected(2);
-    command->add_option("--rings", options.grid.rings, "How many rings; 12 without it")->check(CLI::Range(1, 1000));
-    command->add_option("--layers", options.grid.layers, "How many layers; 10 without it")->check(CLI::Range(1, 1000));
+    command->add_option("--rings", options.grid.rings, "How many rings; 12 without it")
+        ->check(whole_number_from(1, 1000));
+    command->add_option("--layers", options.grid.layers, "How many layers; 10 without it")
+        ->check(whole_number_from(1, 1000));
     command->add_option("--out", arguments->out, "Folder for tables (CSV)")->type_name("DIR")->check(refuse_dash);
     command->add_option("--picture", arguments->picture, "Picture of the field (needs gnuplot)")
         ->type_name("F.png|F.svg")

@@ -1,6 +1,7 @@
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "cli/flag_checks.h"
 #include "diagnose/cause.h"
 #include "observe/measures.h"
 #include "scene/keys.h"
@@ -58,10 +59,11 @@ int list_scenes(const ListArguments& arguments) {
     for (const fs::path& file : files) {
         const Result<scene::Scene> scene = scene::load_scene(file);
         items.push_back({{"file", file.string()},
+                         {"in", scene ? fmt::format("{}D", scene->dimension) : ""},
                          {"title", scene ? scene->title : "(cannot be read; tumble check says why)"},
                          {"claim", scene ? scene->claim : ""}});
     }
-    return show(items, {"file", "title"}, arguments.json);
+    return show(items, {"file", "in", "title"}, arguments.json);
 }
 
 /// What a word of a key in [contact] selects; the words themselves come from the key list.
@@ -154,7 +156,7 @@ void add_list_command(CLI::App& program, Action& action) {
     const auto arguments = std::make_shared<ListArguments>();
     command->add_option("WHAT", arguments->what, "scenes, laws, measures, causes or keys")
         ->required()
-        ->check(CLI::IsMember({"scenes", "laws", "measures", "causes", "keys"}));
+        ->check(one_of({"scenes", "laws", "measures", "causes", "keys"}));
     command->add_option("DIR", arguments->folder, "Folder with scenes; scenes/ without it");
     command->add_flag("--json", arguments->json, "Print the list as JSON");
     command->callback([arguments, &action] {

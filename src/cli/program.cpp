@@ -4,6 +4,7 @@
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "cli/usage_problem.h"
 #include "run/run_report.h"
 
 #include <exception>
@@ -76,8 +77,8 @@ int refuse_extras(const CLI::App& program) {
 }
 
 int refuse_parse(const CLI::App& program, const CLI::ParseError& error) {
-    return refuse({{.what = error.what(), .fix = "`" + Chosen(program).help() + "` shows how it is meant"}}, false,
-                  wrong);
+    const Chosen chosen(program);
+    return refuse({usage_problem(error, *chosen.command, chosen.words)}, false, wrong);
 }
 
 int act(const Action& action) {

@@ -32,14 +32,19 @@ std::string bar(double share) {
                        color ? "\033[0m" : "");
 }
 
+double share_of(std::int64_t done, std::int64_t all) {
+    return static_cast<double>(done) / static_cast<double>(std::max<std::int64_t>(all, 1));
+}
+
 std::string in_words(const run::Progress& now) {
     const double kinetic = now.books.kinetic_translation + now.books.kinetic_rotation;
     const std::string waits = now.waiting_share >= waiting_worth_a_word
                                   ? fmt::format(", {:.0f} % of the time waits for frames", 100 * now.waiting_share)
                                   : "";
-    return fmt::format("t = {:.4g} of {:.4g} s, {}, {:.3g} steps/s, {} left{}, kinetic energy {}", now.time,
-                       now.duration, counted(now.books.bodies, "body", "bodies"), now.steps_per_s, duration(now.left_s),
-                       waits, format_si(kinetic, "J", 3));
+    const std::string left = now.left_s && now.step < now.steps ? ", " + duration(*now.left_s) + " left" : "";
+    return fmt::format("t = {:.4g} of {:.4g} s, {}, {:.3g} steps/s{}{}, kinetic energy {}", now.time, now.duration,
+                       counted(now.books.bodies, "body", "bodies"), now.steps_per_s, left, waits,
+                       format_si(kinetic, "J", 3));
 }
 
 } // namespace
@@ -58,36 +63,47 @@ void ProgressLine::started(const std::filesystem::path& folder, const run::Progr
 
 void ProgressLine::brought_back(std::int64_t done, std::int64_t all) {
     if (!quiet_)
-        show(static_cast<double>(done) / static_cast<double>(std::max<std::int64_t>(all, 1)),
-             fmt::format("frame {} of {} of before, drawn and written anew", done, all), done >= all);
+        show(fmt::format("frame {} of {} of before, drawn and written anew", done, all), done >= all,
+             share_of(done, all));
+}
+
+void ProgressLine::nothing_left_to_do(const std::filesystem::path& folder) {
+    if (!quiet_)
+        note(fmt::format(
+            "{}: this run has come to its end: nothing is left to do, and nothing was touched\n    a longer "
+            "--duration goes on from there, --force in place of --resume runs it again",
+            folder.string()));
 }
 
 void ProgressLine::progressed(const run::Progress& now) {
-    const double share = now.steps > 0 ? static_cast<double>(now.step) / static_cast<double>(now.steps) : 1.0;
     if (!quiet_)
-        show(share, in_words(now), now.step >= now.steps);
+        show(in_words(now), now.step >= now.steps, now.steps > 0 ? share_of(now.step, now.steps) : 1.0);
 }
 
 void ProgressLine::frames(std::int64_t done, std::int64_t all) {
     if (!quiet_)
-        show(static_cast<double>(done) / static_cast<double>(std::max<std::int64_t>(all, 1)),
-             fmt::format("frame {} of {}", done, all), done >= all);
+        show(fmt::format("frame {} of {}", done, all), done >= all, share_of(done, all));
 }
 
-void ProgressLine::show(double share, const std::string& text, bool last) {
+void ProgressLine::working(const std::string& text) {
+    if (!quiet_)
+        show(text, false, std::nullopt);
+}
+
+void ProgressLine::show(const std::string& text, bool last, std::optional<double> share) {
     const double now = std::chrono::duration<double>(Clock::now() - begun_).count();
     if (now < next_ && !(last && line_open_))
         return;
     if (!terminal_) {
-        note(fmt::format("{:3.0f} %  {}", 100 * share, text));
+        note(share ? fmt::format("{:3.0f} %  {}", 100 * *share, text) : text);
         next_ = std::max(now + first_line_after, now * lines_stretch_by);
         return;
     }
     const std::size_t room = terminal_width() - 1;
-    const std::string head = fmt::format("{:3.0f} % ", 100 * share);
-    constexpr std::size_t bar_width = 21;
-    const std::size_t left = room > head.size() + bar_width ? room - head.size() - bar_width : 0;
-    std::fputs(("\r\033[K" + head + bar(share) + " " + text.substr(0, left)).c_str(), stderr);
+    constexpr std::size_t head_width = 27;
+    const std::string head = share ? fmt::format("{:3.0f} % {} ", 100 * *share, bar(*share)) : "";
+    const std::size_t taken = share ? head_width : 0;
+    std::fputs(("\r\033[K" + head + text.substr(0, room > taken ? room - taken : 0)).c_str(), stderr);
     std::fflush(stderr);
     line_open_ = true;
     next_ = now + redraw_every;

@@ -3,6 +3,7 @@
 #include "run/run_scene.h"
 
 #include <chrono>
+#include <optional>
 #include <string>
 
 namespace tumble::cli {
@@ -17,16 +18,18 @@ public:
     void progressed(const run::Progress& now) override;
     void warned(const std::string& sentence) override;
     void brought_back(std::int64_t frames, std::int64_t of) override;
+    void nothing_left_to_do(const std::filesystem::path& folder) override;
 
-    /// The same for work counted in frames.
+    /// The same for work counted in frames, and for work of which nobody knows how much there will be.
     void frames(std::int64_t done, std::int64_t all);
+    void working(const std::string& text);
     /// Leaves the terminal on a fresh line.
     void end();
 
 private:
     using Clock = std::chrono::steady_clock;
 
-    void show(double share, const std::string& text, bool last);
+    void show(const std::string& text, bool last, std::optional<double> share);
 
     bool quiet_;
     bool terminal_;

@@ -1,6 +1,7 @@
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "cli/flag_checks.h"
 #include "cli/progress_line.h"
 #include "cli/scene_arguments.h"
 #include "cli/sheet_flags.h"
@@ -165,14 +166,14 @@ void add_reduce_command(CLI::App& program, Action& action) {
         ->take_all();
     command->add_option("--seeds", options.seeds, "Runs of each, from the scene's seed on; 2 without it")
         ->type_name("N")
-        ->check(CLI::Range(2, 100));
+        ->check(whole_number_from(2, 100));
     command
         ->add_option(
             "--budget", options.budget,
             "Wall time for all runs, s: those that would go beyond are left out, the dearest first. The fullest "
             "that was run is then the reference")
         ->type_name("S")
-        ->check(CLI::PositiveNumber);
+        ->check(number_above_zero());
     command
         ->add_option("--measure", arguments->measures,
                      "Compare this mean too (`tumble list measures`); may be repeated")
@@ -188,7 +189,7 @@ void add_reduce_command(CLI::App& program, Action& action) {
         ->check(refuse_dash);
     command->add_option("--threads", options.threads, "Threads that step; 1 without it")
         ->type_name("N")
-        ->check(CLI::Range(1, 256));
+        ->check(whole_number_from(1, 256));
     command->add_flag("--quiet", arguments->quiet, "No progress on stderr");
     command->add_flag("--json", arguments->json, "Print the result as JSON");
     command->callback([arguments, &action] { action = [arguments] { return reduce_it(*arguments); }; });

@@ -2,6 +2,7 @@
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "cli/flag_checks.h"
 #include "cli/progress_line.h"
 #include "cli/render_settings.h"
 #include "cli/run_outcome.h"

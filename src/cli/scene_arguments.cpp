@@ -1,8 +1,23 @@
 #include "cli/scene_arguments.h"
 
+#include "run/run_folder.h"
 #include "scene/load.h"
 
 namespace tumble::cli {
+
+namespace {
+
+Problem a_folder(const std::filesystem::path& folder) {
+    if (!run::find_run(folder))
+        return {.file = folder.string(),
+                .what = "is a folder, not a scene file",
+                .fix = "name a scene file, such as scenes/drop.toml; `tumble list scenes DIR` lists those of a folder"};
+    return {.file = folder.string(),
+            .what = "is the folder of a run, not a scene file",
+            .fix = "its scene is " + (folder / "scene.toml").string()};
+}
+
+} // namespace
 
 void SceneArguments::add_to(CLI::App& command) {
     command.add_option("SCENE", file, "Scene file (TOML)")->required();
@@ -26,14 +41,12 @@ void SceneArguments::add_sets_to(CLI::App& command) {
 }
 
 Result<scene::Scene> SceneArguments::load() const {
+    if (std::error_code ignored; std::filesystem::is_directory(file, ignored))
+        return a_folder(file);
     std::vector<scene::Override> overrides;
     for (const std::string& text : sets)
         overrides.push_back({text});
     return scene::load_scene(file, overrides);
-}
-
-std::string refuse_dash(const std::string& name) {
-    return name == "-" ? "'-' is not a place to write to: give the name of a file or folder" : "";
 }
 
 std::string quoted(const std::string& word) {

@@ -23,9 +23,6 @@ struct SceneArguments {
     [[nodiscard]] Result<scene::Scene> load() const;
 };
 
-/// For flags that name what will be made: "-" is refused, which would become a file or folder of that name.
-std::string refuse_dash(const std::string& name);
-
 /// TOML text of a word given on the command line: "top" -> "\"top\"".
 std::string quoted(const std::string& word);
 

@@ -32,8 +32,8 @@ constexpr std::pair<double, const char*> usual_slips[] = {
 
 class Diagnosing {
 public:
-    Diagnosing(const SceneText& scene, const Measurement& measurement, const Simulate& simulate)
-        : scene_(scene), measurement_(measurement), simulate_(simulate) {}
+    Diagnosing(const SceneText& scene, const Measurement& measurement, const Simulate& simulate, const TellStage& tell)
+        : scene_(scene), measurement_(measurement), simulate_(simulate), tell_(tell) {}
 
     Result<Diagnosis> run(bool plan) {
         d_.title = measurement_.title;
@@ -55,15 +55,24 @@ public:
         if (!model)
             return model.problems();
         model_ = &*model;
+        tell("fits the baseline, and how each cause would show");
         Problems problems = find_baseline();
-        if (problems.empty() && baseline_.converged)
+        if (problems.empty())
+            doubt_bounds();
+        if (problems.empty() && baseline_.converged) {
+            tell("fits the causes that show");
             problems = decide_it();
-        if (problems.empty() && d_.decision.best)
+        }
+        if (problems.empty() && d_.decision.best) {
+            tell("measures what the extended scene gains");
             problems = measure_gain();
+        }
         if (!problems.empty())
             return problems;
-        if (plan || d_.decision.outcome == Outcome::ambiguous)
+        if (plan || d_.decision.outcome == Outcome::ambiguous) {
+            tell("looks for experiments that would tell the causes apart");
             propose();
+        }
         draw();
         d_.simulated = model_->simulated();
         d_.runs = model_->runs();
@@ -71,6 +80,11 @@ public:
     }
 
 private:
+    void tell(const std::string& stage) const {
+        if (tell_)
+            tell_(stage);
+    }
+
     Problems find_baseline() {
         noise_ = first_noise(*model_);
         const VectorXd start = model_->start();
@@ -95,11 +109,30 @@ private:
         if (!fitted)
             return fitted.problems();
         baseline_ = std::move(*fitted);
-        if (!baseline_.converged)
+        if (!baseline_.converged) {
             d_.decision.reason = fmt::format("the baseline could not be fitted: a further step would still gain {:.2g} "
                                              "nats",
                                              baseline_.decrement);
+            d_.decision.remedy = "Let the scene begin nearer to what is known of its nuisances, state their spread, or "
+                                 "leave fewer of them free.";
+        }
         return {};
+    }
+
+    void doubt_bounds() {
+        for (int k = 0; k < model_->nuisances(); ++k) {
+            const Parameter& parameter = model_->parameters()[static_cast<std::size_t>(k)];
+            const double value = baseline_.values[k];
+            if (value > parameter.lo && value < parameter.hi)
+                continue;
+            d_.warnings.push_back(
+                {.file = measurement_.file.string(),
+                 .key = "nuisance at its bound",
+                 .what = fmt::format("{} ended at {:g}, as far from {:g} as a fit may take it", parameter.name, value,
+                                     parameter.start),
+                 .fix = "let the scene begin nearer to it or state a larger spread; if it cannot be true, look for a "
+                        "slip of units or of files"});
+        }
     }
 
     /// Slopes of every cause beside the baseline, and the directions of no cause. A cause that cannot be simulated here
@@ -217,8 +250,10 @@ private:
             refit.amplitude[k] = fitted->values[model_->parameter_of(causes[static_cast<std::size_t>(k)])];
             if (refit.amplitude[k] <= parameter.lo || refit.amplitude[k] >= parameter.hi) {
                 refit.possible = false;
-                refit.refused = fmt::format("would have to be {} {:g}",
-                                            refit.amplitude[k] <= parameter.lo ? "below" : "above", refit.amplitude[k]);
+                refit.refused =
+                    fmt::format("would have to be {} {:g}, the end of its range: look for a slip, or another "
+                                "cause",
+                                refit.amplitude[k] <= parameter.lo ? "below" : "above", refit.amplitude[k]);
             }
         }
         return refit;
@@ -383,6 +418,7 @@ private:
     const SceneText& scene_;
     const Measurement& measurement_;
     const Simulate& simulate_;
+    const TellStage& tell_;
     Diagnosis d_;
     std::vector<Record> aside_;
     Model* model_ = nullptr;
@@ -394,9 +430,9 @@ private:
 
 } // namespace
 
-Result<Diagnosis> diagnose(const SceneText& scene, const Measurement& measurement, const Simulate& simulate,
-                           bool plan) {
-    return Diagnosing(scene, measurement, simulate).run(plan);
+Result<Diagnosis> diagnose(const SceneText& scene, const Measurement& measurement, const Simulate& simulate, bool plan,
+                           const TellStage& tell) {
+    return Diagnosing(scene, measurement, simulate, tell).run(plan);
 }
 
 } // namespace tumble::diagnose

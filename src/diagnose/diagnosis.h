@@ -4,6 +4,9 @@
 #include "diagnose/gain.h"
 #include "diagnose/plan.h"
 
+#include <functional>
+#include <string>
+
 namespace tumble::diagnose {
 
 /// One channel of one record beside what the simulation says of it.
@@ -42,9 +45,12 @@ struct Diagnosis {
     std::optional<scene::Scene> extended; // the scene with the named causes in it; none where all are the instrument's
 };
 
+/// Told what a diagnosis does next: "fits the baseline".
+using TellStage = std::function<void(const std::string&)>;
+
 /// Holds a measurement against its scene. Problems: whatever keeps the baseline from being simulated; readings whose
 /// unit cannot be what it says. `plan`: propose experiments also where the answer is not ambiguous.
 Result<Diagnosis> diagnose(const SceneText& scene, const Measurement& measurement, const Simulate& simulate,
-                           bool plan = false);
+                           bool plan = false, const TellStage& tell = {});
 
 } // namespace tumble::diagnose

@@ -151,6 +151,8 @@ std::string next_step(const Diagnosis& diagnosis) {
     case Outcome::cannot_decide:
         break;
     }
+    if (!diagnosis.decision.remedy.empty())
+        return diagnosis.decision.remedy;
     return "Measure under more conditions, or state what is known about the nuisances (spread).";
 }
 

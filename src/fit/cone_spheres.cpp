@@ -80,7 +80,9 @@ Result<std::vector<Sphere>> spheres_in(const Cone& cone, const Wanted& wanted) {
         return Problem{.what = fmt::format("the smallest sphere, {:.4g} mm, is not smaller than the largest that fits, "
                                            "{:.4g} mm",
                                            1e3 * wanted.smallest, 1e3 * axis.inscribed),
-                       .fix = "give a smaller radius above 0"};
+                       .fix = fmt::format("give --smallest below that and above 0; a quarter of it, {:.4g} mm, leaves "
+                                          "room for rings",
+                                          1e3 * axis.inscribed / 4)};
     std::vector<Sphere> fullest;
     double most = 0;
     for (int rings = 1; rings <= 6; ++rings)

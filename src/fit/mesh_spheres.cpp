@@ -88,7 +88,10 @@ Result<std::vector<Sphere>> spheres_in(const Solid& solid, const Wanted& wanted)
     if (static_cast<int>(queue.size()) < wanted.spheres)
         return Problem{.what = fmt::format("{} spheres of {:.4g} mm radius or more find {} places in the body",
                                            wanted.spheres, 1e3 * wanted.smallest, queue.size()),
-                       .fix = "ask for fewer, or let them be smaller"};
+                       .fix =
+                           queue.empty()
+                               ? "let them be smaller (--smallest), or look at the unit of the mesh (--scale)"
+                               : fmt::format("ask for {} at most, or let them be smaller (--smallest)", queue.size())};
     std::vector<Sphere> chosen;
     while (static_cast<int>(chosen.size()) < wanted.spheres && !queue.empty()) {
         const auto [gain, negative] = queue.top();

@@ -1,6 +1,7 @@
 #include "fit/report.h"
 
 #include "base/table.h"
+#include "base/text.h"
 #include "fit/union_moments.h"
 
 #include <Eigen/Eigenvalues>
@@ -32,7 +33,8 @@ double height_above(const std::vector<Sphere>& spheres, const Vector3d& point) {
 }
 
 std::string percent(double is, double should) {
-    return fmt::format("{:+.2f} %", 100 * (is / should - 1));
+    const std::string text = fixed(100 * (is / should - 1), 2);
+    return (text[0] == '-' ? "" : "+") + text + " %";
 }
 
 } // namespace
@@ -95,6 +97,15 @@ std::vector<std::string> sentences(const Report& report, std::size_t spheres) {
                                 mm(report.gap_mean), mm(report.gap_max), mm(report.stands_out)));
     lines.push_back(fmt::format("sphere of equal volume: radius {}", mm(equivalent_radius(report.union_volume))));
     return lines;
+}
+
+std::vector<std::string> advice(const Report& report) {
+    constexpr double near = 0.01; // of the volume, and so of the mass
+    if (std::abs(report.union_volume / report.solid_volume - 1) < near)
+        return {};
+    return {fmt::format("--volume {:.6g} gives the body the solid's volume, and so its mass: all lengths times {:.4f}",
+                        1e9 * report.solid_volume, std::cbrt(report.solid_volume / report.union_volume)),
+            "more --spheres come nearer in shape; what smallest radius serves best has to be tried (docs/bodies.md)"};
 }
 
 std::string clump_file(const std::vector<Sphere>& spheres, const Report& report,

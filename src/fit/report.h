@@ -33,6 +33,9 @@ double equivalent_radius(double volume);
 std::string clump_file(const std::vector<Sphere>& spheres, const Report& report,
                        const std::vector<std::string>& made_by);
 
+/// What would bring the spheres nearer to the solid, a sentence each; none where they are near.
+std::vector<std::string> advice(const Report& report);
+
 /// The report in a few plain lines.
 std::vector<std::string> sentences(const Report& report, std::size_t spheres);
 

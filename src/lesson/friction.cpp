@@ -116,11 +116,13 @@ std::optional<Problem> inclines(Walk& walk, double mu) {
         worst = std::max({worst, std::abs(block_seen - block_theory(slope, mu)) / g,
                           std::abs(disc_seen - disc_theory(slope, mu)) / g});
     }
-    for (int k = 0; k <= 100; ++k) {
-        const double slope = std::atan(4.2 * mu) * k / 100;
-        figure.curves[0].add(slope * degrees, block_theory(slope, mu));
-        figure.curves[2].add(slope * degrees, disc_theory(slope, mu));
-    }
+    constexpr int points = 40; // between two of these: the curves have their kinks at 1 and 3
+    for (const auto& [from, to] : {std::pair{0.0, 1.0}, std::pair{1.0, 3.0}, std::pair{3.0, 4.2}})
+        for (int k = 0; k <= points; ++k) {
+            const double slope = std::atan(mu * (from + (to - from) * k / points));
+            figure.curves[0].add(slope * degrees, block_theory(slope, mu));
+            figure.curves[2].add(slope * degrees, disc_theory(slope, mu));
+        }
     walk.parts.emplace_back(grid);
     walk.parts.emplace_back(figure);
     walk.say(fmt::format("Theory and solver differ by at most {:.1g} of g. The thesis finds the coefficients of its "

@@ -131,7 +131,7 @@ Result<Done> SeriesWriter::write(const std::vector<double>& row) {
                        .what = fmt::format("a row of {} numbers for {} columns", row.size(), columns_)};
     std::vector<std::string> cells;
     for (const double value : row)
-        cells.push_back(std::isfinite(value) ? shortest(value) : "nan");
+        cells.push_back(std::isfinite(value) ? shortest(value + 0.0) : "nan"); // 0, never -0
     return write_line(joined(cells));
 }
 

@@ -19,10 +19,24 @@ struct Close {
 };
 using Stream = std::unique_ptr<std::FILE, Close>;
 
-Problem failed(const std::filesystem::path& file, const char* verb, int error) {
-    return {.file = file.string(),
-            .what = fmt::format("cannot be {}: {}", verb, std::strerror(error)),
-            .fix = error == ENOSPC ? "free some space, or write to another disk" : ""};
+/// What to do about a file that cannot be written; nothing where only the system knows.
+const char* remedy(int error) {
+    switch (error) {
+    case ENOSPC:
+        return "free some space, or write to another disk";
+    case ENOENT:
+    case ENOTDIR:
+    case EACCES:
+    case EPERM:
+    case EROFS:
+        return "name a file in a folder that is there and where you may write";
+    default:
+        return "";
+    }
+}
+
+Problem failed(const std::filesystem::path& file, const char* verb, int error, const char* fix = "") {
+    return {.file = file.string(), .what = fmt::format("cannot be {}: {}", verb, std::strerror(error)), .fix = fix};
 }
 
 /// Some kinds of disks cannot be waited for, which they call an invalid request.
@@ -56,7 +70,7 @@ Result<Done> write_whole(const std::filesystem::path& file, std::string_view con
         error = errno;
     if (error != 0) {
         std::remove(unfinished.c_str());
-        return failed(file, "written", error);
+        return failed(file, "written", error, remedy(error));
     }
     return writing == Writing::lasting ? wait_for_disk(folder_of(file)) : Done{};
 }
@@ -64,11 +78,11 @@ Result<Done> write_whole(const std::filesystem::path& file, std::string_view con
 Result<Done> wait_for_disk(const std::filesystem::path& place) {
     const int opened = ::open(place.c_str(), O_RDONLY | O_CLOEXEC);
     if (opened < 0)
-        return failed(place, "written", errno);
+        return failed(place, "written", errno, remedy(errno));
     const int error = sync(opened);
     ::close(opened);
     if (error != 0)
-        return failed(place, "written", error);
+        return failed(place, "written", error, remedy(error));
     return Done{};
 }
 

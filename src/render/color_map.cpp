@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 #include <numbers>
+#include <span>
 
 namespace tumble::render {
 
@@ -24,6 +25,9 @@ constexpr Points inferno{0x000004, 0x040312, 0x0b0724, 0x150b37, 0x210c4a, 0x2e0
                          0x63146e, 0x70196e, 0x7d1e6d, 0x89226a, 0x962766, 0xa32b61, 0xaf315c, 0xbb3755, 0xc63e4d,
                          0xd14644, 0xdb4f3b, 0xe35932, 0xeb6528, 0xf1711e, 0xf67f14, 0xf98d0a, 0xfb9c06, 0xfcab0f,
                          0xfbba1f, 0xf9ca32, 0xf5d949, 0xf2e865, 0xf3f586, 0xfcffa4};
+// Below this point inferno is hardly lighter than the dark background (CIELAB L* 8), and bodies at rest would vanish in
+// it; here L* is 16, about as much as where viridis begins.
+constexpr std::size_t inferno_begins = 6;
 // cividis: J. Nunez, C. Anderton, R. Renslow 2018, PLOS ONE 13(7) e0199239; looks alike with and without red-green
 // colour blindness.
 constexpr Points cividis{0x00224e, 0x00285b, 0x002e6a, 0x043371, 0x1a386f, 0x273e6e, 0x32436d, 0x3b496c, 0x434e6c,
@@ -31,7 +35,7 @@ constexpr Points cividis{0x00224e, 0x00285b, 0x002e6a, 0x043371, 0x1a386f, 0x273
                          0x8b8778, 0x938d78, 0x9b9376, 0xa39a75, 0xaba072, 0xb3a670, 0xbbad6c, 0xc3b469, 0xccba64,
                          0xd4c15f, 0xddc958, 0xe6d051, 0xefd748, 0xf8df3c, 0xfee838};
 
-static ColorMap from_points(const char* name, const Points& points) {
+static ColorMap from_points(const char* name, std::span<const std::uint32_t> points) {
     ColorMap map{name, {}};
     for (const std::uint32_t p : points) {
         map.points.push_back({static_cast<std::uint8_t>(p >> 16), static_cast<std::uint8_t>(p >> 8 & 0xff),
@@ -119,7 +123,7 @@ Result<ColorMap> find_color_map(const std::string& name, bool has_sign) {
         return from_points("cividis", cividis);
     }
     if (name == "inferno") {
-        return from_points("inferno", inferno);
+        return from_points("inferno", std::span(inferno).subspan(inferno_begins));
     }
     const auto names = color_map_names();
     const std::string guess = did_you_mean(name, names);

@@ -21,6 +21,11 @@ static double robust_reach(std::vector<double>& values) {
     return reach > smallest ? round_up(reach) : 0;
 }
 
+static Span span_of(double reach, bool has_sign) {
+    const double end = reach > 0 ? reach : 1;
+    return has_sign ? Span{-end, end} : Span{0, end};
+}
+
 Span ColorRange::next(std::vector<double> values) {
     if (fixed_) {
         return *fixed_;
@@ -38,8 +43,15 @@ Span ColorRange::next(std::vector<double> values) {
     } else {
         quiet_frames_ = 0;
     }
-    const double reach = reach_ > 0 ? reach_ : 1;
-    return has_sign_ ? Span{-reach, reach} : Span{0, reach};
+    return span_of(reach_, has_sign_);
+}
+
+void WidestRange::take_in(std::vector<double> values) {
+    reach_ = std::max(reach_, robust_reach(values));
+}
+
+Span WidestRange::span(bool has_sign) const {
+    return span_of(reach_, has_sign);
 }
 
 } // namespace tumble::render

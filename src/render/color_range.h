@@ -26,4 +26,15 @@ private:
     int quiet_frames_ = 0;
 };
 
+/// One range for many frames: the widest of those that the automatic one of each would have, in any order.
+class WidestRange {
+public:
+    void take_in(std::vector<double> values);
+    /// Of all that were taken in; without motion in any it is unit 1.
+    [[nodiscard]] Span span(bool has_sign) const;
+
+private:
+    double reach_ = 0;
+};
+
 } // namespace tumble::render

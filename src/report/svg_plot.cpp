@@ -123,8 +123,9 @@ private:
                     path += fmt::format("{}{:.1f} {:.1f}", pen ? "L" : "M", px(trace.x[k]), py(trace.y[k]));
                 pen = seen;
             }
-            out_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\"{}/>", path,
-                                trace.color, trace.dashed ? " stroke-dasharray=\"5 3\"" : "");
+            out_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\" "
+                                "stroke-linejoin=\"round\"{}/>",
+                                path, trace.color, trace.dashed ? " stroke-dasharray=\"5 3\"" : "");
             return;
         }
         out_ += fmt::format("<g fill=\"{}\">", trace.color);

@@ -1,9 +1,7 @@
 #include "run/beside.h"
 
 #include "observe/frame_file.h"
-#include "render/color_range.h"
 #include "render/pair_painter.h"
-#include "render/quantity.h"
 #include "run/run_folder.h"
 #include "run/target.h"
 
@@ -33,23 +31,13 @@ struct Moment {
     fs::path left, right;
 };
 
-struct Shown {
+/// Those that can be read.
+std::vector<Dated> dated(const Recording& recording) {
     std::vector<Dated> frames;
-    render::Span colors{0, 0};
-};
-
-/// Times of the frames that can be read, and the range of colours that holds them all.
-Shown look_through(const Recording& recording, const render::Quantity& quantity) {
-    Shown found;
     for (const fs::path& file : recording.frames)
-        if (const Result<observe::Frame> frame = observe::read_frame(file, recording.layout)) {
-            found.frames.push_back({frame->time, file});
-            render::ColorRange range({}, quantity.has_sign);
-            const render::Span span = range.next(render::values_of(quantity, *frame));
-            if (span.hi != 1) // of a frame without motion
-                found.colors = {std::min(found.colors.lo, span.lo), std::max(found.colors.hi, span.hi)};
-        }
-    return found;
+        if (const Result<observe::Frame> frame = observe::read_frame(file, recording.layout))
+            frames.push_back({frame->time, file});
+    return frames;
 }
 
 double spacing_of(const std::vector<Dated>& frames) {
@@ -84,11 +72,10 @@ std::array<std::string, 2> labels_for(const std::array<fs::path, 2>& runs, const
     return labels;
 }
 
-/// What both runs show at the same times, and the range of colours that holds it.
+/// What both runs show at the same times.
 struct Comparison {
     Recordings recordings;
     std::vector<Moment> moments;
-    render::Span colors{0, 0};
     std::vector<std::string> warnings;
 };
 
@@ -96,18 +83,9 @@ Result<Comparison> compare(const std::array<fs::path, 2>& runs, const BesideOpti
     Result<Recording> left = open_recording(runs[0], options.when), right = open_recording(runs[1], options.when);
     if (!left || !right)
         return (left ? right : left).problems();
-    Comparison found{{std::move(*left), std::move(*right)}, {}, {0, 0}, {}};
-    std::array<Shown, 2> sides;
-    for (std::size_t side = 0; side < 2; ++side) {
-        const Recording& recording = found.recordings[side];
-        const auto quantity = render::find_quantity(options.settings.color, recording.layout->dimension);
-        if (!quantity)
-            return quantity.problems();
-        sides[side] = look_through(recording, *quantity);
-        found.colors = {std::min(found.colors.lo, sides[side].colors.lo),
-                        std::max(found.colors.hi, sides[side].colors.hi)};
-    }
-    found.moments = common(sides[0].frames, sides[1].frames);
+    Comparison found{{std::move(*left), std::move(*right)}, {}, {}};
+    const std::array<std::vector<Dated>, 2> sides{dated(found.recordings[0]), dated(found.recordings[1])};
+    found.moments = common(sides[0], sides[1]);
     if (found.moments.empty())
         return Problem{.file = runs[1].string(),
                        .what = "no frame of it is of the same time as one of " + runs[0].string(),
@@ -115,7 +93,7 @@ Result<Comparison> compare(const std::array<fs::path, 2>& runs, const BesideOpti
     for (std::size_t side = 0; side < 2; ++side) {
         for (const std::string& warning : found.recordings[side].warnings)
             found.warnings.push_back(runs[side].string() + ": " + warning);
-        if (const std::size_t alone = sides[side].frames.size() - found.moments.size(); alone > 0)
+        if (const std::size_t alone = sides[side].size() - found.moments.size(); alone > 0)
             found.warnings.push_back(
                 fmt::format("{}: {} of its frames have none beside them", runs[side].string(), alone));
     }
@@ -131,7 +109,9 @@ Result<Done> draw(const Moment& moment, const Recordings& recordings, render::Pa
         return (left ? right : left).problems();
     done.first = done.frames == 0 ? left->time : done.first;
     done.last = left->time;
-    return files.add(painter.draw(*left, *right), done.frames++);
+    const std::int64_t number = observe::frame_number(moment.left).value_or(done.frames);
+    ++done.frames;
+    return files.add(painter.draw(*left, *right), number);
 }
 
 /// Until the last moment, a stop or a problem.
@@ -159,9 +139,12 @@ Result<Replayed> draw_beside(const std::array<fs::path, 2>& runs, const BesideOp
         return shown.problems();
     const Recordings& recordings = shown->recordings;
     scene::Render settings = options.settings;
-    if (!settings.range)
-        settings.range = shown->colors.hi > shown->colors.lo ? std::array<double, 2>{shown->colors.lo, shown->colors.hi}
-                                                             : std::array<double, 2>{0, 1};
+    if (!settings.range) {
+        const auto colors = colors_for(recordings, settings.color);
+        if (!colors)
+            return colors.problems();
+        settings.range = *colors;
+    }
     Target pictures(options.targets.folder), video(options.targets.video);
     for (auto [target, extension] : {std::pair{&pictures, ".png"}, std::pair{&video, ".mp4"}})
         if (const auto problem = target->claim(options.overwrite, extension))

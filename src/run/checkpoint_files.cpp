@@ -1,5 +1,6 @@
 #include "run/checkpoint_files.h"
 
+#include "base/make_folder.h"
 #include "base/text.h"
 #include "observe/whole_file.h"
 
@@ -46,18 +47,17 @@ std::vector<fs::path> list_checkpoints(const fs::path& folder) {
 }
 
 Result<std::int64_t> keep_checkpoint(const fs::path& folder, const Checkpoint& checkpoint) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error)
-        return Problem{.file = folder.string(), .what = "cannot be made: " + error.message()};
+    if (const auto made = make_folder(folder); !made)
+        return made.problems();
     const std::string bytes = to_bytes(checkpoint);
     const Result<Done> written =
         observe::write_whole(checkpoint_path(folder, checkpoint.step), bytes, observe::Writing::lasting);
     if (!written)
         return written.problems();
     const std::vector<fs::path> files = list_checkpoints(folder);
+    std::error_code ignored;
     for (std::size_t k = kept; k < files.size(); ++k)
-        fs::remove(files[k], error);
+        fs::remove(files[k], ignored);
     return static_cast<std::int64_t>(bytes.size());
 }
 

@@ -54,9 +54,9 @@ std::string script_of(const FlowReport& report, const std::filesystem::path& fil
     const double speed = arrow_speed(report.field);
     const double length = 1.2e3 * std::min(grid.ring_width(), grid.layer_height());
     const bool svg = file.extension() == ".svg";
-    std::string script = svg ? "set terminal svg size 900,640 font 'DejaVu Sans,13' background 'white' noenhanced\n"
-                             : "set terminal pngcairo size 1350,960 font 'DejaVu Sans,15' background 'white' "
-                               "noenhanced\n";
+    std::string script = svg ? "set terminal svg size 900,640 font 'DejaVu Sans,13'"
+                             : "set terminal pngcairo size 1350,960 font 'DejaVu Sans,15'";
+    script += " background 'white' noenhanced rounded\n";
     script += fmt::format(
         "set output {}\nset title {}\n", sheet::in_gnuplots_quotes(file.string()),
         sheet::in_gnuplots_quotes(fmt::format("Mean flow from {:.4g} to {:.4g} s; an arrow of {:.0f} mm is {:.3g} m/s",

@@ -1,5 +1,6 @@
 #include "run/flow_report.h"
 
+#include "base/make_folder.h"
 #include "base/table.h"
 #include "base/text.h"
 #include "observe/bulk.h"
@@ -164,10 +165,8 @@ Result<FlowReport> read_flow(const std::filesystem::path& run, const FlowOptions
 }
 
 Result<std::vector<std::filesystem::path>> write_flow(const FlowReport& report, const std::filesystem::path& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-        return Problem{.file = folder.string(), .what = "cannot be made: " + error.message()};
+    if (const auto made = make_folder(folder); !made)
+        return made.problems();
     std::vector<std::pair<std::string, std::string>> files{{"flow_field.csv", field_table(report.field)},
                                                            {"flow_layers.csv", layers_table(report)},
                                                            {"flow_surface.csv", surface_table(report.field)}};

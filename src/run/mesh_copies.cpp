@@ -1,5 +1,6 @@
 #include "run/mesh_copies.h"
 
+#include "base/make_folder.h"
 #include "observe/whole_file.h"
 
 #include <fmt/format.h>
@@ -22,11 +23,10 @@ Result<std::vector<MeshCopy>> read_meshes(const scene::Scene& scene) {
 }
 
 Result<Done> write_meshes(const std::vector<MeshCopy>& copies, const RunFolder& folder) {
-    std::error_code error;
-    if (!copies.empty())
-        std::filesystem::create_directory(folder.meshes(), error);
-    if (error)
-        return Problem{.file = folder.meshes().string(), .what = "cannot be made: " + error.message()};
+    if (copies.empty())
+        return Done{};
+    if (auto made = make_folder(folder.meshes()); !made)
+        return made;
     for (const MeshCopy& copy : copies)
         if (const auto written = observe::write_whole(folder.root / copy.name, copy.content); !written)
             return written;

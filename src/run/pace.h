@@ -3,9 +3,31 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace tumble::run {
+
+/// How fast something goes on, from how much of it was done in which time: the mean over all of it at first, later over
+/// about the last quarter, at least ten seconds. What is slow now and then (a frame, a checkpoint) hardly shows.
+class SteadyRate {
+public:
+    void add(double done, double seconds) {
+        if (seconds <= 0)
+            return;
+        watched_ += seconds;
+        const double remembers = std::min(watched_, std::max(10.0, watched_ / 4));
+        rate_ += seconds / remembers * (done / seconds - rate_);
+    }
+    /// s for as much more; nothing before two seconds were watched.
+    [[nodiscard]] std::optional<double> seconds_for(double more) const {
+        return watched_ >= 2 && rate_ > 0 ? std::optional(more / rate_) : std::nullopt;
+    }
+
+private:
+    double watched_ = 0; // s
+    double rate_ = 0;    // of it per s
+};
 
 /// How fast steps go. Decides only how often a run looks up from its work, never what it computes.
 class Pace {
@@ -23,13 +45,18 @@ public:
             return;
         const double weight = std::min(1.0, round / 2.0); // remembers about two seconds
         const double lately = static_cast<double>(steps) / round;
+        steady_.add(static_cast<double>(steps), round);
         rate_ = rate_ > 0 ? (1 - weight) * rate_ + weight * lately : lately;
         const double ahead = 0.1 * static_cast<double>(steps) / seconds;
         stretch_ = std::clamp(static_cast<std::int64_t>(ahead), std::int64_t{1}, 4 * stretch_);
     }
 
-    /// Of wall time, waiting for observers included: what the time left is guessed from.
+    /// Of wall time, waiting for observers included.
     [[nodiscard]] double steps_per_s() const { return rate_; }
+    /// s of wall time that so many more steps will take; nothing while too little was seen.
+    [[nodiscard]] std::optional<double> seconds_for(std::int64_t steps) const {
+        return steady_.seconds_for(static_cast<double>(steps));
+    }
     /// s of wall time between all starts and stops.
     [[nodiscard]] double seconds() const { return seconds_; }
     /// s of wall time since this was made.
@@ -47,6 +74,7 @@ private:
     Clock::time_point stopped_ = made_;
     double seconds_ = 0;
     double rate_ = 0;
+    SteadyRate steady_;
     std::int64_t stretch_ = 1;
 };
 

@@ -1,5 +1,7 @@
 #include "run/picture_files.h"
 
+#include "base/make_folder.h"
+
 #include <fmt/format.h>
 
 namespace tumble::run {
@@ -7,13 +9,11 @@ namespace tumble::run {
 Result<PictureFiles> PictureFiles::open(const scene::Render& settings, const PictureTargets& targets) {
     PictureFiles files;
     files.folder_ = targets.folder;
-    std::error_code error;
     if (!targets.folder.empty()) {
-        std::filesystem::create_directories(targets.folder, error);
+        if (const auto made = make_folder(targets.folder); !made)
+            return made.problems();
         files.png_.emplace();
     }
-    if (error)
-        return Problem{.file = targets.folder.string(), .what = "cannot be made: " + error.message()};
     if (!targets.video.empty()) {
         auto opened =
             render::VideoWriter::open(targets.video, settings.width, settings.height, settings.frames_per_second);

@@ -35,8 +35,15 @@ Result<Replayed> redraw(const fs::path& run, const RedrawOptions& options, const
     for (auto [target, extension] : {std::pair{&pictures, ".png"}, std::pair{&video, ".mp4"}})
         if (const auto problem = target->claim(options.overwrite, extension))
             return *problem;
+    scene::Render settings = options.settings;
+    if (!settings.range) {
+        const auto colors = colors_for({&*recording, 1}, settings.color);
+        if (!colors)
+            return colors.problems();
+        settings.range = *colors;
+    }
     FrameSinks sinks;
-    auto sink = keep_pictures(options.settings, recording->layout, options.targets, recording->bounds);
+    auto sink = keep_pictures(settings, recording->layout, options.targets, recording->bounds);
     if (!sink)
         return sink.problems();
     sinks.push_back(std::move(*sink));

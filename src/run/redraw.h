@@ -7,7 +7,7 @@
 namespace tumble::run {
 
 struct RedrawOptions {
-    scene::Render settings;
+    scene::Render settings;           // without a range: one that holds the colours of all frames drawn
     std::string title;                // empty: the run's
     std::vector<double> wall_opacity; // one a wall of the scene; empty: the run's
     PictureTargets targets;

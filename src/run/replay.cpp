@@ -3,8 +3,10 @@
 #include "observe/frame_file.h"
 #include "observe/measures.h"
 #include "observe/series.h"
-#include "observe/whole_file.h"
 #include "render/camera.h"
+#include "render/color_range.h"
+#include "render/quantity.h"
+#include "run/run_report.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -38,9 +40,8 @@ std::string left_out(const Problems& problems) {
 
 /// What run.json says of a run that did not reach its end; nothing for one that did.
 std::vector<std::string> unfinished(const RunFolder& folder) {
-    const Result<std::string> text = observe::read_whole(folder.summary());
-    const auto json = nlohmann::json::parse(text ? *text : "", nullptr, false);
-    if (!json.is_object() || !json.contains("state") || !json["state"].is_string())
+    const nlohmann::json json = read_summary(folder);
+    if (!json.contains("state") || !json["state"].is_string())
         return {"run.json cannot be read, so that nobody knows whether the run reached its end"};
     const std::string state = json["state"];
     if (state == "finished")
@@ -121,6 +122,22 @@ Result<Recording> open_recording(const std::filesystem::path& root, const Replay
     for (const Problem& problem : found.damaged)
         recording.warnings.push_back(left_out({problem}));
     return recording;
+}
+
+Result<std::array<double, 2>> colors_for(std::span<const Recording> recordings, const std::string& color) {
+    render::WidestRange widest;
+    bool has_sign = false;
+    for (const Recording& recording : recordings) {
+        const auto quantity = render::find_quantity(color, recording.layout->dimension);
+        if (!quantity)
+            return quantity.problems();
+        has_sign = quantity->has_sign;
+        for (const std::filesystem::path& file : recording.frames)
+            if (const Result<observe::Frame> frame = observe::read_frame(file, recording.layout))
+                widest.take_in(render::values_of(*quantity, *frame));
+    }
+    const render::Span span = widest.span(has_sign);
+    return std::array{span.lo, span.hi};
 }
 
 Replayed replay(const Recording& recording, const ReplayOptions& options, const FrameSinks& sinks,

@@ -5,8 +5,10 @@
 #include "run/frame_sink.h"
 #include "run/run_folder.h"
 
+#include <array>
 #include <functional>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -45,6 +47,10 @@ struct Recording {
 /// Frames sit at the steps nearest to their times, so half a step counts as no difference. Problems: no run's folder, a
 /// broken layout, no readable frame in the stretch of time.
 Result<Recording> open_recording(const std::filesystem::path& root, const ReplayOptions& options);
+
+/// The ends of one scale of colours for all frames of the recordings, SI. Problems: a quantity that one of them has
+/// not.
+Result<std::array<double, 2>> colors_for(std::span<const Recording> recordings, const std::string& color);
 
 /// Hands every frame to every sink in order, under the number it has in the run, and finishes them.
 Replayed replay(const Recording& recording, const ReplayOptions& options, const FrameSinks& sinks,

@@ -132,8 +132,8 @@ std::optional<Problem> check_place(const fs::path& root, bool overwrite) {
         return wrong(root, "cannot be read: " + error.message(), elsewhere);
     if (!empty && !overwrite)
         return wrong(root, "already holds something, and nothing is overwritten",
-                     "`tumble run --resume` goes on with a run that ended early there, --force replaces it, --out DIR "
-                     "writes elsewhere");
+                     "the same command with --resume goes on with a run that ended early there, with --force replaces "
+                     "it, with --out DIR writes elsewhere");
     return std::nullopt;
 }
 
@@ -157,7 +157,7 @@ std::optional<Problem> check_space(const fs::path& root, std::uintmax_t bytes) {
     while (!fs::exists(place, ignored) && place != place.parent_path())
         place = place.parent_path();
     struct statvfs disk {};
-    if (statvfs(place.c_str(), &disk) != 0)
+    if (statvfs(place.c_str(), &disk) != 0 || disk.f_blocks == 0) // no disk, such as /proc: making the folder says why
         return std::nullopt;
     std::uintmax_t available = std::uintmax_t{disk.f_bavail} * disk.f_frsize;
     for (const fs::path& old : parts_of(RunFolder{root}))
@@ -276,6 +276,14 @@ Result<FolderInWork> FolderInWork::go_on(const fs::path& root) {
         return *problem;
     folder.alive_ = folder.kept_ = true;
     return folder;
+}
+
+std::int64_t count_pictures(const fs::path& folder) {
+    std::int64_t count = 0;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+        count += entry->path().extension() == ".png" ? 1 : 0;
+    return count;
 }
 
 bool holds_only_a_run(const fs::path& root) {

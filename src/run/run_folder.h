@@ -64,6 +64,9 @@ private:
 /// Its own name, without the way to it: "a" of "out/a" and of "out/a/".
 std::string folder_name(const std::filesystem::path& folder);
 
+/// How many pictures lie in a folder.
+std::int64_t count_pictures(const std::filesystem::path& folder);
+
 /// Whether all that lies in the folder is of the kinds that a run puts there.
 bool holds_only_a_run(const std::filesystem::path& root);
 

@@ -33,14 +33,6 @@ bool finite(const observe::Frame& frame) {
     return all(frame.position) && all(frame.velocity) && all(frame.angular_velocity);
 }
 
-std::int64_t count_pictures(const std::filesystem::path& folder) {
-    std::int64_t count = 0;
-    std::error_code error;
-    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-        count += entry->path().extension() == ".png" ? 1 : 0;
-    return count;
-}
-
 /// What the frames of the whole run will take at least.
 std::uintmax_t bytes_of_frames(const scene::Scene& scene, const Simulation& simulation) {
     const auto bodies = static_cast<std::size_t>(all_bodies_wanted(scene, simulation.bodies()));
@@ -132,10 +124,12 @@ Result<std::unique_ptr<RunInWork>> RunInWork::begin(const scene::Scene& scene, c
     return run;
 }
 
-Result<Done> RunInWork::open_all(const std::vector<MeshCopy>& meshes) {
-    summary_.state = "running";
+/// What was asked for.
+void RunInWork::begin_summary() {
     summary_.folder = folder_.paths().root;
     summary_.scene = scene_.file;
+    if (resumed_ && scene_.file == folder_.paths().scene()) // its own copy is not where it came from
+        summary_.scene = read_summary(folder_.paths()).value("scene", scene_.file.string());
     summary_.title = scene_.title;
     summary_.duration = scene_.duration;
     summary_.solver = scene_.solver;
@@ -145,6 +139,11 @@ Result<Done> RunInWork::open_all(const std::vector<MeshCopy>& meshes) {
     summary_.video = options_.video;
     summary_.video_slowdown = scene_.render.slowdown();
     summary_.video_file = video_file();
+}
+
+Result<Done> RunInWork::open_all(const std::vector<MeshCopy>& meshes) {
+    begin_summary();
+    summary_.state = "running";
     meshes_ = marks_of(meshes);
     if (Result<Done> chosen = choose_what_to_see(); !chosen)
         return chosen;
@@ -344,7 +343,7 @@ Progress RunInWork::progress() const {
     now.step = simulation_->steps();
     now.steps = all_steps_;
     now.steps_per_s = pace_.steps_per_s();
-    now.left_s = now.steps_per_s > 0 ? static_cast<double>(all_steps_ - now.step) / now.steps_per_s : 0;
+    now.left_s = pace_.seconds_for(all_steps_ - now.step);
     const double passed = pace_.since_made();
     now.waiting_share = queue_ && passed > 0 ? queue_->waited_s() / passed : 0;
     now.books = simulation_->books();

@@ -35,6 +35,11 @@ public:
     static Result<std::unique_ptr<RunInWork>> prepare(const scene::Scene& scene, const RunOptions& options,
                                                       RunListener& listener);
 
+    /// Whether it was resumed when nothing was left to do: it had come to this end with this scene, and all that is
+    /// asked for lies in its folder. Then nothing is opened, and this is the end of it:
+    [[nodiscard]] bool done_before() const { return done_before_; }
+    RunSummary as_it_was_left();
+
     /// Steps, and hands on rows and frames when they are due, until the duration is reached, the stop flag is set or
     /// something fails.
     void step_to_the_end();
@@ -52,8 +57,10 @@ private:
                                                     RunListener& listener, const std::vector<MeshCopy>& meshes);
 
     void take_up(Resumable& found);
+    [[nodiscard]] bool nothing_left_to_do() const;
     Result<Done> recall_tracers();
     Result<Done> choose_what_to_see();
+    void begin_summary();
     Result<Done> open_all(const std::vector<MeshCopy>& meshes);
     Result<FrameSinks> open_sinks();
     Result<Done> write_beginnings(const std::vector<MeshCopy>& meshes);
@@ -97,6 +104,7 @@ private:
     double kept_at_ = 0;          // s of wall time since the run was made
     std::int64_t lasting_ = 0;    // frames that the disk is known to have
     bool checkpoint_failed_ = false;
+    bool done_before_ = false;
     std::optional<Checkpoint> resumed_; // from where; what was added up before goes on from its summary
     RunSummary summary_;
 };

@@ -3,6 +3,8 @@
 #include "observe/whole_file.h"
 #include "run/checkpoint_files.h"
 #include "run/run_in_work.h"
+#include "run/run_report.h"
+#include "run/run_verdict.h"
 #include "run/scene_changes.h"
 
 #include <algorithm>
@@ -84,6 +86,11 @@ Result<std::unique_ptr<RunInWork>> RunInWork::go_on(const scene::Scene& scene, c
     std::unique_ptr<RunInWork> run(
         new RunInWork(scene, options, listener, std::move(found->simulation), std::move(*folder), toml));
     run->take_up(*found);
+    if (run->nothing_left_to_do()) {
+        run->done_before_ = true;
+        return run;
+    }
+    run->summary_.resumed.push_back({found->name, run->resumed_->step, run->resumed_->time, found->changes});
     if (const Result<Done> opened = run->open_all(meshes); !opened)
         return in_scene(opened.problems(), scene);
     const Result<std::vector<std::int64_t>> missing = cut_back(place, *run->resumed_);
@@ -106,7 +113,6 @@ void RunInWork::take_up(Resumable& found) {
     options_.text_dump = options_.text_dump || from.outputs.text_dump;
     if (options_.video_file.empty())
         options_.video_file = from.outputs.video_file;
-    from.summary.resumed.push_back({found.name, from.step, from.time, found.changes});
     rows_.pass(from.step);
     frames_.pass(from.step);
     shots_ = lasting_ = from.shots;
@@ -118,6 +124,35 @@ void RunInWork::take_up(Resumable& found) {
     }
     summary_ = from.summary;
     resumed_ = std::move(from);
+}
+
+bool RunInWork::nothing_left_to_do() const {
+    const RunFolder& paths = folder_.paths();
+    const auto there = [](const std::filesystem::path& place) {
+        std::error_code ignored;
+        return std::filesystem::exists(place, ignored);
+    };
+    const std::size_t frames = observe::list_frames(paths.frames()).size();
+    const nlohmann::json left = read_summary(paths);
+    return resumed_->step >= all_steps_ && resumed_->scene == toml_ &&
+           left.value("state", nlohmann::json()) == "finished" && left.value("frames", nlohmann::json()) == frames &&
+           (!options_.pictures || count_pictures(paths.pictures()) >= static_cast<std::int64_t>(frames)) &&
+           (!options_.video || there(video_file())) && (!options_.paraview || there(paths.paraview())) &&
+           (!options_.text_dump || there(paths.text_dump()));
+}
+
+RunSummary RunInWork::as_it_was_left() {
+    const RunFolder& paths = folder_.paths();
+    begin_summary();
+    summary_.state = "finished";
+    summary_.checkpoint = checkpoint_path("state", resumed_->step);
+    summary_.frames = static_cast<std::int64_t>(observe::list_frames(paths.frames()).size());
+    summary_.pictures = count_pictures(paths.pictures());
+    summary_.unfilled = simulation_->unfilled();
+    for (std::string& sentence : verdict(summary_, scene_))
+        warn(std::move(sentence));
+    listener_.nothing_left_to_do(paths.root);
+    return summary_;
 }
 
 Result<Done> RunInWork::recall_tracers() {

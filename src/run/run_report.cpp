@@ -1,5 +1,7 @@
 #include "run/run_report.h"
 
+#include "observe/whole_file.h"
+
 #include <cmath>
 #include <fmt/format.h>
 #include <fstream>
@@ -33,6 +35,12 @@ std::string in_one_line(const Problems& problems) {
 }
 
 } // namespace
+
+nlohmann::json read_summary(const RunFolder& folder) {
+    const Result<std::string> text = observe::read_whole(folder.summary());
+    const auto json = nlohmann::json::parse(text ? *text : "", nullptr, false);
+    return json.is_object() ? json : nlohmann::json::object();
+}
 
 std::string version() {
     return TUMBLE_VERSION;

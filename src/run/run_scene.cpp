@@ -12,6 +12,8 @@ Result<RunSummary> run_scene(const scene::Scene& scene, const RunOptions& option
     Result<std::unique_ptr<RunInWork>> run = RunInWork::prepare(scene, options, listener);
     if (!run)
         return run.problems();
+    if ((*run)->done_before())
+        return (*run)->as_it_was_left();
     (*run)->step_to_the_end();
     return (*run)->finish();
 }

@@ -34,10 +34,10 @@ struct Progress {
     double time = 0;     // s
     double duration = 0; // s
     std::int64_t step = 0;
-    std::int64_t steps = 0;   // in all
-    double steps_per_s = 0;   // of wall time, lately
-    double waiting_share = 0; // of the wall time so far, spent waiting for frames to be drawn and written
-    double left_s = 0;        // s of wall time, guessed
+    std::int64_t steps = 0;       // in all
+    double steps_per_s = 0;       // of wall time, lately
+    double waiting_share = 0;     // of the wall time so far, spent waiting for frames to be drawn and written
+    std::optional<double> left_s; // s of wall time, guessed; nothing while too little was seen
     Books books;
 };
 
@@ -50,6 +50,8 @@ public:
     virtual void warned(const std::string& /*sentence*/) {}
     /// Before a run that is resumed goes on: so many of the frames that it has are drawn and written anew.
     virtual void brought_back(std::int64_t /*frames*/, std::int64_t /*of*/) {}
+    /// Where a run is resumed that has come to its end, and all that is asked for lies there: nothing was touched.
+    virtual void nothing_left_to_do(const std::filesystem::path& /*folder*/) {}
 };
 
 /// From where a run was resumed.

@@ -30,9 +30,10 @@ std::vector<std::string> verdict(const RunSummary& summary, const scene::Scene& 
         sentences.push_back("not all bodies found room: " + sentence);
     if (summary.overlap_ratio_max > scene.contact.accepted_overlap)
         sentences.push_back(fmt::format(
-            "bodies overlapped by up to {:.1f} % of the smaller sphere's radius, and the scene expects at "
+            "bodies overlapped by up to {:.1f} % of the smaller {}'s radius, and the scene expects at "
             "most {:.3g} %: {}, or say contact.accepted_overlap",
-            100 * summary.overlap_ratio_max, 100 * scene.contact.accepted_overlap,
+            100 * summary.overlap_ratio_max, scene.dimension == 2 ? "disc" : "sphere",
+            100 * scene.contact.accepted_overlap,
             scene.solver == scene::Solver::box2d ? "Box2D finds impacts at the end of a step, shorten box2d.time_step_s"
                                                  : "take stiffer materials or slower impacts"));
     const double missed = std::abs(summary.books.closure);

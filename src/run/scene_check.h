@@ -41,7 +41,7 @@ struct SceneCheck {
     double memory_bytes = 0; // estimate
     double disk_bytes = 0;   // states and series; pictures come on top
     double body_steps = 0;   // bodies times steps, all bodies from the start
-    double hours = 0;        // on one core at `assumed_rate`
+    double hours = 0;        // on one core: at `assumed_rate`, and what steps, rows and frames take without bodies
     double assumed_rate = 0; // body-steps per s
     std::vector<std::string> warnings;
 };

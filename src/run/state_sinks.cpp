@@ -1,5 +1,6 @@
 #include "run/state_sinks.h"
 
+#include "base/make_folder.h"
 #include "observe/frame_file.h"
 #include "observe/paraview.h"
 #include "observe/text_dump.h"
@@ -64,10 +65,8 @@ std::unique_ptr<FrameSink> keep_states(std::filesystem::path folder) {
 }
 
 Result<std::unique_ptr<FrameSink>> keep_for_paraview(std::filesystem::path folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-        return Problem{.file = folder.string(), .what = "cannot be made: " + error.message()};
+    if (const auto made = make_folder(folder); !made)
+        return made.problems();
     return std::unique_ptr<FrameSink>(std::make_unique<ParaviewSink>(std::move(folder)));
 }
 

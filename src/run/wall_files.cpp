@@ -1,5 +1,6 @@
 #include "run/wall_files.h"
 
+#include "base/make_folder.h"
 #include "base/text.h"
 #include "observe/stl.h"
 #include "observe/whole_file.h"
@@ -36,10 +37,9 @@ Result<std::vector<WallFile>> write_wall_files(const scene::Scene& scene, const 
                        .fix = "take a scene of three dimensions"};
     if (Problems problems = unknown(scene, names); !problems.empty())
         return problems;
+    if (const auto made = make_folder(folder); !made)
+        return made.problems();
     std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-        return Problem{.file = folder.string(), .what = "cannot be made: " + error.message()};
     std::vector<WallFile> files;
     for (const scene::Wall& wall : scene.walls) {
         if (!names.empty() && std::find(names.begin(), names.end(), wall.name) == names.end())

@@ -1,6 +1,7 @@
 #include "sheet/plot.h"
 
 #include "base/hash.h"
+#include "base/make_folder.h"
 #include "sheet/gnuplot.h"
 #include "sheet/show.h"
 
@@ -81,7 +82,8 @@ std::string canvas(const Figure& figure, bool svg) {
             ticks = fmt::format("set ytics {:.1g}\n", up / 2);
         ticks += fmt::format("set size ratio {:.6g}\n", -figure.stretch);
     }
-    return fmt::format("set terminal {} size {},{} font 'DejaVu Sans,{}' background 'white' noenhanced\n",
+    // Rounded: a mitred corner sticks out of a sharp turn, and lines that only end there leave a notch.
+    return fmt::format("set terminal {} size {},{} font 'DejaVu Sans,{}' background 'white' noenhanced rounded\n",
                        svg ? "svg" : "pngcairo", width, height, svg ? 13 : 14) +
            ticks;
 }
@@ -130,10 +132,8 @@ Result<Done> draw(const Figure& figure, const std::filesystem::path& file) {
 
 Result<std::vector<std::filesystem::path>> draw_all(const Sheet& sheet, const std::filesystem::path& folder,
                                                     const std::vector<std::string>& endings) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-        return Problem{.file = folder.string(), .what = "cannot be made: " + error.message()};
+    if (const auto made = make_folder(folder); !made)
+        return made.problems();
     std::vector<std::filesystem::path> files;
     for (const Figure* figure : sheet.figures())
         for (const std::string& ending : endings) {

@@ -21,15 +21,15 @@ std::vector<Disc> discs_of(const std::vector<ShapeData>& shapes, const Placement
     return discs;
 }
 
-bool in_wall(const std::vector<StandingWall>& walls, const std::vector<Disc>& discs) {
+std::optional<std::size_t> wall_met(const std::vector<StandingWall>& walls, const std::vector<Disc>& discs) {
     std::vector<int> pieces;
-    for (const StandingWall& wall : walls)
+    for (std::size_t w = 0; w < walls.size(); ++w)
         for (const Disc& disc : discs) {
-            wall.line->pieces_near(wall.frame.to_wall(disc.centre), disc.radius, pieces);
+            walls[w].line->pieces_near(walls[w].frame.to_wall(disc.centre), disc.radius, pieces);
             if (!pieces.empty())
-                return true;
+                return w;
         }
-    return false;
+    return std::nullopt;
 }
 
 Crowd::Crowd(const scene::Domain& domain, const std::vector<ShapeData>& shapes, const std::vector<Placement>& bodies,

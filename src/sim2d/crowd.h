@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace tumble::sim2d {
@@ -26,8 +27,8 @@ struct StandingWall {
     WallFrame frame;
 };
 
-/// Whether any disc of the body reaches a wall.
-bool in_wall(const std::vector<StandingWall>& walls, const std::vector<Disc>& discs);
+/// The number of the first wall that a disc of the body reaches.
+std::optional<std::size_t> wall_met(const std::vector<StandingWall>& walls, const std::vector<Disc>& discs);
 
 /// Discs by cell, growing as bodies are placed.
 class Crowd {

@@ -51,7 +51,7 @@ std::string owed(const std::vector<ShapeData>& shapes, const FillState& fill) {
                        fill.asked, name_of(shapes, fill), fill.placed, size.x(), size.y(), fill.asked - fill.placed);
 }
 
-Problem no_room_at(const Site& site, const FillState& fill, const std::string& key, const char* what_is_there) {
+Problem no_room_at(const Site& site, const FillState& fill, const std::string& key, const std::string& what_is_there) {
     const Vector3d& at = *fill.fill.position;
     return scene::problem_about(site.scene, key + ".position_m",
                                 fmt::format("body '{}' at ({:.6g}, {:.6g}) m overlaps {} at t = {:.6g} s",
@@ -124,8 +124,8 @@ private:
     std::optional<Problem> at_its_position(FillState& fill, const std::string& key) {
         const Placement body{fill.fill.body, fill.fill.position->head<2>(), angle_for(fill)};
         const std::vector<Disc> discs = discs_of(site_.shapes, body);
-        if (in_wall(site_.walls, discs))
-            return no_room_at(site_, fill, key, "a wall");
+        if (const auto met = wall_met(site_.walls, discs))
+            return no_room_at(site_, fill, key, fmt::format("wall '{}'", site_.scene.walls[*met].name));
         if (!crowd_.leaves_room_for(discs))
             return no_room_at(site_, fill, key, "another body");
         keep(fill, body, discs);
@@ -146,7 +146,7 @@ private:
                 body.position[axis] = fill.rng.uniform(region.lo[axis], region.hi[axis]);
             body.angle = angle_for(fill);
             const std::vector<Disc> discs = discs_of(site_.shapes, body);
-            if (!inside_region(site_.scene.domain, region, discs) || in_wall(site_.walls, discs) ||
+            if (!inside_region(site_.scene.domain, region, discs) || wall_met(site_.walls, discs) ||
                 !on_their_sides(sides, body.position) || !crowd_.leaves_room_for(discs)) {
                 ++misses;
                 continue;

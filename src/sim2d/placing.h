@@ -25,7 +25,7 @@ struct FillState {
 struct Site {
     const scene::Scene& scene;
     const std::vector<ShapeData>& shapes;
-    std::vector<StandingWall> walls;
+    std::vector<StandingWall> walls; // those of the scene, in its order
     std::vector<Placement> bodies;
     std::int64_t step = 0;
     double dt = 0; // s

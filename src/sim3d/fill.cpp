@@ -172,7 +172,7 @@ std::vector<BodyState> place_at_random(const World& world, FillState& fill, Crow
         const Eigen::Quaterniond orientation =
             fill.fill.orientation == scene::Orientation::random ? random_orientation(fill.rng) : as_written;
         const Placement body{fill.fill.body, position, orientation.toRotationMatrix()};
-        if (!inside_region(world, region, body) || in_wall(world, body) || !crowd.leaves_room_for(body)) {
+        if (!inside_region(world, region, body) || wall_met(world, body) || !crowd.leaves_room_for(body)) {
             ++misses;
             continue;
         }
@@ -208,7 +208,7 @@ void schedule(World& world) {
             world.next_fill_step = std::min(world.next_fill_step, fill.next_step);
 }
 
-Problem no_room_at(const World& world, const FillState& fill, const char* what_is_there) {
+Problem no_room_at(const World& world, const FillState& fill, const std::string& what_is_there) {
     const Vector3d& at = *fill.fill.position;
     return scene::problem_about(world.scene, key_of(world, fill, "position_m"),
                                 fmt::format("body '{}' ({:.3g} m across) at ({:.6g}, {:.6g}, {:.6g}) m overlaps {} at "
@@ -225,8 +225,8 @@ std::optional<Problem> insert_fill(World& world, FillState& fill) {
                                                    ? random_orientation(fill.rng)
                                                    : shape_of(world, fill).written_from_principal;
         const Placement body{fill.fill.body, *fill.fill.position, orientation.toRotationMatrix()};
-        if (in_wall(world, body))
-            return no_room_at(world, fill, "a wall");
+        if (const WallState* met = wall_met(world, body))
+            return no_room_at(world, fill, fmt::format("wall '{}'", met->wall.name));
         if (!Crowd(world, 1).leaves_room_for(body))
             return no_room_at(world, fill, "another body");
         placed.push_back(state_of(fill.fill, *fill.fill.position, orientation));

@@ -74,10 +74,11 @@ private:
 inline MemoryLanes mirrored(const MemoryLanes& memory) {
     return {{-memory.spring[0], -memory.spring[1], -memory.spring[2]}, memory.energy};
 }
-inline FurtherLanes mirrored(FurtherLanes further) {
-    for (double& angle : further.rolling)
+inline FurtherLanes mirrored(const FurtherLanes& further) {
+    FurtherLanes mirror = further;
+    for (double& angle : mirror.rolling)
         angle = -angle;
-    return further;
+    return mirror;
 }
 
 } // namespace tumble::sim3d

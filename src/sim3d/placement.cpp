@@ -73,7 +73,7 @@ bool overlap(const World& world, const Placement& a, const Placement& b, const V
     return run_scan(world, scan, smallest_gap, found) > 0;
 }
 
-bool in_wall(const World& world, const Placement& body) {
+const WallState* wall_met(const World& world, const Placement& body) {
     const ShapeConstants& shape = constants(world, body);
     std::vector<int> primitives;
     for (const WallState& wall : world.walls) {
@@ -86,10 +86,10 @@ bool in_wall(const World& world, const Placement& body) {
             const Vector3d local = to_wall * (centre - wall.pose.translation);
             for (const int primitive : primitives)
                 if (wall.surface.distance(primitive, local) < sphere[3])
-                    return true;
+                    return &wall;
         }
     }
-    return false;
+    return nullptr;
 }
 
 } // namespace tumble::sim3d

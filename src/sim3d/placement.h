@@ -27,7 +27,7 @@ int run_scan(const World& world, SphereScan& scan, double& smallest_gap, const s
 /// Whether any spheres of the two overlap.
 bool overlap(const World& world, const Placement& a, const Placement& b, const Eigen::Vector3d& shift);
 
-/// Whether any sphere of the body reaches into a wall as it stands now.
-bool in_wall(const World& world, const Placement& body);
+/// The first wall, as they stand now, that a sphere of the body reaches into.
+const WallState* wall_met(const World& world, const Placement& body);
 
 } // namespace tumble::sim3d

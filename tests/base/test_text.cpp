@@ -93,6 +93,7 @@ TEST_CASE("SI numbers get the prefix that leaves one to three digits before the 
     CHECK(format_si(0, "m") == "0 m");
     CHECK(format_si(1e-15, "m") == "0.001 pm");
     CHECK(format_si(1, "s") == "1 s");
+    CHECK(format_si(-0.0, "J") == "0 J");
 }
 
 TEST_CASE("rounding up to the next prefix changes the prefix") {
@@ -111,6 +112,15 @@ TEST_CASE("masses are in kg or grams, compound units and angles take no prefix")
     CHECK(format_si(24.5, "deg") == "24.5 deg");
     CHECK(format_si(0.25, "") == "0.25");
     CHECK(format_si(std::nan(""), "N") == "nan N");
+}
+
+TEST_CASE("what rounds to zero has no sign") {
+    CHECK(fixed(-0.0004, 3) == "0.000");
+    CHECK(fixed(-0.0, 1) == "0.0");
+    CHECK(fixed(-0.4, 0) == "0");
+    CHECK(fixed(-0.0006, 3) == "-0.001");
+    CHECK(fixed(12.25, 1) == "12.2");
+    CHECK(fixed(std::nan(""), 1) == "nan");
 }
 
 TEST_CASE("messages show the beginning of a text, without control characters") {

@@ -35,6 +35,35 @@ TEST_CASE("a mistyped command, flag or file gets the nearest right word and exit
         CHECK(outcome.out.empty());
 }
 
+TEST_CASE("what the command line lacks, or has too much of, is said in the words of the help") {
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(0.01));
+    const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+        {{"list"}, "`tumble list` needs WHAT: scenes, laws, measures, causes or keys\n    for example `tumble list "},
+        {{"list", "nonsense"}, "WHAT: 'nonsense' is none of scenes, laws, measures, causes, keys\n"},
+        {{"list", "measure"}, "; did you mean 'measures'?"},
+        {{"run"}, "`tumble run` needs SCENE: "},
+        {{"render"}, "`tumble render` needs RUN|SCENE: "},
+        {{"diagnose", "ball.toml"}, "`tumble diagnose` needs --data: "},
+        {{"run", "ball.toml", "--threads", "0"}, "--threads: '0' is not a whole number from 1 to 256"},
+        {{"run", "ball.toml", "--threads", "two"}, "--threads: 'two' is not a whole number from 1 to 256"},
+        {{"run", "ball.toml", "--checkpoint-every", "-1"}, "--checkpoint-every: '-1' is not a number from 0 to 1e+06"},
+        {{"run", "ball.toml", "--out"}, "--out lacks a value"},
+        {{"run", "ball.toml", "--out", "a", "--out", "b"}, "--out has too many values"},
+        {{"run", "ball.toml", "--resume", "--force"}, " do not go together"},
+        {{"run", "ball.toml", "--accept-changes"}, "--accept-changes goes only with --resume"},
+        {{"walls", "ball.toml", "--at", "noon"}, "--at: 'noon' cannot be read as a number"},
+        {{"fit", "--cone", "10,-12", "--spheres", "12"}, "--cone: '-12' is not a number above 0"},
+        {{"excitation", "a.csv", "--about", "w"}, "--about: 'w' is none of x, y, z"}};
+    for (const auto& [words, said] : cases) {
+        const Outcome outcome = tumble_in(folder, words);
+        CHECK(outcome.code == 2);
+        CHECK(contains(outcome.err, said));
+        CHECK(contains(outcome.err, " --help` shows how it is meant"));
+    }
+    CHECK_FALSE(std::filesystem::exists(folder.path / "out"));
+}
+
 TEST_CASE("nothing at all shows the help on stderr and is wrong") {
     const Folder folder;
     const Outcome outcome = tumble_in(folder, {});
@@ -121,7 +150,7 @@ TEST_CASE("the lists name what scenes may say") {
     CHECK(keys.contains({"[contact]", "normal", "3D"}));
     std::filesystem::create_directory(folder.path / "scenes");
     put(folder.path / "scenes" / "ball.toml", bouncing_ball(1));
-    CHECK(contains(tumble_in(folder, {"list", "scenes"}).out, "A ball that bounces"));
+    CHECK(contains(tumble_in(folder, {"list", "scenes"}).out, "scenes/ball.toml  3D  A ball that bounces"));
     CHECK(tumble_in(folder, {"list", "scenes", "nowhere"}).code == 2);
 }
 
@@ -141,7 +170,12 @@ TEST_CASE("check says masses, steps and margins as theory has them, and refuses 
     const double rayleigh = M_PI * 0.01 * std::sqrt(2500 / 4e7) / (0.1631 * 0.25 + 0.8766);
     CHECK(json["time_step"]["rayleigh_s"].get<double>() == about(rayleigh));
     CHECK_FALSE(std::filesystem::exists(folder.path / "out"));
-    CHECK(contains(tumble_in(folder, {"check", "ball.toml"}).out, "Rayleigh time"));
+    const std::string words = tumble_in(folder, {"check", "ball.toml"}).out;
+    CHECK(contains(words, "Rayleigh time"));
+    CHECK(contains(words, "less than 1 s on one core")); // 50,000 steps of a microsecond, 552 rows and frames
+    // A step costs a microsecond however few the bodies: 60 s of 1e-5 s are 6 million.
+    const std::vector<std::string> longer{"check", "ball.toml", "--duration", "60", "--json"};
+    CHECK(nlohmann::json::parse(tumble_in(folder, longer).out)["hours_on_one_core"] > 6.0 / 3600);
     const Outcome unstable = tumble_in(folder, {"check", "ball.toml", "--set", "time_step_s=1e-3"});
     CHECK(unstable.code == 2);
     CHECK(contains(unstable.err, "stable limit"));

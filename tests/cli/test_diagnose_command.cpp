@@ -63,6 +63,9 @@ TEST_CASE("millimetres that are read as metres are a slip, not a cause") {
     const Outcome slip = tumble_in(folder, {"diagnose", scene, "--data", "m.toml"});
     CHECK(slip.code == 2);
     CHECK(contains(slip.err, "times what the simulation does"));
+    CHECK(contains(slip.err, "now: fits the baseline")); // in a pipe, too
+    const Outcome quiet = tumble_in(folder, {"diagnose", scene, "--data", "m.toml", "--quiet"});
+    CHECK(quiet.err.find("now: ") == std::string::npos);
 }
 
 TEST_CASE("every cause of the library can be listed, with what its residual looks like") {

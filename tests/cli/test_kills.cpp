@@ -131,12 +131,57 @@ TEST_CASE("Ctrl-C leaves a checkpoint, from which the same command with --resume
     const std::string checkpoint = summary_in(folder.path / "out/crowd")["checkpoint"];
     CHECK(contains(stopped.out, checkpoint + " is there: the same command with --resume goes on from it"));
     CHECK(contains(tumble_in(folder, {"run", "crowd.toml"}).err,
-                   "`tumble run --resume` goes on with a run that ended early there"));
+                   "the same command with --resume goes on with a run that ended early there"));
     const Outcome resumed = tumble_in(folder, {"run", "crowd.toml", "--resume"}); // with --frames, as it was begun
     CHECK_MESSAGE(resumed.code == 0, resumed.err);
     CHECK(contains(resumed.err, ", on from t = "));
     check_same(content_of_run(folder.path / "whole"), folder.path / "out/crowd");
     CHECK(summary_in(folder.path / "out/crowd")["resumed"][0]["checkpoint"] == checkpoint);
+}
+
+TEST_CASE("a run's folder stands for its run: with --resume it goes on there, without the way to say so is told") {
+    const Folder folder;
+    put(folder.path / "crowd.toml", crowd);
+    REQUIRE(tumble_in(folder, {"run", "crowd.toml", "--out", "whole", "--quiet"}).code == 0);
+    Process process(folder.path, {"run", "crowd.toml", "--quiet"});
+    REQUIRE(eventually([&] { return fs::exists(folder.path / "out/crowd/frames/frame_000002.tumble"); }));
+    process.send(SIGINT);
+    CHECK(process.wait().code == 130);
+    const Outcome without = tumble_in(folder, {"run", "out/crowd"});
+    CHECK(without.code == 2);
+    CHECK(contains(without.err, "out/crowd: is the folder of a run, not a scene file"));
+    CHECK(contains(without.err, "`tumble run out/crowd --resume` goes on with the run"));
+    CHECK(tumble_in(folder, {"run", "out/crowd", "--resume", "--out", "there"}).code == 2);
+    CHECK_FALSE(fs::exists(folder.path / "there"));
+    const Outcome resumed = tumble_in(folder, {"run", "out/crowd", "--resume"});
+    CHECK_MESSAGE(resumed.code == 0, resumed.err);
+    CHECK(contains(resumed.err, ", on from t = "));
+    check_same(content_of_run(folder.path / "whole"), folder.path / "out/crowd");
+    CHECK(summary_in(folder.path / "out/crowd")["scene"] == "crowd.toml"); // where it came from
+
+    CHECK(contains(tumble_in(folder, {"check", "out/crowd"}).err, "its scene is out/crowd/scene.toml"));
+    CHECK(contains(tumble_in(folder, {"check", "out"}).err, "out: is a folder, not a scene file"));
+}
+
+TEST_CASE("a resume with nothing left to do says so and touches nothing; what is asked for anew is made") {
+    const Folder folder;
+    put(folder.path / "crowd.toml", crowd);
+    REQUIRE(tumble_in(folder, {"run", "crowd.toml", "--frames", "--quiet"}).code == 0);
+    const fs::path run = folder.path / "out/crowd";
+    const auto when = [&](const char* name) { return fs::last_write_time(run / name); };
+    const auto series = when("series.csv"), summary = when("run.json"), picture = when("pictures/frame_000001.png");
+    const Outcome again = tumble_in(folder, {"run", "crowd.toml", "--resume"});
+    CHECK_MESSAGE(again.code == 0, again.err);
+    CHECK(contains(again.err, "nothing is left to do, and nothing was touched"));
+    CHECK(when("series.csv") == series);
+    CHECK(when("run.json") == summary);
+    CHECK(when("pictures/frame_000001.png") == picture);
+    CHECK(summary_in(run)["resumed"].empty());
+    fs::remove(run / "pictures/frame_000001.png");
+    CHECK(tumble_in(folder, {"run", "crowd.toml", "--resume", "--quiet"}).code == 0);
+    CHECK(fs::exists(run / "pictures/frame_000001.png"));
+    CHECK(tumble_in(folder, {"run", "crowd.toml", "--resume", "--dump", "--quiet"}).code == 0);
+    CHECK(fs::exists(run / "spheres.dump"));
 }
 
 TEST_CASE("Ctrl-C or SIGTERM while bodies are still being placed ends the run at once and leaves nothing behind") {

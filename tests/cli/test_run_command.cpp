@@ -151,7 +151,9 @@ TEST_CASE("a folder that cannot be made is said with its name") {
     CHECK(contains(below_file.err, "--out"));
     const Outcome no_place = tumble_in(folder, {"run", "ball.toml", "--out", "/proc/tumble"});
     CHECK(no_place.code == 2);
-    CHECK(contains(no_place.err, "/proc/tumble"));
+    CHECK(contains(no_place.err, "error: /proc/tumble: cannot be made: "));
+    CHECK(std::count(no_place.err.begin(), no_place.err.end(), '\n') == 2); // what is wrong, and what to do
+    CHECK(contains(no_place.err, "\n    choose another folder with --out DIR\n"));
 }
 
 TEST_CASE("wrong times and sizes of a drawing are said") {

@@ -185,6 +185,18 @@ TEST_CASE("a nuisance that had to go far from what was known of it is warned of"
                         [](const Problem& warning) { return warning.key == "nuisance far off"; }) == 1);
 }
 
+TEST_CASE("a nuisance that ends at its bound is warned of, with what to do") {
+    Measurement measurement = Laboratory{.offset = 0.003}.measurement();
+    measurement.nuisances[1].spread = 1e-5; // a fit may go to 20 times that
+    const Diagnosis diagnosis = Laboratory::diagnosed(measurement);
+    const auto warning = std::find_if(diagnosis.warnings.begin(), diagnosis.warnings.end(),
+                                      [](const Problem& one) { return one.key == "nuisance at its bound"; });
+    REQUIRE(warning != diagnosis.warnings.end());
+    CHECK(warning->what.starts_with("clock_offset of 0.5 ended at "));
+    CHECK(warning->what.ends_with("0.0002, as far from 0 as a fit may take it"));
+    CHECK(warning->fix.starts_with("let the scene begin nearer to it or state a larger spread"));
+}
+
 TEST_CASE("repeats that differ by more than their readings scatter make every error larger") {
     // Each height twice; the second time restitution is another one, as a rough ball has it: 0.79 and 0.785.
     const auto twice = [](double second) {

@@ -106,7 +106,9 @@ TEST_CASE("the spheres of a cone are as many as asked for, touch it from inside 
         CHECK(report.union_volume < solid.volume);
         CHECK(std::abs(report.union_centre.x()) < 0.01 * cone.diameter); // rings of an odd number lean a little
     }
-    CHECK(!spheres_in(cone, {36, 0.004}).ok()); // the inscribed sphere has 3.33 mm
+    const auto large = spheres_in(cone, {36, 0.004}); // the inscribed sphere has 3.33 mm
+    REQUIRE(!large.ok());
+    CHECK(large.problems()[0].fix.starts_with("give --smallest below that and above 0; a quarter of it, 0.8"));
     CHECK(!spheres_in(cone, {7, 0.0006}).ok());
 }
 
@@ -126,6 +128,10 @@ TEST_CASE("the report of one sphere in a cube: pi / 6 of the volume, off by noth
     const Report report = compare(cube, {{Vector3d(1, 1, 1), 1}});
     CHECK(report.union_volume / report.solid_volume == about(pi / 6));
     CHECK(report.gap_max == about(std::sqrt(3.0) - 1, 0.02));
+    // The cube has 8 m3; to it belongs the factor (6 / pi)^(1/3) = 1.2407.
+    REQUIRE(!advice(report).empty());
+    CHECK(advice(report)[0].starts_with("--volume 8e+09 gives the body"));
+    CHECK(advice(report)[0].ends_with("all lengths times 1.2407"));
     CHECK(report.gap_mean > 0.2);
     CHECK(report.stands_out == 0);
     CHECK(compare(cube, {{Vector3d(1, 1, 1), 1.25}}).stands_out == about(0.25));
@@ -143,7 +149,10 @@ TEST_CASE("spheres in a closed mesh stay inside it and fill it; a long box gets 
         CHECK(sphere.radius > 0.0044); // points of the grid, 1 mm apart, lie 0.5 mm off the axis
     CHECK(compare(bar, many).union_volume > compare(bar, few).union_volume);
     CHECK(compare(bar, many).union_volume > 0.7 * bar.volume);
-    CHECK(!spheres_in(bar, {4, 0.006}).ok());
+    const auto refused = spheres_in(bar, {4, 0.006});
+    REQUIRE(!refused.ok());
+    CHECK(refused.problems()[0].fix == "let them be smaller (--smallest), or look at the unit of the mesh (--scale)");
+    CHECK(!spheres_in(bar, {100000, 0.004}).ok());
 }
 
 TEST_CASE("scaled to a volume, the union has it, and the clump file reads back to the same spheres") {
@@ -152,6 +161,9 @@ TEST_CASE("scaled to a volume, the union has it, and the clump file reads back t
     CHECK(factor > 1);
     const Report report = compare(solid_of(Cone{0.010, 0.012}), spheres);
     CHECK(report.union_volume == about(3e-7, 1e-7));
+    Report near = report;
+    near.union_volume = 0.995 * near.solid_volume;
+    CHECK(advice(near).empty());
     CHECK(report.stands_out > 0);
     CHECK(equivalent_radius(report.union_volume) == about(std::cbrt(3 * 3e-7 / (4 * pi))));
     const std::string text = clump_file(spheres, report, {"a line"});

@@ -31,14 +31,16 @@ TEST_CASE("restitution: both laws give back what was asked for, and Hertz' durat
         CHECK(std::abs(walk.fact(fmt::format("hertz_restitution_{}", e)) - e) < 5e-3);
     }
     // Johnson 1985, 11.22 and 11.24, against a rigid plate of the same material: E* = E / (2 (1 - nu^2)).
-    const double R = 5e-3, E_eff = 5e7 / (2 * (1 - 0.0625)), mass = 4.0 / 3 * std::numbers::pi * R * R * R * 2500;
+    const double R = 5e-3, E_eff = 4.8e10 / (2 * (1 - 0.04)), mass = 4.0 / 3 * std::numbers::pi * R * R * R * 2800;
     for (const double v : {0.01, 0.1, 1.0, 4.0}) { // times 1 m/s
         CAPTURE(v);
         const double overlap = std::pow(15 * mass * v * v / (16 * E_eff * std::sqrt(R)), 0.4);
         const std::string at = fmt::format("{}", v);
         CHECK(walk.fact("hertz_overlap_" + at) == about(overlap, 2e-3));
         CHECK(walk.fact("hertz_duration_" + at) == about(2.9433 * overlap / v, 2e-3));
+        CHECK(overlap < 0.01 * R); // Hertz: the contact is small against the sphere
     }
+    CHECK(walk.fact("overlap") < 0.01 * R); // and so for the disc of the sphere's mass
 }
 
 TEST_CASE("restitution: a contact that may not pull rebounds as Schwager and Pöschel say") {
@@ -53,14 +55,16 @@ TEST_CASE("restitution: a spring too soft for the impact is refused in the lesso
           "enough") {
     const auto lesson = find_lesson("restitution");
     REQUIRE(lesson.ok());
-    const auto soft = read_values(**lesson, {{"normal_stiffness_N_per_m", "1e4"}, {"speed_m_s", "2"}});
+    const auto soft =
+        read_values(**lesson, {{"normal_stiffness_N_per_m", "1e4"}, {"mass_kg", "1"}, {"speed_m_s", "2"}});
     REQUIRE(soft.ok());
     const auto refused = (*lesson)->teach(*soft);
     REQUIRE(!refused.ok());
     // 1 kg at 4 * 2 m/s sinks 8 / sqrt(1e4) = 0.08 m; half of the radius 0.1 m asks for (8 / 0.05)^2 N/m.
     CHECK(refused.problems()[0].what.find("sinks 0.08 m into the wall at 8 m/s") != std::string::npos);
     CHECK(refused.problems()[0].fix == "give a spring of at least 2.56e+04 N/m, less mass or less speed");
-    const auto stiff = read_values(**lesson, {{"normal_stiffness_N_per_m", "2.6e4"}, {"speed_m_s", "2"}});
+    const auto stiff =
+        read_values(**lesson, {{"normal_stiffness_N_per_m", "2.6e4"}, {"mass_kg", "1"}, {"speed_m_s", "2"}});
     CHECK((*lesson)->teach(*stiff).ok());
 }
 

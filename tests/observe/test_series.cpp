@@ -35,7 +35,8 @@ TEST_CASE("rows are on the disk before the writer is closed") {
     auto writer = observe::SeriesWriter::create(folder.path / "s.csv", {"time_s", "x_m"});
     REQUIRE(writer.ok());
     REQUIRE(writer->write({0, 1}).ok());
-    CHECK(content_of(folder.path / "s.csv") == "time_s,x_m\n0,1\n");
+    REQUIRE(writer->write({1, -0.0}).ok());
+    CHECK(content_of(folder.path / "s.csv") == "time_s,x_m\n0,1\n1,0\n"); // no "-0"
 }
 
 TEST_CASE("a line torn by a kill is left out") {

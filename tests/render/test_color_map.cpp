@@ -1,6 +1,7 @@
 #include "about.h"
 #include "render/color_map.h"
 #include "render/quantity.h"
+#include "render/theme.h"
 #include "scene/keys.h"
 
 #include <bit>
@@ -58,6 +59,18 @@ TEST_CASE("viridis, cividis and inferno grow lighter at every step and by even a
             // Their steps are even in CAM02-UCS; CIELAB, another model of the eye, sees them within 7 % of the rise.
             CHECK(std::abs(lightness - first - rise * i / 100.0) < 0.07 * rise);
             before = lightness;
+        }
+    }
+}
+
+TEST_CASE("no scale begins or ends in a colour of the dark background, and none is darker than it") {
+    const Vector3d background = lab(find_theme("dark")->background);
+    for (const char* name : {"viridis", "cividis", "inferno", "coolwarm"}) {
+        CAPTURE(name);
+        const ColorMap map = map_named(name);
+        for (const double end : {0.0, 1.0}) {
+            CHECK(lab(map.at(end)).x() > background.x() + 5);
+            CHECK((lab(map.at(end)) - background).norm() > 25); // of the 2 or so that eyes tell apart
         }
     }
 }

@@ -89,6 +89,21 @@ TEST_CASE("an automatic range grows at once and shrinks only after 25 quiet fram
     }
 }
 
+TEST_CASE("one range for many frames is the widest of theirs, also where that is 1, and frames at rest do not count") {
+    const auto of = [](const std::vector<std::vector<double>>& frames) {
+        WidestRange widest;
+        for (const std::vector<double>& values : frames)
+            widest.take_in(values);
+        return widest.span(false);
+    };
+    CHECK(of({{0.3}, {0.9}, {0.1}}) == Span{0, 1}); // 0.9 asks for a scale to 1
+    CHECK(of({{0}, {0.3}, {}}) == Span{0, 0.5});    // of 0 alone it would reach to 1, too
+    CHECK(of({{0}}) == Span{0, 1});
+    WidestRange signs;
+    signs.take_in({-0.15, 0.1});
+    CHECK(signs.span(true) == Span{-0.2, 0.2});
+}
+
 TEST_CASE("a fixed range stays") {
     ColorRange range(Span{-2, 3}, false);
     CHECK(range.next({100}) == Span{-2, 3});

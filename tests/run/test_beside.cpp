@@ -62,6 +62,15 @@ TEST_CASE("two runs stand side by side at the times that both have, though their
     CHECK(told("right: 1 of its frames have none beside them"));
 }
 
+TEST_CASE("pictures of two runs have the numbers that the left run's frames have") {
+    const TwoRuns two;
+    run::BesideOptions options = wide(two.folder.path / "both");
+    options.when.from = 0.004;
+    CHECK(drawn(two, options).frames == 2);
+    for (const char* name : {"frame_000001.png", "frame_000002.png"})
+        CHECK_MESSAGE(fs::exists(options.targets.folder / name), name);
+}
+
 TEST_CASE("what is there is not drawn over without force, and a broken comparison leaves nothing") {
     const TwoRuns two;
     run::BesideOptions options = wide(two.folder.path / "both");

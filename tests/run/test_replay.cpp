@@ -84,6 +84,30 @@ TEST_CASE("a cut takes the frames at its ends, which sit at the nearest step, an
     CHECK_FALSE(fs::exists(drawing.targets.folder / "frame_000000.png"));
 }
 
+TEST_CASE("a redrawing has one scale of colours in all its pictures: that of the fastest frame") {
+    const Folder folder;
+    const fs::path run = finished_run(folder);
+    // The ball falls at g t, at the end 9.81 m/s2 * 0.02 s = 0.196 m/s; rounded up, 0.2 m/s.
+    const std::array<double, 2> ends{0, 0.2};
+    const auto recording = run::open_recording(run, {});
+    REQUIRE(recording.ok());
+    CHECK(*run::colors_for({&*recording, 1}, "speed") == ends);
+    CHECK(*run::colors_for({&*recording, 1}, "vy") == std::array<double, 2>{-0.2, 0.2});
+    CHECK(!run::colors_for({&*recording, 1}, "sped").ok());
+    run::RedrawOptions options;
+    options.settings = loaded(falling_ball, {"render.width_px=640", "render.height_px=360"}).render;
+    const auto drawn = [&](const char* name) {
+        options.targets.folder = folder.path / name;
+        REQUIRE(run::redraw(run, options, silent).ok());
+        return content_of(options.targets.folder / "frame_000001.png"); // of 0.05 m/s
+    };
+    const std::string automatic = drawn("automatic");
+    options.settings.range = ends;
+    CHECK(drawn("fixed") == automatic);
+    options.settings.range = {0, 0.1};
+    CHECK(drawn("narrower") != automatic);
+}
+
 TEST_CASE("a redrawing may give walls another opacity and the picture another title") {
     const Folder folder;
     const fs::path run = finished_run(folder);

@@ -25,6 +25,8 @@ TEST_CASE("gnuplot is told units, and words as they stand") {
     CHECK(script.find("set ylabel 'force, N'") != std::string::npos);
     CHECK(script.find("set title 'It''s a line'") != std::string::npos);
     CHECK(script.find("1 2\nEND") != std::string::npos);
+    CHECK(script.find("set terminal svg size 800,500 font 'DejaVu Sans,13' background 'white' noenhanced rounded\n") ==
+          0);
 }
 
 TEST_CASE("points with a spread get it as bars, and the mark of a figure knows of it") {

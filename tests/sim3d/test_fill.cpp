@@ -283,7 +283,7 @@ TEST_CASE("a body placed where another body or a wall is, is refused by name") {
     CHECK(refusal({0.01, 0, 0}, 0.001).empty());
     CHECK(refusal({0.001, 0, 0}, 0.001).find("overlaps another body at t = 0.001 s") != std::string::npos);
     CHECK(refusal({0.001, 0, 0}, 0).find("overlaps another body at t = 0 s") != std::string::npos);
-    CHECK(refusal({-0.039, 0, 0}, 0).find("overlaps a wall") != std::string::npos);
+    CHECK(refusal({-0.039, 0, 0}, 0).find("overlaps wall 'wall0'") != std::string::npos);
 }
 
 TEST_CASE("a body that is shot through a thin wall stops the run and names both") {

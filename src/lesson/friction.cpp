@@ -252,7 +252,7 @@ double grazing_share(double e) {
 
 std::optional<Problem> beyond_the_limit(Walk& walk) {
     walk.head("What the limit does not limit");
-    walk.say(fmt::format("Coulomb's limit holds the *spring*. Beside it the contact has a dashpot, as in Cundall and "
+    walk.say(fmt::format("Coulomb's limit holds the spring. Beside it the contact has a dashpot, as in Cundall and "
                          "Strack 1979, and its "
                          "force comes on top as long as the spring is below the limit. At a flat impact the spring is "
                          "still at rest when "

@@ -234,7 +234,7 @@ std::optional<Problem> film_of_heap(Walk& walk, const Setup& s) {
     walk.say(
         fmt::format("Here is a heap of such discs, with friction, in steps of {} and {} times its own limit. That is "
                     "{:.4g} s, as `tumble check` reckons (below), {:.0f} % of what the caged disc bears: the "
-                    "second heap boils in steps of {:.2g} of the cage's limit.",
+                    "second heap takes steps of {:.2g} of the cage's limit.",
                     short_enough, too_long, *own, 100 * *own / cage, too_long * *own / cage));
     Film shown{.name = "exploding-heap",
                .title = "A heap in steps that are short enough, and too long",
@@ -308,9 +308,9 @@ Result<scene::TimeStepReport> report_of_beads(double speed, double heavier) {
 /// The rule of thumb that other codes print, beside the limit.
 std::optional<Problem> rayleigh(Walk& walk) {
     walk.head("The Rayleigh time");
-    walk.say(
-        "Most codes for spheres print another time: how long a wave takes over the surface of the smallest one. A step "
-        "of 10 to 30 % of it is the usual rule.");
+    walk.say("Codes for spheres often print another time: how long a wave takes over the surface of the smallest one. "
+             "A step "
+             "of 10 to 30 % of it is the usual rule.");
     walk.formula("T_R = π R √(ρ / G) / (0.1631 ν + 0.8766)", "Li, Xu and Thornton 2005; docs/bodies.md");
     walk.say(
         "It needs an elastic modulus, so the linear law's discs have none. And it asks for a wave in one sphere, where "
@@ -405,13 +405,13 @@ Result<Walk> teach(const Values& values) {
     const Result<double> checked = checked_limit(s.scene(limit));
     if (!checked)
         return checked.problems();
-    walk.say(fmt::format(
-        "A disc in a heap has more than two contacts, and what it touches is as free to move as it is. "
-        "`tumble check` reckons with four springs at once in place of two, between two discs in place "
-        "of a disc and a wall. Without dashpots each shortens the step by √2. It refuses a step above "
-        "{:.4g} s in this scene, {:.0f} % of the limit here. With friction discs also turn: the heap's limit "
-        "above is √3 shorter still.",
-        *checked, 100 * *checked / limit));
+    walk.say(
+        fmt::format("A disc in a heap has more than two contacts, and what it touches is as free to move as it is. "
+                    "`tumble check` reckons with four springs at once in place of two, between two discs in place "
+                    "of a disc and a wall. Without dashpots each shortens the step by √2. It refuses a step above "
+                    "{:.4g} s in this scene, {:.0f} % of the limit here. With friction discs also turn, which "
+                    "without dashpots is another √3: the heap's limit above.",
+                    *checked, 100 * *checked / limit));
     walk.fact("check_limit", *checked, "s");
     if (const auto problem = rayleigh(walk))
         return *problem;

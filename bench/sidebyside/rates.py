@@ -134,7 +134,10 @@ def flat(core, name, sets, *times):
     ran = programs.run([programs.ours("scene2d"), f"scene={scene}", f"sets={','.join(sets)}", f"measure={measure}",
                         f"measured_from={begins}", *times], [core])
     got = json.loads([line for line in ran.output.splitlines() if line.startswith("{")][-1])
-    return {**got, "figure": next(value for key, value in got.items() if key.startswith(measure))}
+    figure = next(value for key, value in got.items() if key.startswith(measure))
+    if figure is None:
+        raise programs.Missing(f"{name} with {', '.join(sets)} has no {measure} to be measured from {begins} s on")
+    return {**got, "figure": figure}
 
 
 def half_step(got, solver):

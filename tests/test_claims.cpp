@@ -368,7 +368,7 @@ TEST_CASE(
 TEST_CASE("drum-2d: the surface of a slowly turning drum keeps its dynamic angle") {
     const Ran drum(loaded("drum-2d.toml"));
     CHECK(drum.summary.unfilled.empty());
-    CHECK(drum.mean("surface_slope", 2.0, 5.0) == about(23.3, 0.1));
+    CHECK(drum.mean("surface_slope", 2.0, 5.0) == about(23.3, 0.05)); // another seed: 23.5
     for (double from = 2.2; from < 4.5; from += 0.4) {
         CAPTURE(from);
         CHECK(drum.mean("surface_slope", from, from + 0.4) > 18);

@@ -6,6 +6,7 @@
 #include "support/report.h"
 
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 
 using namespace tumble;
@@ -67,6 +68,35 @@ std::vector<sim2d::BodyState> lattice() {
     return bodies;
 }
 
+/// What flows, so that a rate can be believed: a loose or a slowing bed is quick to simulate.
+struct Flow {
+    double solid_fraction = 0; // by centres, from 20 to 60 mm above the floor
+    double coordination = 0;   // contacts seen from both sides, per disc
+    double speed = 0;          // m/s, mean down the slope
+
+    explicit Flow(const sim2d::World& world) {
+        constexpr double lo = 0.02, hi = 0.06; // m
+        const auto bodies = sim2d::bodies_of(world);
+        const auto& shapes = sim2d::shapes_of(world);
+        double area = 0;
+        for (const sim2d::BodyState& body : bodies) {
+            const double r = shapes[static_cast<std::size_t>(body.shape)].discs.front().radius;
+            area += body.position.y() > lo && body.position.y() < hi ? std::numbers::pi * r * r : 0;
+            speed += body.velocity.x() / static_cast<double>(bodies.size());
+        }
+        solid_fraction = area / ((hi - lo) * columns * spacing);
+        coordination = 2 * static_cast<double>(sim2d::books_of(world).contacts) / static_cast<double>(bodies.size());
+    }
+};
+
+void print_flow(const Flow& before, const Flow& after) {
+    fmt::print(R"({{"solid_fraction": [{:.3f}, {:.3f}], "coordination": [{:.3f}, {:.3f}], )"
+               R"("speed_m_s": [{:.4g}, {:.4g}]}})"
+               "\n",
+               before.solid_fraction, after.solid_fraction, before.coordination, after.coordination, before.speed,
+               after.speed);
+}
+
 } // namespace
 
 /// threads=1 dt=1e-5 skin=0 pre=20000 blocks=1 steps=10000
@@ -84,6 +114,8 @@ int main(int count, char** words) {
     if (const auto problem = sim2d::insert(*world, lattice()))
         bench::refuse(to_string(*problem));
     bench::advance_or_refuse(*world, pre);
+    const Flow before(*world);
     bench::timed_blocks(*world, "flow", blocks, steps);
+    print_flow(before, Flow(*world));
     bench::print_summary(*world);
 }

@@ -9,6 +9,7 @@
 #include "sim3d/body_shape.h"
 #include "sim3d/solver.h"
 
+#include <array>
 #include <cmath>
 #include <doctest/doctest.h>
 #include <numbers>
@@ -274,15 +275,22 @@ TEST_CASE("shaken-bed-2d: the bed flies as high as an inelastic block, and stays
     const double lift = g / (a * w * w); // sin of the phase at take-off
     const double block = a * lift + std::pow(a * w, 2) * (1 - lift * lift) / (2 * g);
     CHECK(block == about(0.0063, 0.01));
-    const Ran flying(loaded("shaken-bed-2d.toml"));
-    const std::vector<double> tops = rises(flying, 1.5);
-    CHECK(tops.size() == 18);
-    for (const double top : tops) {
-        CHECK(top > 0.85 * block);
-        CHECK(top < 1.4 * block);
+    double sum = 0;
+    const std::array<int, 4> seeds{4, 5, 6, 7};
+    for (const int seed : seeds) {
+        CAPTURE(seed);
+        const Ran flying(loaded("shaken-bed-2d.toml", {"duration_s=2.5", "seed=" + std::to_string(seed)}));
+        const std::vector<double> tops = rises(flying, 1.5);
+        CHECK(tops.size() == 12);
+        for (const double top : tops) {
+            CHECK(top > 0.8 * block);
+            CHECK(top < 1.6 * block);
+        }
+        sum += mean(tops) / static_cast<double>(seeds.size());
     }
-    CHECK(mean(tops) == about(0.0067, 0.1)); // as seeds scatter
-    const Ran lying(loaded("shaken-bed-2d.toml", {"duration_s=2.0", "wall.plate.motion.0.amplitude_m=0.00138"}));
+    // Means of eight seeds scatter by 0.5 mm, so those of four by 0.25.
+    CHECK(sum == about(0.0069, 0.08));
+    const Ran lying(loaded("shaken-bed-2d.toml", {"duration_s=1.8", "wall.plate.motion.0.amplitude_m=0.00138"}));
     CHECK(mean(rises(lying, 1.5)) == about(0.00138, 0.1));
 }
 
@@ -299,19 +307,37 @@ TEST_CASE("hopper-2d: as many discs leave the slot a second when half the fillin
     };
     const int begun = left_until(1.44), half = left_until(2.04), end = left_until(2.64);
     CHECK((half - begun) / 0.6 == about(743, 0.1));
+    // Beverloo's law for a slot, 1.03 phi sqrt(g) (B - k d)^1.5 of area per second (Nedderman 1992), with k = 1.4 and
+    // the solid fraction 0.82 of discs at rest, over the mean area of the two sizes.
+    const double disc = std::numbers::pi * (0.0036 * 0.0036 + 0.0044 * 0.0044) / 2;
+    const double beverloo = 1.03 * 0.82 * std::sqrt(9.81) * std::pow(0.07 - 1.4 * 0.008, 1.5) / disc;
+    CHECK((half - begun) / 0.6 == about(beverloo, 0.1));
     CHECK(end - half > 0.88 * (half - begun));
     CHECK(end - half < 1.05 * (half - begun));
 }
 
-TEST_CASE("repose-2d: discs that roll heap up far below their angle of friction, alike on both sides") {
-    const Ran heap(loaded("repose-2d.toml"));
-    const double left = heap.column("surface_slope_left").back(), right = -heap.column("surface_slope_right").back();
-    CHECK(heap.summary.unfilled.empty());
-    CHECK(heap.column("kinetic_energy").back() < 1e-9);
-    for (const double slope : {left, right}) {
-        CHECK(slope > 12);
-        CHECK(slope < 20);
+TEST_CASE(
+    "repose-2d: discs that roll heap up far below their angle of friction, alike on both sides and in every heap") {
+    double sum = 0, skew = 0;
+    const std::array<int, 3> seeds{3, 4, 5};
+    for (const int seed : seeds) {
+        CAPTURE(seed);
+        const Ran heap(
+            loaded("repose-2d.toml", {"duration_s=2.6", "seed=" + std::to_string(seed)})); // all are in at 2.5 s
+        const double left = heap.column("surface_slope_left").back(),
+                     right = -heap.column("surface_slope_right").back();
+        CHECK(heap.summary.unfilled.empty());
+        CHECK(heap.column("kinetic_energy").back() < 1e-9);
+        for (const double slope : {left, right}) {
+            CHECK(slope > 11);
+            CHECK(slope < 17);
+        }
+        sum += left + right;
+        skew += left - right;
     }
+    // Six slopes scatter by 0.9 degrees: their mean by 0.4, the mean difference of two sides by 0.7.
+    CHECK(sum / 6 == about(13.9, 0.08));
+    CHECK(std::abs(skew / 3) < 2);
 }
 
 TEST_CASE("trough-2d: moved round a circle, the trough makes its flat load circulate clockwise and its surface slope") {
@@ -324,14 +350,25 @@ TEST_CASE("trough-2d: moved round a circle, the trough makes its flat load circu
         CHECK(flat.mean("circulation", from, from + 0.4) > -0.9);
     }
     CHECK(flat.mean("circulation", 2.0, 3.0) == about(-0.53, 0.25));
-    CHECK(flat.mean("surface_slope", 2.0, 3.0) == about(-8, 0.4));
+    CHECK(flat.mean("surface_slope", 2.0, 3.0) == about(-9.2, 0.25)); // seeds scatter by 1.1
     CHECK(std::abs(flat.summary.books.closure) < 0.01 * flat.summary.energy_turnover);
+}
+
+TEST_CASE(
+    "trough-2d: in phase it turns the other way and lies level; with the thesis' amplitude across a quarter as fast") {
+    const Ran line(loaded("trough-2d.toml", {"duration_s=2.2", "wall.0.motion.1.phase_deg=0"}));
+    CHECK(line.mean("circulation", 1.4, 2.2) > 0.02);
+    CHECK(line.mean("circulation", 1.4, 2.2) < 0.2);
+    CHECK(std::abs(line.mean("surface_slope", 1.4, 2.2)) < 4);
+    const Ran ellipse(loaded("trough-2d.toml", {"duration_s=2.2", "wall.0.motion.1.amplitude_m=0.0004038"}));
+    CHECK(ellipse.mean("circulation", 1.4, 2.2) < -0.05);
+    CHECK(ellipse.mean("circulation", 1.4, 2.2) > -0.25);
 }
 
 TEST_CASE("drum-2d: the surface of a slowly turning drum keeps its dynamic angle") {
     const Ran drum(loaded("drum-2d.toml"));
     CHECK(drum.summary.unfilled.empty());
-    CHECK(drum.mean("surface_slope", 2.0, 5.0) == about(23.3, 0.1));
+    CHECK(drum.mean("surface_slope", 2.0, 5.0) == about(23.3, 0.05)); // another seed: 23.5
     for (double from = 2.2; from < 4.5; from += 0.4) {
         CAPTURE(from);
         CHECK(drum.mean("surface_slope", from, from + 0.4) > 18);

@@ -7,7 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from statistics import median
 
-from . import liggghts, programs
+from . import convergence, liggghts, programs
 
 
 def spread(values):
@@ -102,9 +102,11 @@ def spheres(repeats=3, steps=3000, core=0, other=1):
 
 
 def our_discs(threads, steps, cores):
+    """(rate, summary); the summary tells before and after the timed steps how dense the flow was and how fast."""
     ran = programs.run([programs.ours("discs"), f"threads={threads}", f"steps={steps}"], cores)
     blocks, summary = lines_of(ran)
-    return blocks[-1]["rate"], summary
+    flow = next(json.loads(line) for line in ran.output.splitlines() if line.startswith('{"solid_fraction"'))
+    return blocks[-1]["rate"], {**summary, "flow": flow}
 
 
 def discs(repeats=3, steps=10000, core=0, other=1):
@@ -119,16 +121,53 @@ def discs(repeats=3, steps=10000, core=0, other=1):
                   two_threads=gain([rate for rate, _ in two], [rate for rate, _ in one], []))
 
 
+# What tells of each scene whether its steps are short enough: a measure, averaged from a time on (s).
+FIGURES = {"repose-2d": ("surface_slope_left", 2.6), "hopper-2d": ("centre_of_mass_y", 1.5), "drum-2d": ("surface_slope", 2.0),
+           "shaken-bed-2d": ("centre_of_mass_y", 1.5), "trough-2d": ("surface_slope", 2.0)}
+FIRST_SEED = 11
+
+
 def flat(core, name, sets, *times):
-    """What bench_scene2d prints of a shipped scene; all of it, or as `times` say."""
+    """What bench_scene2d prints of a shipped scene; timed from start to end, or as `times` say. "figure" is its measure."""
+    measure, begins = FIGURES[name]
     scene = programs.ROOT / "scenes" / f"{name}.toml"
-    ran = programs.run([programs.ours("scene2d"), f"scene={scene}", f"sets={','.join(sets)}", *times], [core])
-    return json.loads([line for line in ran.output.splitlines() if line.startswith("{")][-1])
+    ran = programs.run([programs.ours("scene2d"), f"scene={scene}", f"sets={','.join(sets)}", f"measure={measure}",
+                        f"measured_from={begins}", *times], [core])
+    got = json.loads([line for line in ran.output.splitlines() if line.startswith("{")][-1])
+    figure = next(value for key, value in got.items() if key.startswith(measure))
+    if figure is None:
+        raise programs.Missing(f"{name} with {', '.join(sets)} has no {measure} to be measured from {begins} s on")
+    return {**got, "figure": figure}
 
 
-def drum(core, sets):
-    """The half-full drum: 950 discs, mean over 3 s."""
-    return flat(core, "drum-2d", sets, "from=2", "until=5")
+def half_step(got, solver):
+    """The setting that halves the step of a run."""
+    return f"{'box2d.' if solver == 'box2d' else ''}time_step_s={got['step_s'] / 2}"
+
+
+def under_both(problems, core, name, seeds, *times):
+    """{"soft": {"step": runs by seed, "half_step": the same}, "box2d": ...}, in turn: what others do meanwhile is shared."""
+    kept = {solver: {"step": [], "half_step": []} for solver in ("soft", "box2d")}
+    for seed in range(FIRST_SEED, FIRST_SEED + seeds):
+        for solver, runs in kept.items():
+            sets = [f"solver={solver}", f"seed={seed}"]
+            whole = attempt(problems, flat, core, name, sets, *times)
+            half = whole and attempt(problems, flat, core, name, [*sets, half_step(whole, solver)], *times)
+            if half:
+                runs["step"].append(whole)
+                runs["half_step"].append(half)
+    return kept
+
+
+def held(problems, name, kept):
+    """Whether the figure of either solver stays when the step is halved; problems get what does not."""
+    found = {}
+    for solver, runs in kept.items():
+        if runs["step"]:
+            found[solver] = convergence.halved(*([got["figure"] for got in runs[step]] for step in ("step", "half_step")))
+            said = convergence.complaint(f"{name}, {solver}", FIGURES[name][0], found[solver])
+            problems += [said] if said else []
+    return found
 
 
 def video_seconds(name, cores):
@@ -139,53 +178,42 @@ def video_seconds(name, cores):
     return {"seconds": ran.seconds, "processor_s": ran.processor_s, "simulated_s": json.loads(ran.output)["time_s"]}
 
 
-LIVE = ("repose-2d", "hopper-2d", "drum-2d", "shaken-bed-2d", "trough-2d")
-
-
-def live(repeats=1, core=0, **_):
+def live(seeds=3, core=0, **_):
     """What a lecture can show while it runs: the shipped scenes of two dimensions, whole, under soft contacts and under Box2D in
-    turn, and how long the trough takes to its video."""
+    turn, each once more in half its step, and how long the trough takes to its video."""
     problems, runs, soft, boxed = [], [], [], []
-    for name in LIVE:
-        kept = {"tumble": [], "peer": []}
-        for _ in range(repeats):
-            for side, sets in (("tumble", []), ("peer", ["solver=box2d"])):
-                got = attempt(problems, flat, core, name, sets)
-                if got is not None:
-                    kept[side].append(got)
-        row = {side: {"rate": median(got["rate"] for got in all_of), "step_s": all_of[0]["step_s"],
-                      "bodies": all_of[0]["bodies"]} for side, all_of in kept.items() if all_of}
+    for name in FIGURES:
+        kept = under_both(problems, core, name, seeds)
+        row = {solver: {"rate": median(got["rate"] for got in runs_of["step"]), "step_s": runs_of["step"][0]["step_s"],
+                        "bodies": runs_of["step"][0]["bodies"]} for solver, runs_of in kept.items() if runs_of["step"]}
         if len(row) == 2:
-            row["peer"]["ratio"] = row["tumble"]["rate"] / row["peer"]["rate"]
-        runs.append({"run": name, "tumble": row.get("tumble", {}), "peer": row.get("peer")})
-        soft += [(got["rate"], got) for got in kept["tumble"]]
-        boxed += [(got["rate"], got["peak_rss_MB"]) for got in kept["peer"]]
+            row["box2d"]["ratio"] = row["soft"]["rate"] / row["box2d"]["rate"]
+        runs.append({"run": name, "tumble": row.get("soft", {}), "peer": row.get("box2d"), "held": held(problems, name, kept)})
+        soft += [(got["rate"], got) for got in kept["soft"]["step"]]
+        boxed += [(got["rate"], got["peak_rss_MB"]) for got in kept["box2d"]["step"]]
     ratios = [run["peer"]["ratio"] for run in runs if run["peer"] and "ratio" in run["peer"]]
     return result("live", "simulated s per s of processor time", soft, "box2d", boxed, problems, runs=runs,
                   ratio=median(ratios) if ratios else None, trough_2d_video=attempt(problems, video_seconds, "trough-2d", None))
 
 
-def hard(repeats=2, core=0, **_):
-    """The drum under soft contacts and under Box2D, in turn: simulated seconds per second of processor
-    time. Each once more in half its step
-    (Box2D also with twice the iterations): the slopes of the surface say whether the steps were short enough."""
-    box = ["solver=box2d"]
-    soft, boxed, problems = [], [], []
-    for _ in range(repeats):
-        for keep, sets in ((soft, []), (boxed, box)):
-            got = attempt(problems, drum, core, sets)
-            if got is not None:
-                keep.append((got["rate"], got))
-    finer = {}
+def hard(seeds=3, core=0, **_):
+    """The drum from 2 to 5 s under soft contacts and under Box2D, in turn, a run each per seed: simulated seconds per second of
+    processor time, and of Box2D also without the books that are kept beside it. Each once more in half its step, Box2D also
+    with twice the iterations: the slopes of the surface say whether the steps were short enough."""
+    problems, times = [], ("from=2", "until=5")
+    kept = under_both(problems, core, "drum-2d", seeds, *times)
+    soft, boxed = kept["soft"]["step"], kept["box2d"]["step"]
+    slopes = held(problems, "drum-2d", kept)
+    finer = [attempt(problems, flat, core, "drum-2d", ["solver=box2d", f"seed={FIRST_SEED + k}", "box2d.velocity_iterations=40",
+                                                       "box2d.position_iterations=16"], *times) for k in range(len(boxed))]
+    found = result("hard", "simulated s per s of processor time", [(got["rate"], got) for got in soft], "box2d",
+                   [(got["rate"], got["peak_rss_MB"]) for got in boxed], problems, slopes=slopes,
+                   slopes_twice_the_iterations=[got["figure"] for got in finer if got],
+                   peer_without_books=spread([got["rate"] / (1 - got["books_share"]) for got in boxed]))
     if soft and boxed:
-        half = f"box2d.time_step_s={boxed[0][1]['step_s'] / 2}"
-        finer = {"soft": attempt(problems, drum, core, [f"time_step_s={soft[0][1]['step_s'] / 2}"]),
-                 "box2d": attempt(problems, drum, core, [*box, half]),
-                 "box2d_iterations": attempt(problems, drum, core, [*box, "box2d.velocity_iterations=40",
-                                                                   "box2d.position_iterations=16"])}
-    theirs = [(rate, summary["peak_rss_MB"]) for rate, summary in boxed]
-    return result("hard", "simulated s per s of processor time", soft, "box2d", theirs, problems,
-                  peer_summary=boxed[-1][1] if boxed else None, finer=finer)
+        found["ratio_in_half_steps"] = (median(got["rate"] for got in kept["soft"]["half_step"])
+                                        / median(got["rate"] for got in kept["box2d"]["half_step"]))
+    return found
 
 
 def our_trough(blocks, steps, vibrate_blocks, vibrate_steps, cores, threads=1):

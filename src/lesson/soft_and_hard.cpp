@@ -32,6 +32,14 @@ struct Setup {
     }
 };
 
+/// Largest force of an impact on spring and dashpot, over m v omega: where n''' = 0, at w_d t = 3 acos(zeta) - pi; from
+/// zeta = 1/2 on the dashpot alone, at the first touch.
+double largest_force(double zeta) {
+    if (zeta >= 0.5)
+        return 2 * zeta;
+    return std::exp(-zeta * (3 * std::acos(zeta) - pi) / std::sqrt(1 - zeta * zeta));
+}
+
 /// A curve of steps: a force that lasts from one instant of the step's end back to the one before.
 Curve stairs(const std::string& label, const Push& push) {
     Curve curve{label, Style::line, {}, {}};
@@ -56,6 +64,7 @@ std::optional<Problem> one_impact(Walk& walk, const Setup& s) {
         if (!*push)
             return push->problems().front();
     const double zeta = damping_ratio(s.e), damped = s.omega() * std::sqrt(1 - zeta * zeta);
+    const double force = mass * s.speed * s.omega() * largest_force(zeta); // N
     const double deepest = s.speed / s.omega() * std::exp(-zeta * s.omega() * std::acos(zeta) / damped);
     walk.say(fmt::format("A disc of {:.4g} g strikes a floor at {:.4g} m/s, once with κ = {:.4g} N/m and once hard, in "
                          "steps of 1 ms and of 0.5 ms:",
@@ -66,7 +75,7 @@ std::optional<Problem> one_impact(Walk& walk, const Setup& s) {
               {"restitution", soft->restitution, s.e, whole->restitution, half->restitution, ""},
               {"contact lasts", 1e3 * soft->lasted, 1e3 * pi / damped, "one step", "one step", "ms"},
               {"deepest overlap", 1e3 * soft->deepest, 1e3 * deepest, 1e3 * whole->deepest, 1e3 * half->deepest, "mm"},
-              {"largest force", soft->strongest, std::string("-"), whole->strongest, half->strongest, "N"}}});
+              {"largest force", soft->strongest, force, whole->strongest, half->strongest, "N"}}});
     Figure figure{
         .name = "force",
         .title = "The force of one impact, soft and hard",
@@ -81,6 +90,8 @@ std::optional<Problem> one_impact(Walk& walk, const Setup& s) {
     walk.fact("hard_restitution", whole->restitution);
     walk.fact("soft_contact_time", soft->lasted, "s");
     walk.fact("soft_contact_time_predicted", pi / damped, "s");
+    walk.fact("soft_force", soft->strongest, "N");
+    walk.fact("soft_force_predicted", force, "N");
     walk.fact("hard_force_ratio", half->strongest / whole->strongest);
     walk.fact("hard_impulse", whole->strongest * hard_step, "N s");
     walk.fact("hard_impulse_predicted", mass * (1 + s.e) * s.speed, "N s");

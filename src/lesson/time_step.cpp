@@ -3,6 +3,7 @@
 #include "lesson/each.h"
 #include "lesson/impact.h"
 #include "lesson/stage.h"
+#include "sim3d/time_step.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -46,9 +47,10 @@ struct Course {
     std::string stopped;
 };
 
-Result<Course> run(const Setup& setup, double dt, double start_at, int steps) {
+Result<Course> run(const Setup& setup, double dt, double start_at, int steps, double speed = 0) {
     sim2d::BodyState disc;
     disc.position = {start_at, 0};
+    disc.velocity = {speed, 0};
     Result<sim2d::WorldPtr> world = start(setup.scene(dt), {disc});
     if (!world)
         return world.problems();
@@ -116,6 +118,24 @@ Result<double> limit_seen(const Setup& setup) {
     return stable;
 }
 
+/// Without dashpots both roots meet in -1 at the limit: bounded from rest, growing by the same length a step else.
+std::optional<Problem> at_the_limit(Walk& walk, const Setup& s) {
+    constexpr int steps = 20;
+    const double dt = s.critical_step(), way = 1e-5 * squeeze; // m, that it flies in a step at first
+    const Result<Course> course = run(s, dt, 0, steps, way / dt);
+    if (!course)
+        return course.problems().front();
+    const double far = course->x.size() > steps ? std::abs(course->x[steps]) / way : 0;
+    walk.say(fmt::format(
+        "Without a dashpot the two roots meet there: λ = −1 twice, and x(k) = (a + b k) (−1)^k. A disc that "
+        "is pushed aside and let go jumps between the same two places (b = 0). One that gets a speed at "
+        "the middle comes further by the same way in every step: in the solver {:.5g} times the first "
+        "after {} steps. So the limit itself is not stable.",
+        far, steps));
+    walk.fact("ways_at_the_limit", far);
+    return std::nullopt;
+}
+
 std::optional<Problem> around_the_limit(Walk& walk, const Setup& s) {
     Grid grid{{{"step / limit"},
                {"ω Δt"},
@@ -173,12 +193,49 @@ Result<Course> swings(Walk& walk, const Setup& s) {
     return last;
 }
 
-/// A heap of discs whose weight presses the lowest together by a thousandth of a radius. In steps that the caged disc
-/// bears with ease, it boils: each disc has more contacts.
-Result<Film> film_of_heap(const Setup& s) {
-    constexpr int rows = 6, columns = 8, pictures = 75;
-    const double limit = s.critical_step(), until = 100 * limit;
+/// A heap of discs whose weight presses the lowest together by a thousandth of a radius, in steps of `dt`.
+scene::Scene heap(const Setup& s, double dt) {
+    constexpr int rows = 6, columns = 8;
     const double width = columns * radius, row = std::sqrt(3.0) * radius * (1 + 1e-6);
+    scene::Scene scene = plane_stage(linear_pair(s.k, 1, s.restitution, 0.3), dt);
+    scene.gravity = {0, -1e-3 * radius * s.k / s.mass / rows, 0};
+    const int disc = add_round(scene, radius, s.mass);
+    add_wall(scene, scene::Outline(scene::PolylineShape{{{-width - 0.51 * radius, 2 * width},
+                                                         {-width - 0.51 * radius, 0},
+                                                         {width + 0.51 * radius, 0},
+                                                         {width + 0.51 * radius, 2 * width}},
+                                                        false}));
+    for (int k = 0; k < rows * columns; ++k) {
+        const double shift = (k / columns) % 2 == 0 ? -0.5 : 0.5;
+        put(scene, disc,
+            {(2 * (k % columns) - columns + 1 + shift) * radius * (1 + 1e-6), radius * (1 + 1e-6) + k / columns * row},
+            {0, 0});
+    }
+    return scene;
+}
+
+/// The longest step that `tumble check` lets a flat scene have, s.
+Result<double> checked_limit(const scene::Scene& scene) {
+    const Result<sim2d::WorldPtr> world = start(scene, std::vector<sim2d::BodyState>{});
+    if (!world)
+        return world.problems();
+    return sim2d::time_step_report(scene, sim2d::shapes_of(**world)).limit;
+}
+
+/// A heap has its own limit, which is far below the caged disc's: each disc has more contacts, turns, and touches what
+/// is as free as itself.
+std::optional<Problem> film_of_heap(Walk& walk, const Setup& s) {
+    constexpr int pictures = 75;
+    constexpr double width = 8 * radius, short_enough = 0.7, too_long = 2.8;
+    const double cage = s.critical_step(), until = 100 * cage;
+    const Result<double> own = checked_limit(heap(s, cage));
+    if (!own)
+        return own.problems().front();
+    walk.say(
+        fmt::format("Here is a heap of such discs, with friction, in steps of {} and {} times its own limit. That is "
+                    "{:.4g} s, as `tumble check` reckons (below), {:.0f} % of what the caged disc bears: the "
+                    "second heap takes steps of {:.2g} of the cage's limit.",
+                    short_enough, too_long, *own, 100 * *own / cage, too_long * *own / cage));
     Film shown{.name = "exploding-heap",
                .title = "A heap in steps that are short enough, and too long",
                .reels = {},
@@ -186,28 +243,16 @@ Result<Film> film_of_heap(const Setup& s) {
                .range = {0, 0.5 * radius * s.omega},
                .view = scene::Box{{-width, -0.5 * radius, -0.5}, {width, 2 * width, 0.5}},
                .poster = std::size_t{30}};
-    for (const double factor : {0.2, 0.8}) {
-        scene::Scene scene = plane_stage(linear_pair(s.k, 1, s.restitution, 0.3), factor * limit);
-        scene.gravity = {0, -1e-3 * radius * s.k / s.mass / rows, 0};
-        const int disc = add_round(scene, radius, s.mass);
-        add_wall(scene, scene::Outline(scene::PolylineShape{{{-width - 0.51 * radius, 2 * width},
-                                                             {-width - 0.51 * radius, 0},
-                                                             {width + 0.51 * radius, 0},
-                                                             {width + 0.51 * radius, 2 * width}},
-                                                            false}));
-        for (int k = 0; k < rows * columns; ++k) {
-            const double shift = (k / columns) % 2 == 0 ? -0.5 : 0.5;
-            put(scene, disc,
-                {(2 * (k % columns) - columns + 1 + shift) * radius * (1 + 1e-6),
-                 radius * (1 + 1e-6) + k / columns * row},
-                {0, 0});
-        }
-        Result<Reel> reel = film(scene, fmt::format("step {} of the limit", factor), until, shown.every);
+    for (const double share : {short_enough, too_long}) {
+        Result<Reel> reel =
+            film(heap(s, share * *own), fmt::format("step {} of the heap's limit", share), until, shown.every);
         if (!reel)
-            return reel.problems();
+            return reel.problems().front();
         shown.reels.push_back(std::move(*reel));
     }
-    return shown;
+    walk.show(std::move(shown));
+    walk.fact("heap_limit", *own, "s");
+    return std::nullopt;
 }
 
 /// How the course beyond the limit went on.
@@ -243,6 +288,59 @@ std::optional<Problem> accuracy(Walk& walk, const Setup& s) {
     return std::nullopt;
 }
 
+/// Plastic beads of Hertz' law that come at `speed` (m/s) with that many times the mass of a solid one.
+Result<scene::TimeStepReport> report_of_beads(double speed, double heavier) {
+    const contact::Material plastic{"plastic", 1665.71, 4.6e8, 0.2887}; // the thesis' media, section 4.3, B.6
+    constexpr double bead = 2e-3;                                       // m
+    contact::PairProperties pair;
+    pair.restitution = 0.67;
+    pair.friction = 0.58;
+    scene::Scene scene = space_stage(plastic, pair, 1e-6);
+    const int body = add_round(scene, bead, heavier * plastic.density * 4 / 3 * std::numbers::pi * bead * bead * bead);
+    for (const double x : {-1.0, 1.0})
+        scene::place(scene, body, {x, 0, 0}, {speed, 0, 0});
+    const Result<sim3d::WorldPtr> world = start(scene, std::vector<sim3d::BodyState>{});
+    if (!world)
+        return world.problems();
+    return sim3d::time_step_report(scene, sim3d::shapes_of(**world));
+}
+
+/// The rule of thumb that other codes print, beside the limit.
+std::optional<Problem> rayleigh(Walk& walk) {
+    walk.head("The Rayleigh time");
+    walk.say("Codes for spheres often print another time: how long a wave takes over the surface of the smallest one. "
+             "A step "
+             "of 10 to 30 % of it is the usual rule.");
+    walk.formula("T_R = π R √(ρ / G) / (0.1631 ν + 0.8766)", "Li, Xu and Thornton 2005; docs/bodies.md");
+    walk.say(
+        "It needs an elastic modulus, so the linear law's discs have none. And it asks for a wave in one sphere, where "
+        "leapfrog asks for a body on its springs: it knows neither the body's mass nor how hard it is struck, though "
+        "Hertz' contact is the stiffer the deeper. Beads of 2 mm radius of the thesis' plastic, and the same beads "
+        "weighted to ten times their mass:");
+    Grid grid{{{"impact", "m/s"},
+               {"T_R", "us"},
+               {"limit", "us"},
+               {"limit / T_R", "", 3},
+               {"ten times the mass", "us"},
+               {"limit / T_R", "", 3}},
+              {}};
+    for (const double speed : {0.1, 1.0, 10.0}) {
+        const Result<scene::TimeStepReport> bead = report_of_beads(speed, 1), heavy = report_of_beads(speed, 10);
+        if (!bead || !heavy)
+            return (bead ? heavy : bead).problems().front();
+        grid.rows.push_back({speed, 1e6 * bead->rayleigh, 1e6 * bead->limit, bead->limit / bead->rayleigh,
+                             1e6 * heavy->limit, heavy->limit / heavy->rayleigh});
+        walk.fact(fmt::format("bead_limit_at_{:g}", speed), bead->limit, "s");
+        walk.fact(fmt::format("heavy_bead_limit_at_{:g}", speed), heavy->limit, "s");
+        if (speed == 1)
+            walk.fact("rayleigh_time", bead->rayleigh, "s");
+    }
+    walk.parts.emplace_back(grid);
+    walk.say("Both times are worth a look, and the shorter bounds the step. `tumble check` prints both, and refuses by "
+             "the limit.");
+    return std::nullopt;
+}
+
 Result<Walk> teach(const Values& values) {
     const Setup s(values);
     const double limit = s.critical_step();
@@ -255,9 +353,11 @@ Result<Walk> teach(const Values& values) {
     walk.say("The solver takes the force of the moment, and carries the disc along with it for a whole step (3.13, "
              "3.14). Put together, three places in a row are bound to each other:");
     walk.formula("x(k+1) = p x(k) − q x(k−1),   p = 2 − (ω Δt)² − 2 ζ ω Δt,   q = 1 − 2 ζ ω Δt");
-    walk.say("ζ is the damping ratio of both dashpots together, 0 for a restitution of 1. Swings of such a rule stay "
-             "bounded as long as no root of λ² = p λ − q is larger than 1. The first root to leave does so at λ = −1: "
-             "the disc jumps from one side to the other in every step, a little further each time.");
+    walk.say(
+        "ζ is the damping ratio of both dashpots together, 0 for a restitution of 1. Swings of such a rule stay "
+        "bounded as long as no root of λ² = p λ − q is larger than 1, and none of size 1 is a double one. The first "
+        "root to leave does so at λ = −1: the disc jumps from one side to the other in every step, a little further "
+        "each time.");
     walk.formula(fmt::format("Δt_max = 2/ω (√(1 + ζ²) − ζ) = {:.6g} s   (ζ = {:.4g})", limit, s.zeta),
                  "docs/bodies.md");
     const Result<double> seen = limit_seen(s);
@@ -268,6 +368,9 @@ Result<Walk> teach(const Values& values) {
                          *seen, at_most(std::abs(*seen / limit - 1))));
     walk.fact("limit_predicted", limit, "s");
     walk.fact("limit_seen", *seen, "s");
+    if (s.zeta == 0)
+        if (const auto problem = at_the_limit(walk, s))
+            return *problem;
 
     walk.head("Below, at, beyond");
     const Result<Course> wild = swings(walk, s);
@@ -284,10 +387,8 @@ Result<Walk> teach(const Values& values) {
     if (const auto problem = around_the_limit(walk, s))
         return *problem;
     walk.say(ending(*wild));
-    Result<Film> heap = film_of_heap(s);
-    if (!heap)
-        return heap.problems();
-    walk.show(std::move(*heap));
+    if (const auto problem = film_of_heap(walk, s))
+        return *problem;
 
     walk.head("Stable is not yet accurate");
     walk.say(
@@ -301,18 +402,19 @@ Result<Walk> teach(const Values& values) {
                     "but its last force acts for the whole of one.",
                     100 * std::abs(walk.fact("force_of_20_steps") - 1),
                     100 * std::abs(walk.fact("force_of_50_steps") - 1), walk.fact("restitution_of_4_steps")));
-    const scene::Scene scene = s.scene(limit);
-    const Result<sim2d::WorldPtr> world = start(scene, std::vector<sim2d::BodyState>{});
-    if (!world)
-        return world.problems();
-    const double checked = sim2d::time_step_report(scene, sim2d::shapes_of(**world)).limit;
+    const Result<double> checked = checked_limit(s.scene(limit));
+    if (!checked)
+        return checked.problems();
     walk.say(
         fmt::format("A disc in a heap has more than two contacts, and what it touches is as free to move as it is. "
                     "`tumble check` reckons with four springs at once in place of two, between two discs in place "
                     "of a disc and a wall. Without dashpots each shortens the step by √2. It refuses a step above "
-                    "{:.4g} s in this scene, {:.0f} % of the limit here.",
-                    checked, 100 * checked / limit));
-    walk.fact("check_limit", checked, "s");
+                    "{:.4g} s in this scene, {:.0f} % of the limit here. With friction discs also turn, which "
+                    "without dashpots is another √3: the heap's limit above.",
+                    *checked, 100 * *checked / limit));
+    walk.fact("check_limit", *checked, "s");
+    if (const auto problem = rayleigh(walk))
+        return *problem;
     const double ratio = 1 / std::sqrt(2.0);
     walk.question = "The springs become twice as stiff, the disc as heavy as before. By what factor must the step "
                     "shrink, and what does a ten times softer material save?";

@@ -1,5 +1,7 @@
 #include "sim2d/sanity.h"
 
+#include "sim2d/mean_flow.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -42,6 +44,25 @@ std::optional<Problem> wild_motion(const World& world) {
                         fmt::format("{} moves at {:.4g} m/s, more than its smallest disc's radius in one step",
                                     name_of(world, slot), speed),
                         shorter_step);
+    }
+    return std::nullopt;
+}
+
+/// A wall that goes further than a radius in a step could pass a disc that touches it neither before nor after, so that
+/// no crossing is seen.
+std::optional<Problem> leaping_wall(const World& world) {
+    MeanFlow still = world.flow; // where bodies are
+    still.velocity.setZero();
+    still.gradient.setZero();
+    for (const WallState& wall : world.walls) {
+        if (wall.wall.motion.at_rest() || world.bodies() == 0)
+            continue;
+        const double way = 2 * way_beside(still, wall.half_frame, wall.frame, world.dt);
+        if (way > world.smallest_radius)
+            return stop(world,
+                        fmt::format("wall '{}' moves by {:.3g} m in one step, more than the smallest disc's radius",
+                                    wall.wall.name, way),
+                        "use a shorter time step or a slower wall");
     }
     return std::nullopt;
 }
@@ -109,6 +130,8 @@ std::optional<Problem> insanity(const World& world) {
                         fmt::format("{} went through wall '{}'", name_of(world, chunk.crossed_row),
                                     world.walls[static_cast<std::size_t>(chunk.crossed_wall)].wall.name),
                         "use a stiffer wall, a shorter time step, or let the bodies come in more slowly");
+    if (auto problem = leaping_wall(world))
+        return problem;
     if (world.step % steps_per_look == 0)
         return outside(world);
     return std::nullopt;

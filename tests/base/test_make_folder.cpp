@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+namespace test_make_folder {
+
 using namespace tumble;
 using namespace tumble::test;
 
@@ -20,3 +22,5 @@ TEST_CASE("a folder is made with those above it, may be there already, and where
         CHECK(problems[0].fix == "name a folder in a place where you may write");
     }
 }
+
+} // namespace test_make_folder

@@ -65,8 +65,8 @@ TEST_CASE("lessons where motion teaches something have a film") {
     }
 }
 
-TEST_CASE(
-    "time-step: at a fifth of the limit a heap stays at rest, at four fifths it makes energy from nothing and boils") {
+TEST_CASE("time-step: at 0.7 of its limit a heap stays at rest, at 2.8 times the limit it makes energy from nothing "
+          "and boils") {
     const Walk walk = taught("time-step");
     const auto fastest = [&](std::size_t side) {
         double most = 0;

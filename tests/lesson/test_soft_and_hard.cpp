@@ -19,6 +19,10 @@ TEST_CASE(
     const double zeta = std::log(2) / std::hypot(std::log(2), std::numbers::pi);
     const double half = std::numbers::pi / std::sqrt(5e4 / 0.01 * (1 - zeta * zeta));
     CHECK(walk.fact("soft_contact_time") == about(half, 0.01));
+    // Its force k n + c n' is -m n'', largest where n''' = 0; stepped by hand with 1e6 steps a radian for the damping
+    // ratio 0.2155: 0.8164 m v w.
+    CHECK(walk.fact("soft_force_predicted") == about(0.8164 * 0.01 * std::sqrt(5e4 / 0.01), 1e-3));
+    CHECK(walk.fact("soft_force") == about(walk.fact("soft_force_predicted"), 5e-3));
     CHECK(walk.fact("hard_force_ratio") == about(2, 1e-4)); // J / dt at half the step
     CHECK(walk.fact("hard_impulse") == about(0.01 * 1.5, 1e-4));
 }
@@ -53,8 +57,9 @@ TEST_CASE("soft-and-hard: a column sinks by its weight over the stiffness, or by
     const Walk walk = taught("soft-and-hard", {{"friction", "0.3"}});
     CHECK(walk.fact("soft_sunk") == about(55 * 0.01 * 9.81 / 1e5, 0.01));
     const double slop = 0.005 * 0.01; // of one contact, m
+    // "By up to its slop": ten contacts, each a few percent beyond it at most, and the lower ones not far below.
     CHECK(walk.fact("hard_sunk") > 5 * slop);
-    CHECK(walk.fact("hard_sunk") < 15 * slop);
+    CHECK(walk.fact("hard_sunk") < 10 * 1.05 * slop);
     for (const char* slide : {"soft_slide", "hard_slide"})
         CHECK(walk.fact(slide) == about(1 / (2 * 0.3 * 9.81), 0.01));
     CHECK(walk.fact("soft_steps") > 20 * walk.fact("hard_steps"));

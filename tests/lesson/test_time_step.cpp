@@ -44,4 +44,28 @@ TEST_CASE("time-step: fifty steps in a contact give the peak force to two in a t
     CHECK(taught("time-step").fact("force_of_50_steps") == about(1, 2e-3));
 }
 
+TEST_CASE("time-step: at the limit the double root lets a disc with a speed come further by one way in every step") {
+    CHECK(taught("time-step").fact("ways_at_the_limit") ==
+          about(20, 1e-6)); // x_k = k x_1 (-1)^k of x_k+1 = -2 x_k - x_k-1
+}
+
+TEST_CASE("time-step: the heap's limit is that of four contacts of discs that turn, 1 / sqrt 12 of the cage's") {
+    // w^2 = 4 k (1/m + R^2/I) of two discs = 24 k / m, beside 2 k / m of a disc between two walls.
+    const Walk walk = taught("time-step");
+    CHECK(walk.fact("heap_limit") == about(walk.fact("limit_predicted") / std::sqrt(12.0), 1e-9));
+    for (std::size_t side : {0U, 1U})
+        CHECK(walk.films[0].reels[side].label ==
+              (side == 0 ? "step 0.7 of the heap's limit" : "step 2.8 of the heap's limit"));
+}
+
+TEST_CASE(
+    "time-step: the Rayleigh time knows neither speed nor mass, the limit falls with v^(1/5) and grows with m^(2/5)") {
+    const Walk walk = taught("time-step");
+    const double shear_modulus = 4.6e8 / (2 * 1.2887);
+    const double wave = std::numbers::pi * 2e-3 * std::sqrt(1665.71 / shear_modulus) / (0.1631 * 0.2887 + 0.8766);
+    CHECK(walk.fact("rayleigh_time") == about(wave, 1e-9));
+    CHECK(walk.fact("bead_limit_at_0.1") / walk.fact("bead_limit_at_10") == about(std::pow(100, 0.2), 1e-6));
+    CHECK(walk.fact("heavy_bead_limit_at_1") / walk.fact("bead_limit_at_1") == about(std::pow(10, 0.4), 1e-6));
+}
+
 } // namespace test_time_step

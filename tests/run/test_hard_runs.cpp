@@ -7,6 +7,7 @@
 #include "scene/load.h"
 #include "scene/to_toml.h"
 
+#include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
 #include <fstream>
@@ -181,6 +182,19 @@ TEST_CASE("Box2D's usual step is the shortest of a fall through its slop, half a
     CHECK(disc({shaken}).box2d.time_step == about(2e-4)); // of 0.25 ms
     CHECK(disc({"box2d.time_step_s=3e-4"}).box2d.time_step == 3e-4);
     CHECK(disc().box2d.rebound_above == about(2 * 9.81 * 2e-3));
+}
+
+TEST_CASE("in the shipped scenes Box2D's usual step is 7 to 50 times the soft one, as docs/hard-contacts.md says") {
+    double least = 1e300, most = 0;
+    for (const char* name : {"repose-2d", "hopper-2d", "drum-2d", "shaken-bed-2d", "trough-2d"}) {
+        const auto scene =
+            scene::load_scene(std::filesystem::path(TUMBLE_ROOT) / "scenes" / (std::string(name) + ".toml"));
+        REQUIRE_MESSAGE(scene.ok(), to_string(scene.problems()));
+        least = std::min(least, scene->box2d.time_step / scene->time_step);
+        most = std::max(most, scene->box2d.time_step / scene->time_step);
+    }
+    CHECK(least == about(7, 0.05));
+    CHECK(most == about(50, 0.05));
 }
 
 TEST_CASE("a resolved scene with solver = box2d loads again to the same settings, with and without springs") {

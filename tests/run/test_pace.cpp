@@ -1,6 +1,8 @@
 #include "about.h"
 #include "run/pace.h"
 
+namespace test_pace {
+
 using tumble::run::SteadyRate;
 using tumble::test::about;
 
@@ -34,3 +36,5 @@ TEST_CASE("a rate that changes for good is followed within the memory of the las
     // Memory grows from 10 s at 40 s to 20 s at 80 s as t / 4: what is left of the old rate is (40 / 80)^4.
     CHECK(*rate.seconds_for(1000) == about(1000 / (500 + 500.0 / 16), 0.01));
 }
+
+} // namespace test_pace

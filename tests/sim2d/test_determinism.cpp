@@ -1,4 +1,5 @@
 #include "sandbox.h"
+#include "sim2d/world.h"
 
 #include <cmath>
 
@@ -31,21 +32,60 @@ Sandbox crowd(int threads, double restitution = 0.6) {
     return box;
 }
 
-} // namespace
-
-TEST_CASE("one thread and two give the same bits") {
-    const Sandbox one = crowd(1), two = crowd(2);
-    one.step(6000);
-    two.step(6000);
-    const auto a = bodies_of(*one.world), b = bodies_of(*two.world);
+void same_bits(const Sandbox& one, const Sandbox& other) {
+    const auto a = bodies_of(*one.world), b = bodies_of(*other.world);
     REQUIRE(a.size() == 600);
+    REQUIRE(b.size() == 600);
     for (std::size_t i = 0; i < a.size(); ++i) {
         REQUIRE(a[i].position == b[i].position);
         REQUIRE(a[i].angle == b[i].angle);
         REQUIRE(a[i].velocity == b[i].velocity);
         REQUIRE(a[i].angular_velocity == b[i].angular_velocity);
     }
-    CHECK(books_of(*one.world).closure == books_of(*two.world).closure);
+    CHECK(books_of(*one.world).closure == books_of(*other.world).closure);
+}
+
+/// The laws that kernels are built for.
+enum class Law { linear, hertz, full };
+
+Sandbox crowd_under(Law law, const Kernels* kernels) {
+    Sandbox box = crowd(1);
+    if (law != Law::linear) {
+        box.scene.materials[0].youngs_modulus = 1e9;
+        box.scene.materials[0].poisson_ratio = 0.3;
+        box.scene.contact.normal = scene::NormalLaw::hertz;
+        box.scene.contact.tangential = scene::TangentialLaw::mindlin;
+    }
+    if (law == Law::full) {
+        box.scene.pairs[0].rolling_friction = 0.05;
+        box.scene.contact.additions.rolling = contact::RollingLaw::epsd;
+    }
+    box.build();
+    box.world->kernels = kernels;
+    box.step(12000);
+    return box;
+}
+
+} // namespace
+
+TEST_CASE("one thread and two give the same bits") {
+    const Sandbox one = crowd(1), two = crowd(2);
+    one.step(6000);
+    two.step(6000);
+    same_bits(one, two);
+}
+
+TEST_CASE("every instruction set that this machine has gives the same bits, whatever the law") {
+    for (const Law law : {Law::linear, Law::hertz, Law::full}) {
+        CAPTURE(static_cast<int>(law));
+        const Sandbox baseline = crowd_under(law, kernels_named("baseline"));
+        CHECK(books_of(*baseline.world).contacts > 300);
+        for (const char* name : {"x86-64-v3", "x86-64-v4"})
+            if (const Kernels* kernels = kernels_named(name))
+                same_bits(baseline, crowd_under(law, kernels));
+            else
+                MESSAGE("this processor lacks " << name);
+    }
 }
 
 TEST_CASE("the books of a shaken crowd close, the better the shorter the step") {

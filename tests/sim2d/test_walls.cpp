@@ -144,6 +144,20 @@ TEST_CASE("a disc that is pressed through a wall stops the run, with its name an
     CHECK(problem->what.find("stopped at t = ") != std::string::npos);
 }
 
+TEST_CASE(
+    "a wall that could pass a whole disc within one step stops the run, though they touch neither before nor after") {
+    const auto goes = [](double speed) {
+        Sandbox box(springs(1e3, 1, 1, 0), 1e-3);
+        box.wall(scene::SegmentShape{{-1, 0.35}, {1, 0.35}}).motion.linears = {{{}, {0, speed, 0}}};
+        box.put({at(box.disc(0.1), {0, 0.1})});
+        const auto problem = advance(*box.world, 2); // walls move from the second step on
+        return problem ? problem->what : "";
+    };
+    CHECK(goes(-500).find("wall 'wall0' moves by 0.5 m in one step, more than the smallest disc's radius") !=
+          std::string::npos); // from 0.15 m above the disc to 0.15 m below it
+    CHECK(goes(-95).empty()); // 0.095 m
+}
+
 TEST_CASE("a disc whose centre passes a wall where two pieces meet stops the run too") {
     // So soft that the disc flies straight on: from `before` to `after` in one step, past the joint in the middle.
     const auto passes = [](const scene::Outline& outline, const Vector2d& before, const Vector2d& after) {

@@ -1,0 +1,34 @@
+"""bench/sidebyside/convergence.py: what a step half as long may move before bench/compare complains."""
+
+import sys
+import unittest
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench"))
+from sidebyside import convergence
+
+
+class Halved(unittest.TestCase):
+    def test_a_drift_beyond_the_scatter_of_seeds_is_complained_of_with_its_numbers(self):
+        # Means 23 and 24, variances 0.01 of three seeds each: error sqrt(0.02 / 3) = 0.0816, times t = 2.776 of four degrees.
+        found = convergence.halved([22.9, 23.0, 23.1], [23.9, 24.0, 24.1])
+        self.assertAlmostEqual(found["moves"], 1.0)
+        self.assertAlmostEqual(found["scatter"], 2.776 * (0.02 / 3)**0.5)
+        self.assertIs(found["converged"], False)
+        said = convergence.complaint("drum, box2d", "slope", found)
+        self.assertIn("has not converged: half the step moves it by 1, from 23 to 24", said)
+
+    def test_the_same_drift_within_the_scatter_is_not(self):
+        found = convergence.halved([22, 23, 24], [23, 24, 25])
+        self.assertIs(found["converged"], True)
+        self.assertIsNone(convergence.complaint("drum, box2d", "slope", found))
+
+    def test_one_seed_tells_nothing_and_says_so(self):
+        found = convergence.halved([23.0], [23.0])
+        self.assertIsNone(found["converged"])
+        self.assertIn("cannot be told from one seed", convergence.complaint("drum, soft", "slope", found))
+
+
+if __name__ == "__main__":
+    unittest.main()

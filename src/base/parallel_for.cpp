@@ -1,5 +1,7 @@
 #include "base/parallel_for.h"
 
+#include <fmt/format.h>
+#include <system_error>
 #include <utility>
 
 namespace tumble {
@@ -22,11 +24,25 @@ void breathe() {
 } // namespace
 
 Crew::Crew(int threads) : parts_(static_cast<std::size_t>(threads)) {
-    for (int member = 1; member < threads; ++member)
-        helpers_.emplace_back([this, member] { help(member); });
+    try {
+        for (int member = 1; member < threads; ++member)
+            helpers_.emplace_back([this, member] { help(member); });
+    } catch (const std::system_error& refused) {
+        dismiss();
+        throw std::system_error(refused.code(),
+                                fmt::format("only {} of {} threads could be started", helpers_.size() + 1, threads));
+    } catch (...) {
+        dismiss();
+        throw;
+    }
 }
 
 Crew::~Crew() {
+    dismiss();
+}
+
+/// Without this the helpers would never end, and whoever joins them would wait for ever.
+void Crew::dismiss() {
     stop_.store(true, std::memory_order_relaxed);
     round_.fetch_add(1, std::memory_order_release);
     round_.notify_all();

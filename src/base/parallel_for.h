@@ -16,7 +16,7 @@ namespace tumble {
 /// caller at a time.
 class Crew {
 public:
-    /// `threads` >= 1, the calling thread included.
+    /// `threads` >= 1, the calling thread included. Throws std::system_error where the system refuses one of them.
     explicit Crew(int threads);
     ~Crew();
     Crew(const Crew&) = delete;
@@ -34,6 +34,7 @@ private:
         std::atomic<std::uint64_t> next{0}; // low 32 bits: next number; high 32 bits: the round it belongs to
     };
 
+    void dismiss();
     void call(int number);
     void work(int member, std::uint64_t round);
     void help(int member);

@@ -1,6 +1,7 @@
 #include "cli/program.h"
 
 #include "base/text.h"
+#include "base/thrown.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -84,8 +85,8 @@ int refuse_parse(const CLI::App& program, const CLI::ParseError& error) {
 int act(const Action& action) {
     try {
         return action();
-    } catch (const std::exception& error) { // memory that ran out, a file system that throws
-        return refuse({{.what = error.what()}}, false, failed);
+    } catch (const std::exception& error) {
+        return refuse({problem_of(error)}, false, failed);
     }
 }
 

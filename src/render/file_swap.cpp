@@ -1,5 +1,7 @@
 #include "render/file_swap.h"
 
+#include "base/write_all.h"
+
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -43,24 +45,13 @@ Result<Done> finish_file(const std::filesystem::path& file) {
     return Done{};
 }
 
-static int write_all(int descriptor, std::span<const std::uint8_t> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
-        if (count < 0 && errno != EINTR) {
-            return errno;
-        }
-        bytes = bytes.subspan(count > 0 ? static_cast<std::size_t>(count) : 0);
-    }
-    return 0;
-}
-
 Result<Done> write_file(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {
     const std::filesystem::path growing = unfinished(file);
     const int descriptor = ::open(growing.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (descriptor < 0) {
         return file_problem(file, "write the file", errno);
     }
-    int error = write_all(descriptor, bytes);
+    int error = write_all(descriptor, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     if (::close(descriptor) != 0 && error == 0) {
         error = errno;
     }

@@ -1,10 +1,12 @@
 #include "render/png_writer.h"
 
+#include "base/thrown.h"
 #include "render/file_swap.h"
 
 #include <condition_variable>
 #include <deque>
 #include <mutex>
+#include <new>
 #include <stb/stb_image_write.h>
 #include <thread>
 #include <utility>
@@ -23,8 +25,22 @@ std::vector<std::uint8_t> encode_png(const Picture& picture) {
         auto& all = *static_cast<std::vector<std::uint8_t>*>(out);
         all.insert(all.end(), first, first + size);
     };
-    stbi_write_png_to_func(take, &bytes, picture.width, picture.height, 3, rgb.data(), 3 * picture.width);
+    if (!stbi_write_png_to_func(take, &bytes, picture.width, picture.height, 3, rgb.data(), 3 * picture.width)) {
+        throw std::bad_alloc(); // its one reason
+    }
     return bytes;
+}
+
+/// An exception becomes a problem, for nobody catches it on the writer's thread.
+static Problems encode_and_write(const std::filesystem::path& file, const Picture& picture) {
+    try {
+        return write_file(file, encode_png(picture)).problems();
+    } catch (const std::exception& error) {
+        Problem problem = problem_of(error);
+        problem.file = file.string();
+        problem.what = "the picture could not be written: " + problem.what;
+        return {problem};
+    }
 }
 
 struct PngWriter::Inside {
@@ -56,7 +72,7 @@ struct PngWriter::Inside {
             changed.notify_all();
             Problems found;
             if (!skip) {
-                found = write_file(job.file, encode_png(job.picture)).problems();
+                found = encode_and_write(job.file, job.picture);
             }
             lock.lock();
             problems.insert(problems.end(), found.begin(), found.end());

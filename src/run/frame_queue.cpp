@@ -1,7 +1,8 @@
 #include "run/frame_queue.h"
 
+#include "base/thrown.h"
+
 #include <chrono>
-#include <exception>
 
 namespace tumble::run {
 
@@ -14,14 +15,14 @@ double since(Clock::time_point begun) {
     return std::chrono::duration<double>(Clock::now() - begun).count();
 }
 
-/// What a sink's work gives; an exception, as when memory runs out, becomes a problem, for nobody catches it on this
-/// thread.
+/// What a sink's work gives; an exception becomes a problem, for nobody catches it on this thread.
 template <class Work> Problems problems_of(Work&& work) {
     try {
         return work().problems();
     } catch (const std::exception& error) {
-        return {{.what = std::string("a frame could not be kept: ") + error.what(),
-                 .fix = "keep fewer frames or smaller pictures, or free memory"}};
+        Problem problem = problem_of(error);
+        problem.what = "a frame could not be kept: " + problem.what;
+        return {problem};
     }
 }
 

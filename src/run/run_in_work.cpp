@@ -1,5 +1,6 @@
 #include "run/run_in_work.h"
 
+#include "base/thrown.h"
 #include "observe/frame_file.h"
 #include "observe/whole_file.h"
 #include "run/fill_plan.h"
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace tumble::run {
 
@@ -265,6 +267,12 @@ void RunInWork::step_to_the_end() {
     if (summary_.state != "failed")
         keep_checkpoint();
     keep_last_state();
+}
+
+void RunInWork::break_off(const std::exception& error) {
+    Problem problem = problem_of(error);
+    problem.what = fmt::format("the run broke off at t = {:.6g} s: {}", simulation_->time(), problem.what);
+    fail({problem});
 }
 
 void RunInWork::observe_now() {

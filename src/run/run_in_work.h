@@ -13,6 +13,7 @@
 #include "run/schedule.h"
 #include "run/simulation.h"
 
+#include <exception>
 #include <memory>
 #include <optional>
 
@@ -43,6 +44,10 @@ public:
     /// Steps, and hands on rows and frames when they are due, until the duration is reached, the stop flag is set or
     /// something fails.
     void step_to_the_end();
+
+    /// What came out of step_to_the_end as an exception makes the run a failed one. The world may be half a step on: no
+    /// frame or checkpoint is made of it.
+    void break_off(const std::exception& error);
 
     /// Writes run.json with what became of it.
     RunSummary finish();

@@ -1,10 +1,6 @@
 #include "run/run_scene.h"
 
-#include "observe/frame_file.h"
-#include "observe/whole_file.h"
 #include "run/run_in_work.h"
-#include "run/run_report.h"
-#include "scene/to_toml.h"
 
 namespace tumble::run {
 
@@ -14,7 +10,11 @@ Result<RunSummary> run_scene(const scene::Scene& scene, const RunOptions& option
         return run.problems();
     if ((*run)->done_before())
         return (*run)->as_it_was_left();
-    (*run)->step_to_the_end();
+    try {
+        (*run)->step_to_the_end();
+    } catch (const std::exception& error) { // from whichever thread
+        (*run)->break_off(error);
+    }
     return (*run)->finish();
 }
 

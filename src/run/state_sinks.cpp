@@ -1,13 +1,16 @@
 #include "run/state_sinks.h"
 
 #include "base/make_folder.h"
+#include "base/write_all.h"
 #include "observe/frame_file.h"
 #include "observe/paraview.h"
 #include "observe/text_dump.h"
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
+#include <fcntl.h>
+#include <sys/types.h>
+#include <unistd.h>
 
 namespace tumble::run {
 
@@ -41,21 +44,28 @@ Problem cannot_write(const std::filesystem::path& file, int error) {
 
 class TextSink final : public FrameSink {
 public:
-    TextSink(std::filesystem::path file, std::FILE* stream) : file_(std::move(file)), stream_(stream) {}
-    ~TextSink() override { std::fclose(stream_); }
+    TextSink(std::filesystem::path file, int opened) : file_(std::move(file)), opened_(opened) {}
+    ~TextSink() override { ::close(opened_); }
     TextSink(const TextSink&) = delete;
     TextSink& operator=(const TextSink&) = delete;
 
+    /// Of a frame that could not be written as a whole nothing stays.
     Result<Done> take(const Shot& shot) override {
         const std::string text = observe::text_dump(shot.frame);
-        if (std::fwrite(text.data(), 1, text.size(), stream_) == text.size() && std::fflush(stream_) == 0)
+        int error = write_all(opened_, text);
+        if (error == 0) {
+            size_ += static_cast<off_t>(text.size());
             return Done{};
-        return cannot_write(file_, errno);
+        }
+        if (::ftruncate(opened_, size_) != 0)
+            error = errno;
+        return cannot_write(file_, error);
     }
 
 private:
     std::filesystem::path file_;
-    std::FILE* stream_;
+    int opened_;
+    off_t size_ = 0;
 };
 
 } // namespace
@@ -71,10 +81,10 @@ Result<std::unique_ptr<FrameSink>> keep_for_paraview(std::filesystem::path folde
 }
 
 Result<std::unique_ptr<FrameSink>> keep_as_text(const std::filesystem::path& file) {
-    std::FILE* stream = std::fopen(file.c_str(), "wb");
-    if (!stream)
+    const int opened = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (opened < 0)
         return cannot_write(file, errno);
-    return std::unique_ptr<FrameSink>(std::make_unique<TextSink>(file, stream));
+    return std::unique_ptr<FrameSink>(std::make_unique<TextSink>(file, opened));
 }
 
 } // namespace tumble::run

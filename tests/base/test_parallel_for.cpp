@@ -2,13 +2,37 @@
 
 #include <array>
 #include <atomic>
+#include <cerrno>
+#include <dlfcn.h>
 #include <doctest/doctest.h>
+#include <limits>
+#include <pthread.h>
 #include <stdexcept>
+#include <string>
+#include <system_error>
+#include <thread>
 #include <vector>
 
 namespace test_parallel_for {
 
 using namespace tumble;
+
+namespace {
+
+constexpr int no_end = std::numeric_limits<int>::max();
+std::atomic<int> threads_left{no_end}; // that the system still grants
+
+} // namespace
+
+/// Stands before the system's own, through which the standard library starts its threads.
+extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* manner, void* (*work)(void*),
+                              void* argument) noexcept {
+    static const auto real = reinterpret_cast<decltype(&pthread_create)>(dlsym(RTLD_NEXT, "pthread_create"));
+    if (threads_left == 0)
+        return EAGAIN;
+    --threads_left;
+    return real(thread, manner, work, argument);
+}
 
 TEST_CASE("every number is taken exactly once, by crews of any size, round after round") {
     for (const int threads : {1, 2, 3, 5}) {
@@ -60,6 +84,43 @@ TEST_CASE("an exception in a task ends the round and reaches the caller, whichev
             CHECK(done == 40);
         }
     }
+}
+
+TEST_CASE("what a helper throws is thrown on to the caller as it was, and does not end the program") {
+    Crew crew(2);
+    const std::thread::id caller = std::this_thread::get_id();
+    std::atomic<bool> thrown{false};
+    const auto task = [&](int) {
+        if (std::this_thread::get_id() != caller) {
+            thrown = true;
+            throw std::runtime_error("on a helper");
+        }
+        while (!thrown) // so that the other number is left to the helper
+            std::this_thread::yield();
+    };
+    CHECK_THROWS_WITH_AS(crew.share(2, task), "on a helper", std::runtime_error);
+}
+
+TEST_CASE("when every task throws, one exception reaches the caller and none waits for the next round") {
+    Crew crew(3);
+    for (int round = 0; round < 100; ++round) {
+        CHECK_THROWS_AS(crew.share(9, [](int k) { throw std::runtime_error(std::to_string(k)); }), std::runtime_error);
+        CHECK_NOTHROW(crew.share(9, [](int) {}));
+    }
+}
+
+TEST_CASE("where the system grants fewer threads than asked for, that is said, and those that had begun end") {
+    for (const int granted : {0, 1, 2}) {
+        threads_left = granted;
+        const std::string told =
+            "only " + std::to_string(granted + 1) + " of 4 threads could be started: Resource temporarily unavailable";
+        CHECK_THROWS_WITH_AS(Crew(4), told.c_str(), std::system_error);
+        CHECK(threads_left == 0);
+        threads_left = no_end;
+    }
+    std::atomic<int> done{0};
+    Crew(4).share(10, [&](int) { ++done; });
+    CHECK(done == 10);
 }
 
 } // namespace test_parallel_for

@@ -1,8 +1,10 @@
+#include "base/write_all.h"
 #include "fixtures.h"
 #include "render/png_writer.h"
 
 #include <fstream>
 #include <iterator>
+#include <new>
 #include <stb/stb_image.h>
 
 namespace test_png_writer {
@@ -103,6 +105,19 @@ TEST_CASE("an older picture is replaced only by a whole one") {
     CHECK(!writer.finish().ok());
     std::ifstream file(folder.path / "a.png");
     CHECK(std::string(std::istreambuf_iterator<char>(file), {}) == "older");
+}
+
+TEST_CASE("an exception while a picture is written, as when memory runs out, becomes a problem and ends nothing else") {
+    const Folder folder;
+    write_through([](int, const void*, std::size_t) -> ssize_t { throw std::bad_alloc(); });
+    PngWriter writer;
+    CHECK(writer.add(folder.path / "a.png", pattern(8, 8)).ok());
+    const auto verdict = writer.finish();
+    write_through(nullptr);
+    REQUIRE(!verdict.ok());
+    CHECK(verdict.problems().front().file == (folder.path / "a.png").string());
+    CHECK(verdict.problems().front().what == "the picture could not be written: there is not enough memory");
+    CHECK(!std::filesystem::exists(folder.path / "a.png"));
 }
 
 } // namespace test_png_writer

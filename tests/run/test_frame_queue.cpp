@@ -94,7 +94,7 @@ TEST_CASE("an exception in a sink, as when memory runs out, becomes a problem an
     queue.push({});
     const Problems problems = queue.close();
     REQUIRE(problems.size() == 2);
-    CHECK(problems[0].what == "a frame could not be kept: std::bad_alloc");
+    CHECK(problems[0].what == "a frame could not be kept: there is not enough memory");
     CHECK(problems[1].what == problems[0].what);
 }
 

@@ -1,99 +1,16 @@
-#include "../folder.h"
-#include "base/write_all.h"
 #include "observe/array_file.h"
 #include "observe/frame_file.h"
-#include "run/checkpoint_files.h"
-#include "run/run_scene.h"
+#include "resumed.h"
 #include "scenes.h"
 
-#include <cerrno>
 #include <doctest/doctest.h>
 #include <fmt/format.h>
-#include <map>
-#include <nlohmann/json.hpp>
 
 namespace test_resume {
 
 using namespace tumble;
 using namespace tumble::test;
 namespace fs = std::filesystem;
-
-namespace {
-
-/// Stops its run as soon as it has come to a step, and hears what it says.
-struct Stopper : run::RunListener {
-    explicit Stopper(std::int64_t step) : at(step) {}
-    void started(const fs::path&, const run::Progress& now) override { progressed(now); }
-    void progressed(const run::Progress& now) override {
-        if (now.step >= at)
-            stop = true;
-    }
-    void warned(const std::string& sentence) override { heard.push_back(sentence); }
-
-    std::int64_t at;
-    std::atomic<bool> stop{false};
-    std::vector<std::string> heard;
-};
-
-constexpr std::int64_t never = 1'000'000'000;
-
-struct Outcome {
-    Problems problems;
-    run::RunSummary summary;
-    std::vector<std::string> heard;
-};
-
-Outcome ran(const scene::Scene& scene, run::RunOptions options, std::int64_t stop_at = never) {
-    Stopper stopper(stop_at);
-    options.stop = &stopper.stop;
-    const auto summary = run::run_scene(scene, options, stopper);
-    return {summary.problems(), summary ? *summary : run::RunSummary{}, stopper.heard};
-}
-
-run::RunOptions in(const fs::path& folder, int threads = 1) {
-    run::RunOptions options;
-    options.folder = folder;
-    options.threads = threads;
-    return options;
-}
-
-run::RunOptions going_on_in(const fs::path& folder, int threads = 1) {
-    run::RunOptions options = in(folder, threads);
-    options.resume = true;
-    return options;
-}
-
-fs::path newest(const fs::path& folder) {
-    const auto files = run::list_checkpoints(folder / "state");
-    REQUIRE_FALSE(files.empty());
-    return files.front();
-}
-
-/// Every file of a run's folder by its name, but for what tells wall times; of the last checkpoint the state.
-std::map<std::string, std::string> content_of_run(const fs::path& folder) {
-    std::map<std::string, std::string> content;
-    for (const auto& entry : fs::recursive_directory_iterator(folder))
-        if (entry.is_regular_file() && entry.path().extension() != ".ckpt" && entry.path().filename() != "run.json")
-            content[entry.path().lexically_relative(folder).string()] = content_of(entry.path());
-    const fs::path last = newest(folder);
-    const auto checkpoint = run::checkpoint_from(content_of(last), last);
-    REQUIRE_MESSAGE(checkpoint.ok(), to_string(checkpoint.problems()));
-    content["the state"] = checkpoint->world;
-    return content;
-}
-
-void check_same_run(const fs::path& a, const fs::path& b) {
-    const auto of_a = content_of_run(a), of_b = content_of_run(b);
-    CHECK(of_a.size() == of_b.size());
-    for (const auto& [name, content] : of_a)
-        CHECK_MESSAGE((of_b.contains(name) && of_b.at(name) == content), name);
-}
-
-nlohmann::json summary_in(const fs::path& folder) {
-    return nlohmann::json::parse(content_of(folder / "run.json"));
-}
-
-} // namespace
 
 TEST_CASE("a run that is stopped and resumed, however often, leaves the folder of one that never was") {
     for (const auto& [text, tracer] : {std::pair{pouring, "tracer:pair"}, std::pair{raining, "tracer:disc"}}) {
@@ -366,104 +283,6 @@ TEST_CASE("a folder in which a run is going on is refused to a second one") {
     }
     REQUIRE(ran(scene, in(folder.path / "alone")).problems.empty());
     check_same_run(folder.path / "alone", second.place);
-}
-
-namespace {
-
-std::atomic<int> writes{0};
-std::atomic<int> first_failure{0};
-std::atomic<int> error_given{0};
-
-/// Works as write(2) up to a call, and from then on puts down half of what it is given, and then nothing.
-ssize_t failing_write(int file, const void* bytes, std::size_t count) {
-    const int number = writes++;
-    if (number < first_failure)
-        return ::write(file, bytes, count);
-    if (number == first_failure && count > 1)
-        return ::write(file, bytes, count / 2);
-    errno = error_given;
-    return -1;
-}
-
-ssize_t short_write(int file, const void* bytes, std::size_t count) {
-    return ::write(file, bytes, std::min<std::size_t>(count, 1000));
-}
-
-/// For as long as it lives.
-struct Through {
-    explicit Through(WriteCall call) { write_through(call); }
-    Through(const Through&) = delete;
-    Through& operator=(const Through&) = delete;
-    ~Through() { write_through(nullptr); }
-};
-
-} // namespace
-
-TEST_CASE("whichever write fails first, the run is resumed later to the same bits") {
-    const Folder folder;
-    const scene::Scene scene = loaded(pouring);
-    run::RunOptions options = in(folder.path / "whole");
-    options.checkpoint_every = 1e-9;
-    first_failure = never;
-    writes = 0;
-    {
-        const Through counted(failing_write);
-        REQUIRE(ran(scene, options).summary.state == "finished");
-    }
-    const int all = writes;
-    REQUIRE(all > 60);
-    for (int k = 0; k < 24; ++k) {
-        const fs::path place = folder.path / std::to_string(k);
-        options.folder = place;
-        error_given = k % 2 == 0 ? ENOSPC : EIO;
-        first_failure = k < 12 ? k : all * (k - 11) / 13; // each of the first, and some of all the others
-        writes = 0;
-        {
-            const Through broken(failing_write);
-            (void)ran(scene, options); // refused, failed, or finished with a warning
-        }
-        const Outcome outcome = ran(scene, going_on_in(place));
-        CHECK_MESSAGE(outcome.summary.state == "finished", k << ": " << to_string(outcome.problems));
-        check_same_run(folder.path / "whole", place);
-        fs::remove_all(place);
-    }
-}
-
-TEST_CASE("writes that the system cuts short change nothing") {
-    const Folder folder;
-    const scene::Scene scene = loaded(pouring);
-    REQUIRE(ran(scene, in(folder.path / "whole")).problems.empty());
-    {
-        const Through pieces(short_write);
-        REQUIRE(ran(scene, in(folder.path / "pieces"), 1000).problems.empty());
-        REQUIRE(ran(scene, going_on_in(folder.path / "pieces")).problems.empty());
-    }
-    check_same_run(folder.path / "whole", folder.path / "pieces");
-}
-
-TEST_CASE("a checkpoint that cannot be written is told of once, and the run goes on") {
-    const Folder folder;
-    const scene::Scene scene = loaded(pouring);
-    run::RunOptions options = in(folder.path / "pour");
-    options.checkpoint_every = 1e-9;
-    struct Spoiler : Stopper {
-        Spoiler() : Stopper(never) {}
-        fs::path place;
-        void progressed(const run::Progress& now) override {
-            if (now.step < 1000 || fs::is_regular_file(place / "state"))
-                return;
-            fs::rename(place / "state", place / "kept");
-            put(place / "state", "in the way");
-        }
-    } spoiler;
-    spoiler.place = options.folder;
-    const auto summary = run::run_scene(scene, options, spoiler);
-    REQUIRE(summary.ok());
-    CHECK(summary->state == "finished");
-    const std::string told = "no checkpoint could be written at t = 0.02";
-    CHECK(std::count_if(spoiler.heard.begin(), spoiler.heard.end(),
-                        [&](const std::string& sentence) { return sentence.starts_with(told); }) == 1);
-    CHECK(summary->warnings == spoiler.heard);
 }
 
 } // namespace test_resume

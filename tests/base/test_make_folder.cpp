@@ -12,7 +12,8 @@ TEST_CASE("a folder is made with those above it, may be there already, and where
     CHECK(make_folder(folder.path / "a/b").ok());
     CHECK(std::filesystem::is_directory(folder.path / "a/b"));
     put(folder.path / "file", "x");
-    for (const std::filesystem::path& place : {folder.path / "file", folder.path / "file/below", std::filesystem::path("/proc/tumble")}) {
+    for (const std::filesystem::path& place :
+         {folder.path / "file", folder.path / "file/below", std::filesystem::path("/proc/tumble")}) {
         const Problems problems = make_folder(place).problems();
         REQUIRE(problems.size() == 1);
         CHECK(problems[0].file == place.string());

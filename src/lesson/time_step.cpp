@@ -196,10 +196,10 @@ Result<Film> film_of_heap(const Setup& s) {
                                                              {width + 0.51 * radius, 2 * width}},
                                                             false}));
         for (int k = 0; k < rows * columns; ++k) {
-            const double shift = (k / columns) % 2 == 0 ? -0.5 : 0.5;
+            const int layer = k / columns;
+            const double shift = layer % 2 == 0 ? -0.5 : 0.5;
             put(scene, disc,
-                {(2 * (k % columns) - columns + 1 + shift) * radius * (1 + 1e-6),
-                 radius * (1 + 1e-6) + k / columns * row},
+                {(2 * (k % columns) - columns + 1 + shift) * radius * (1 + 1e-6), radius * (1 + 1e-6) + layer * row},
                 {0, 0});
         }
         Result<Reel> reel = film(scene, fmt::format("step {} of the limit", factor), until, shown.every);

@@ -36,7 +36,7 @@ void doubt_time(const Record& record, Problems& warnings) {
 }
 
 void doubt_channel(const Record& record, const Channel& channel, Problems& warnings) {
-    const auto warn = [&](std::string key, std::string what, std::string fix) {
+    const auto warn = [&](std::string key, const std::string& what, std::string fix) {
         warnings.push_back({.file = record.file.string(),
                             .key = std::move(key),
                             .what = channel.head + ": " + what,

@@ -31,7 +31,7 @@ Result<Fit> fit(Model& model, const Noise& noise, const VectorXd& start, const s
 /// Change of the whitened prediction (and priors) per unit of a parameter, by central differences; at a bound to one
 /// side. With `tune` the parameter's step is first brought to where it changes the readings by about one standard
 /// error, or by a hundredth where it is exact.
-Result<VectorXd> slope_of(Model& model, const Noise& noise, const VectorXd& values, int parameter, bool tune,
+Result<VectorXd> slope_of(Model& model, const Noise& noise, const VectorXd& values, int index, bool tune,
                           double horizon = 1);
 
 /// Readings less prediction, in the unit of each channel.

@@ -163,25 +163,25 @@ std::string amplitude_words(const Cause& cause, double amplitude, double error) 
     return fmt::format("{:.{}g} +- {:.2g}{}{}", amplitude, digits, error, unit.empty() ? "" : " ", unit);
 }
 
-std::string standing_of(const Diagnosis& diagnosis, int k) {
+std::string standing_of(const Diagnosis& diagnosis, int cause) {
     const Decision& decision = diagnosis.decision;
     if (decision.seen.empty())
         return "";
-    const Seen& seen = decision.seen[static_cast<std::size_t>(k)];
+    const Seen& seen = decision.seen[static_cast<std::size_t>(cause)];
     if (!seen.visible)
         return seen.share == 0      ? "does not act here"
                : seen.share < 0.005 ? "does not show: nuisances absorb it"
                                     : "does not show in these data";
-    if (std::find(decision.causes.begin(), decision.causes.end(), k) != decision.causes.end())
+    if (std::find(decision.causes.begin(), decision.causes.end(), cause) != decision.causes.end())
         return "named";
     if (seen.refit && !seen.refit->possible)
         return "refused: " + seen.refit->refused;
     if (decision.best && decision.outcome == Outcome::named)
         return fmt::format("{:.1f} nats behind", 0.5 * (decision.best->gain - seen.gain));
-    const Cause& cause = cause_of(diagnosis, k);
-    const double low = std::max(seen.lower, cause.lo), high = std::min(seen.upper, cause.hi);
-    return cause.lo == 0 ? fmt::format("below {:.2g} (95 %)", std::max(0.0, high))
-                         : fmt::format("between {:.2g} and {:.2g} (each 95 %)", low, high);
+    const Cause& suspect = cause_of(diagnosis, cause);
+    const double low = std::max(seen.lower, suspect.lo), high = std::min(seen.upper, suspect.hi);
+    return suspect.lo == 0 ? fmt::format("below {:.2g} (95 %)", std::max(0.0, high))
+                           : fmt::format("between {:.2g} and {:.2g} (each 95 %)", low, high);
 }
 
 } // namespace tumble::diagnose

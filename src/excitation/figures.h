@@ -20,6 +20,6 @@ sheet::Figure spectrum_figure(const Record& record, const Excitation& found);
 /// The first periods of the strongest channel, as recorded and as fitted.
 sheet::Figure record_figure(const Record& record, const Excitation& found);
 /// What followed the first knock.
-sheet::Figure ringing_figure(const Record& record, const Ringing& ringing);
+sheet::Figure ringing_figure(const Record& record, const Ringing& rings);
 
 } // namespace tumble::excitation

@@ -20,11 +20,12 @@ const contact::Material plastic{"plastic", 1665.71, 5e7, 0.25};
 /// A flat body: a row of 2, or a square of 1, 4 or 9 spheres that touch.
 std::vector<scene::Sphere> raft(int spheres, double radius) {
     const int columns = spheres == 2 ? 2 : static_cast<int>(std::lround(std::sqrt(spheres)));
+    const int rows = spheres / columns;
     std::vector<scene::Sphere> parts;
-    for (int k = 0; k < spheres; ++k)
-        parts.push_back({{2 * radius * (k % columns - 0.5 * (columns - 1)), 0,
-                          2 * radius * (k / columns - 0.5 * (spheres / columns - 1))},
-                         radius});
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column)
+            parts.push_back(
+                {{2 * radius * (column - 0.5 * (columns - 1)), 0, 2 * radius * (row - 0.5 * (rows - 1))}, radius});
     return parts;
 }
 

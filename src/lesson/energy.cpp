@@ -180,6 +180,17 @@ struct Moments {
     }
 };
 
+void show_heights(Walk& walk, const Drop& drop, const Setup& s) {
+    Grid heights{{{"after bounce"}, {"height, solver", "mm", 5}, {"h e^(2n)", "mm", 5}, {"difference", "%", 2}}, {}};
+    for (std::size_t n = 1; n < std::min<std::size_t>(drop.tops.size(), 3); ++n) {
+        const double expected = s.height * std::pow(s.e, 2.0 * static_cast<double>(n));
+        heights.rows.push_back(
+            {static_cast<double>(n), 1e3 * drop.tops[n], 1e3 * expected, 100 * (drop.tops[n] / expected - 1)});
+        walk.fact(fmt::format("height_{}", n), drop.tops[n], "m");
+    }
+    walk.parts.emplace_back(heights);
+}
+
 Result<Walk> teach(const Values& values) {
     const Setup s(values);
     const Result<Drop> drop = fall(s, steps_per_contact), coarse = fall(s, coarse_steps);
@@ -230,14 +241,7 @@ Result<Walk> teach(const Values& values) {
     walk.formula(
         fmt::format("energy lost in one bounce: (1 − e²) m g h = {:.5g} mJ", milli * (1 - s.e * s.e) * touched));
     walk.formula("height after n bounces: h e^(2n),   n = 1: thesis (4.7)");
-    Grid heights{{{"after bounce"}, {"height, solver", "mm", 5}, {"h e^(2n)", "mm", 5}, {"difference", "%", 2}}, {}};
-    for (std::size_t n = 1; n < std::min<std::size_t>(drop->tops.size(), 3); ++n) {
-        const double expected = s.height * std::pow(s.e, 2.0 * static_cast<double>(n));
-        heights.rows.push_back(
-            {static_cast<double>(n), 1e3 * drop->tops[n], 1e3 * expected, 100 * (drop->tops[n] / expected - 1)});
-        walk.fact(fmt::format("height_{}", n), drop->tops[n], "m");
-    }
-    walk.parts.emplace_back(heights);
+    show_heights(walk, *drop, s);
     walk.say(fmt::format(
         "The solver lost {:.5g} mJ in the first bounce. Two things part it from the closed form. e is the restitution "
         "of a free impact, and here gravity goes on pulling while the ball is in touch: with steps so short that "

@@ -161,7 +161,9 @@ std::array<Figure, 2> force_figures(const Setup& s, const Path& seen, const Path
     const std::vector<std::pair<const char*, Overlap>> contacts{
         {"A", &Path::n_a}, {"B", &Path::n_b}, {"C", &Path::n_c}};
     for (const auto& [name, overlap] : contacts) {
-        const auto force = [&](const Path& path, std::size_t k) { return s.k * std::max((path.*overlap)(k), 0.0); };
+        const auto force = [&, overlap = overlap](const Path& path, std::size_t k) {
+            return s.k * std::max((path.*overlap)(k), 0.0);
+        };
         Curve curve{name}, difference{name};
         for (std::size_t k = 0; k < seen.x.size(); ++k) {
             curve.add(static_cast<double>(k) * s.dt, force(seen, k));

@@ -50,7 +50,7 @@ const std::vector<double>* Series::find(const std::string& name) const {
     static const std::vector<std::string> units{"J", "m", "deg", "rad_s", "m_s", "m_s2", "s"};
     for (std::size_t i = 0; i < columns.size(); ++i)
         for (const std::string& unit : units)
-            if (columns[i] == name + "_" + unit)
+            if (columns[i] == fmt::format("{}_{}", name, unit))
                 return &values[i];
     return nullptr;
 }

@@ -70,13 +70,13 @@ std::string to_bytes(const Checkpoint& checkpoint) {
     return observe::to_bytes(file);
 }
 
-Result<Checkpoint> checkpoint_from(const std::string& content, const std::filesystem::path& file) {
+Result<Checkpoint> checkpoint_from(const std::string& bytes, const std::filesystem::path& file) {
     const auto problem = [&](std::string what) {
         return Problem{.file = file.string(),
                        .what = std::move(what),
                        .fix = "go on with the program that wrote it, or run the scene again"};
     };
-    Result<observe::ArrayFile> read = observe::from_bytes(content, "checkpoint", file);
+    Result<observe::ArrayFile> read = observe::from_bytes(bytes, "checkpoint", file);
     if (!read)
         return read.problems();
     if (word_of(read->head, "layout") != layout_of({}))

@@ -8,6 +8,33 @@ namespace {
 constexpr double radians_per_degree = std::numbers::pi / 180;
 constexpr double radians_per_second_per_rpm = 2 * std::numbers::pi / 60;
 
+std::vector<Key> straight_trough() {
+    return {
+        number("floor_m", "m", from(-1e4, 1e4), "Height (y) of its lowest line.").only_for({"trough"}).must(),
+        number("rim_m", "m", from(-1e4, 1e4), "Height (y) of its rim.").only_for({"trough"}).must(),
+        number("flare_deg", "deg", from(0, 80), "How far the sides lean outwards from the vertical.")
+            .si(radians_per_degree)
+            .only_for({"trough"})
+            .otherwise(0.0),
+        number("x_lo_m", "m", from(-1e4, 1e4),
+               "Where drawing and export begin it; contact has no end along x. "
+               "Without it the domain's end.")
+            .only_for({"trough"})
+            .in_3d(),
+        number("x_hi_m", "m", from(-1e4, 1e4), "Where drawing and export end it.").only_for({"trough"}).in_3d(),
+    };
+}
+
+std::vector<Key> stl_mesh() {
+    return {
+        file("stl", "Triangles, ASCII or binary STL.").only_for({"mesh"}).in_3d().must(),
+        number("scale", "", above(0, 1e6), "Metres per unit of the STL file: 0.001 for millimetres.")
+            .only_for({"mesh"})
+            .in_3d()
+            .otherwise(1.0),
+    };
+}
+
 std::vector<Key> lines_in_the_plane() {
     return {
         vector("from_m", "m", from(-1e4, 1e4), "One end.").only_for({"segment"}).in_2d().must(),
@@ -126,25 +153,8 @@ KeyTable wall() {
             .only_for({"disc"})
             .in_3d()
             .otherwise(0.0),
-        number("floor_m", "m", from(-1e4, 1e4), "Height (y) of its lowest line.").only_for({"trough"}).must(),
-        number("rim_m", "m", from(-1e4, 1e4), "Height (y) of its rim.").only_for({"trough"}).must(),
-        number("flare_deg", "deg", from(0, 80), "How far the sides lean outwards from the vertical.")
-            .si(radians_per_degree)
-            .only_for({"trough"})
-            .otherwise(0.0),
-        number("x_lo_m", "m", from(-1e4, 1e4),
-               "Where drawing and export begin it; contact has no end along x. "
-               "Without it the domain's end.")
-            .only_for({"trough"})
-            .in_3d(),
-        number("x_hi_m", "m", from(-1e4, 1e4), "Where drawing and export end it.").only_for({"trough"}).in_3d(),
-        file("stl", "Triangles, ASCII or binary STL.").only_for({"mesh"}).in_3d().must(),
-        number("scale", "", above(0, 1e6), "Metres per unit of the STL file: 0.001 for millimetres.")
-            .only_for({"mesh"})
-            .in_3d()
-            .otherwise(1.0),
     };
-    for (const auto& part : {lines_in_the_plane(), rotary_bowl()})
+    for (const auto& part : {straight_trough(), stl_mesh(), lines_in_the_plane(), rotary_bowl()})
         table.keys.insert(table.keys.end(), part.begin(), part.end());
     return table;
 }

@@ -77,11 +77,11 @@ void resolve_friction(const View& view, const Resolving& to, contact::PairProper
 
 } // namespace
 
-void resolve_additions(const View& view, const Resolving& to, contact::PairProperties& properties) {
-    resolve_rolling(view, to, properties);
-    resolve_restitution(view, to, properties);
-    resolve_friction(view, to, properties);
-    resolve_adhesion(view, to, properties);
+void resolve_additions(const View& pair, const Resolving& to, contact::PairProperties& properties) {
+    resolve_rolling(pair, to, properties);
+    resolve_restitution(pair, to, properties);
+    resolve_friction(pair, to, properties);
+    resolve_adhesion(pair, to, properties);
 }
 
 void check_additions(const View& root, const Resolving& to) {

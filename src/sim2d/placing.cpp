@@ -76,7 +76,8 @@ std::vector<Side> sides_for(const scene::Box& region, const std::vector<Standing
             continue;
         int inside = 0;
         for (int k = 0; k < looks * looks; ++k) {
-            const Eigen::Vector2d share((k % looks + 0.5) / looks, (k / looks + 0.5) / looks);
+            const int row = k / looks;
+            const Eigen::Vector2d share((k % looks + 0.5) / looks, (row + 0.5) / looks);
             const Eigen::Vector2d point = region.lo.head<2>() + share.cwiseProduct((region.hi - region.lo).head<2>());
             inside += wall.line->encloses(wall.frame.to_wall(point)) ? 1 : -1;
         }

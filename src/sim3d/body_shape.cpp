@@ -126,8 +126,8 @@ Matrix3d principal_axes(const Matrix3d& inertia) {
     if (products.cwiseAbs().maxCoeff() <= no_product * largest)
         return Matrix3d::Identity();
     const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(inertia);
-    const Vector3d moment = solver.eigenvalues();
-    const Matrix3d axes = solver.eigenvectors();
+    const Vector3d& moment = solver.eigenvalues();
+    const Matrix3d& axes = solver.eigenvectors();
     const bool low_pair = moment[1] - moment[0] <= same_moment * moment[2];
     const bool high_pair = moment[2] - moment[1] <= same_moment * moment[2];
     if (low_pair && high_pair)

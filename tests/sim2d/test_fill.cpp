@@ -147,7 +147,7 @@ TEST_CASE("a body placed where another body or a wall is, is refused at its line
     };
     CHECK(refused({12.1, 10}).empty());
     CHECK(refused({11, 10}).find("two.toml:9:3: body 'body0' at (11, 10) m overlaps another body at t = 0 s") == 0);
-    CHECK(refused({4, 5.5}).find("two.toml:9:3: body 'body0' at (4, 5.5) m overlaps wall 'wall1' at t = 0 s") == 0);
+    CHECK(refused({4, 5.5}).find("two.toml:9:3: body 'body0' at (4, 5.5) m overlaps wall 'wall0' at t = 0 s") == 0);
 }
 
 TEST_CASE("a small disc in a vast domain takes no room for the empty space around it") {

@@ -82,8 +82,9 @@ std::string cost_text(const run::SceneCheck& check, const scene::Render& setting
          {"drawn", fmt::format("with --frames or --video {} of {} x {}, beside the steps: not in the time below",
                                counted(check.frames, "picture", "pictures"), settings.width, settings.height)},
          {"memory", fmt::format("about {}", size(check.memory_bytes))},
-         {"time", fmt::format("{} on one core, taking {:.1g} body-steps/s and 1 us a step at least",
-                              seconds < 1 ? "less than 1 s" : "about " + duration(seconds), check.assumed_rate)}});
+         {"time", fmt::format("{} on one core, taking {:.1g} body-steps/s and {} a step at least",
+                              seconds < 1 ? "less than 1 s" : "about " + duration(seconds), check.assumed_rate,
+                              format_si(check.assumed_step, "s", 1))}});
 }
 
 int check_it(const CheckArguments& arguments) {

@@ -26,6 +26,13 @@ struct ListArguments {
     bool json = false;
 };
 
+/// What of a member stands in a table: text as it is, a dimension as "3D", nothing where a thing has none of its own.
+std::string cell(const Json& member) {
+    return member.is_number() ? fmt::format("{}D", member.get<int>())
+           : member.is_null() ? ""
+                              : member.get<std::string>();
+}
+
 /// Rows of objects: as JSON, or the named members as columns.
 int show(const Json& items, const std::vector<std::string>& members, bool json) {
     if (json) {
@@ -36,7 +43,7 @@ int show(const Json& items, const std::vector<std::string>& members, bool json) 
     for (const Json& item : items) {
         std::vector<std::string> row;
         for (const std::string& member : members)
-            row.push_back(item[member].get<std::string>());
+            row.push_back(cell(item[member]));
         rows.push_back(std::move(row));
     }
     say(table(rows));
@@ -59,11 +66,11 @@ int list_scenes(const ListArguments& arguments) {
     for (const fs::path& file : files) {
         const Result<scene::Scene> scene = scene::load_scene(file);
         items.push_back({{"file", file.string()},
-                         {"in", scene ? fmt::format("{}D", scene->dimension) : ""},
+                         {"dimension", scene ? Json(scene->dimension) : Json()},
                          {"title", scene ? scene->title : "(cannot be read; tumble check says why)"},
                          {"claim", scene ? scene->claim : ""}});
     }
-    return show(items, {"file", "in", "title"}, arguments.json);
+    return show(items, {"file", "dimension", "title"}, arguments.json);
 }
 
 /// What a word of a key in [contact] selects; the words themselves come from the key list.
@@ -85,13 +92,18 @@ std::string law_sentence(const std::string& key, const std::string& word) {
     return found == sentences.end() ? "" : found->second;
 }
 
-/// The kinds of scene that take a word of a key: "", or one of them.
-std::string dimensions_of(const scene::KeyTable& table, const std::string& name, const std::string& word) {
+/// 2 or 3 where only such scenes take it, null where both do.
+Json dimension_of(scene::Dimensions in) {
+    return in == scene::Dimensions::both ? Json() : Json(in == scene::Dimensions::two ? 2 : 3);
+}
+
+/// The same of a word of a key.
+Json dimension_of(const scene::KeyTable& table, const std::string& name, const std::string& word) {
     const auto taken = [&](int dimension) {
         const scene::Key* key = scene::find_key(table, name, dimension);
         return key && std::find(key->words.begin(), key->words.end(), word) != key->words.end();
     };
-    return taken(2) && taken(3) ? "" : taken(2) ? "2D" : "3D";
+    return taken(2) && taken(3) ? Json() : Json(taken(2) ? 2 : 3);
 }
 
 int list_laws(const ListArguments& arguments) {
@@ -103,9 +115,9 @@ int list_laws(const ListArguments& arguments) {
                 if (listed.insert(key.name + " " + word).second)
                     items.push_back({{"key", "contact." + key.name},
                                      {"law", word},
-                                     {"in", dimensions_of(*contact, key.name, word)},
+                                     {"dimension", dimension_of(*contact, key.name, word)},
                                      {"sentence", law_sentence(key.name, word)}});
-    return show(items, {"key", "law", "in", "sentence"}, arguments.json);
+    return show(items, {"key", "law", "dimension", "sentence"}, arguments.json);
 }
 
 int list_measures(const ListArguments& arguments) {
@@ -125,12 +137,12 @@ int list_keys(const ListArguments& arguments) {
         for (const scene::Key& key : keys.keys)
             items.push_back({{"table", keys.head},
                              {"key", key.name},
-                             {"in", scene::mark_of(key.in)},
+                             {"dimension", dimension_of(key.in)},
                              {"type", scene::describe(key)},
                              {"unit", key.unit},
                              {"default", key.required ? "required" : scene::describe(key.standard)},
                              {"sentence", key.sentence}});
-    return show(items, {"table", "key", "in", "default", "sentence"}, arguments.json);
+    return show(items, {"table", "key", "dimension", "default", "sentence"}, arguments.json);
 }
 
 int list_causes(const ListArguments& arguments) {

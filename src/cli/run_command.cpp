@@ -48,7 +48,8 @@ void add_resume_flags(CLI::App& command, run::RunOptions& options, CLI::Option& 
 /// A run's own folder in place of a scene: with --resume the run goes on there.
 std::optional<Problem> take_folder(RunArguments& arguments) {
     const fs::path folder = arguments.scene.file;
-    if (std::error_code ignored; !fs::is_directory(folder, ignored) || !run::find_run(folder))
+    std::error_code ignored;
+    if (!fs::is_directory(folder, ignored) || !run::find_run(folder))
         return std::nullopt;
     const std::string scene = (folder / "scene.toml").string();
     if (!arguments.options.resume)
@@ -57,7 +58,8 @@ std::optional<Problem> take_folder(RunArguments& arguments) {
                        .fix = fmt::format("`tumble run {} --resume` goes on with the run; `tumble run {} --out DIR` "
                                           "runs its scene again elsewhere",
                                           folder.string(), scene)};
-    if (!arguments.options.folder.empty())
+    const fs::path& out = arguments.options.folder;
+    if (!out.empty() && !fs::equivalent(out, folder, ignored))
         return Problem{
             .file = folder.string(),
             .what = "a run goes on in its own folder, and --out names another place",

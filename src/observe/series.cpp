@@ -1,5 +1,6 @@
 #include "observe/series.h"
 
+#include "base/remedy.h"
 #include "base/text.h"
 #include "base/write_all.h"
 
@@ -32,7 +33,7 @@ std::string joined(const std::vector<std::string>& words) {
 Problem cannot_write(const std::filesystem::path& file, int error) {
     return {.file = file.string(),
             .what = fmt::format("cannot be written: {}", std::strerror(error)),
-            .fix = error == ENOSPC ? "free some space, or write to another disk" : "write to a folder that is yours"};
+            .fix = remedy(error)};
 }
 
 Result<double> read_cell(std::string_view cell) {

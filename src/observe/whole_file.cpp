@@ -1,5 +1,6 @@
 #include "observe/whole_file.h"
 
+#include "base/remedy.h"
 #include "base/write_all.h"
 
 #include <cerrno>
@@ -18,22 +19,6 @@ struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
 };
 using Stream = std::unique_ptr<std::FILE, Close>;
-
-/// What to do about a file that cannot be written; nothing where only the system knows.
-const char* remedy(int error) {
-    switch (error) {
-    case ENOSPC:
-        return "free some space, or write to another disk";
-    case ENOENT:
-    case ENOTDIR:
-    case EACCES:
-    case EPERM:
-    case EROFS:
-        return "name a file in a folder that is there and where you may write";
-    default:
-        return "";
-    }
-}
 
 Problem failed(const std::filesystem::path& file, const char* verb, int error, const char* fix = "") {
     return {.file = file.string(), .what = fmt::format("cannot be {}: {}", verb, std::strerror(error)), .fix = fix};

@@ -1,5 +1,6 @@
 #include "render/file_swap.h"
 
+#include "base/remedy.h"
 #include "base/write_all.h"
 
 #include <cerrno>
@@ -15,25 +16,8 @@ std::filesystem::path unfinished(const std::filesystem::path& file) {
 }
 
 Problem file_problem(const std::filesystem::path& file, const char* verb, int error) {
-    Problem problem{.file = file.string(), .what = fmt::format("cannot {}: {}", verb, std::strerror(error))};
-    switch (error) {
-    case ENOSPC:
-    case EDQUOT:
-        problem.fix = "free some space, or write to another disk";
-        break;
-    case EACCES:
-    case EPERM:
-    case EROFS:
-        problem.fix = "write to a folder that is yours";
-        break;
-    case ENOENT:
-    case ENOTDIR:
-        problem.fix = "make the folder first, or name another one";
-        break;
-    default:
-        problem.fix = "check the disk, or write to another folder";
-    }
-    return problem;
+    return {
+        .file = file.string(), .what = fmt::format("cannot {}: {}", verb, std::strerror(error)), .fix = remedy(error)};
 }
 
 Result<Done> finish_file(const std::filesystem::path& file) {

@@ -17,7 +17,8 @@ public:
             return;
         watched_ += seconds;
         const double remembers = std::min(watched_, std::max(10.0, watched_ / 4));
-        rate_ += seconds / remembers * (done / seconds - rate_);
+        const double weight = std::min(1.0, seconds / remembers); // a stall may last longer than what is remembered
+        rate_ += weight * (done / seconds - rate_);
     }
     /// s for as much more; nothing before two seconds were watched.
     [[nodiscard]] std::optional<double> seconds_for(double more) const {
@@ -39,7 +40,7 @@ public:
     void stop(std::int64_t steps) {
         const Clock::time_point now = Clock::now();
         const double seconds = seconds_between(begun_, now);
-        const double round = seconds_between(std::exchange(stopped_, now), now);
+        const double round = seconds_between(std::exchange(stopped_, now).value_or(begun_), now);
         seconds_ += seconds;
         if (seconds <= 0 || steps <= 0)
             return;
@@ -71,7 +72,7 @@ private:
 
     Clock::time_point made_ = Clock::now();
     Clock::time_point begun_ = made_;
-    Clock::time_point stopped_ = made_;
+    std::optional<Clock::time_point> stopped_; // a round lasts from one stop to the next, the first from its start
     double seconds_ = 0;
     double rate_ = 0;
     SteadyRate steady_;

@@ -132,9 +132,11 @@ bool RunInWork::nothing_left_to_do() const {
         std::error_code ignored;
         return std::filesystem::exists(place, ignored);
     };
+    std::error_code ignored;
+    const bool series_whole = std::filesystem::file_size(paths.series(), ignored) == resumed_->series_size;
     const std::size_t frames = observe::list_frames(paths.frames()).size();
     const nlohmann::json left = read_summary(paths);
-    return resumed_->step >= all_steps_ && resumed_->scene == toml_ &&
+    return resumed_->step >= all_steps_ && resumed_->scene == toml_ && series_whole &&
            left.value("state", nlohmann::json()) == "finished" && left.value("frames", nlohmann::json()) == frames &&
            (!options_.pictures || count_pictures(paths.pictures()) >= static_cast<std::int64_t>(frames)) &&
            (!options_.video || there(video_file())) && (!options_.paraview || there(paths.paraview())) &&

@@ -82,7 +82,9 @@ void check_cost(const scene::Scene& scene, std::size_t columns, SceneCheck& chec
                              ? disc_rate * bodies / std::max(bodies, static_cast<double>(check.parts))
                          : clumps ? clump_rate
                                   : sphere_rate;
-    const double seconds = check.body_steps / check.assumed_rate + step_floor * static_cast<double>(check.steps) +
+    check.assumed_step = step_floor;
+    const double seconds = check.body_steps / check.assumed_rate +
+                           check.assumed_step * static_cast<double>(check.steps) +
                            output_floor * static_cast<double>(check.rows + check.frames);
     check.hours = seconds / 3600;
 }
@@ -190,6 +192,7 @@ nlohmann::ordered_json to_json(const SceneCheck& check) {
             {"disk_bytes", check.disk_bytes},
             {"body_steps", check.body_steps},
             {"assumed_body_steps_per_s", check.assumed_rate},
+            {"assumed_step_s", check.assumed_step},
             {"hours_on_one_core", check.hours},
             {"warnings", check.warnings}};
 }

@@ -43,6 +43,7 @@ struct SceneCheck {
     double body_steps = 0;   // bodies times steps, all bodies from the start
     double hours = 0;        // on one core: at `assumed_rate`, and what steps, rows and frames take without bodies
     double assumed_rate = 0; // body-steps per s
+    double assumed_step = 0; // s that a step takes however few the bodies
     std::vector<std::string> warnings;
 };
 

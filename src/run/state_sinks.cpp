@@ -1,6 +1,7 @@
 #include "run/state_sinks.h"
 
 #include "base/make_folder.h"
+#include "base/remedy.h"
 #include "base/write_all.h"
 #include "observe/frame_file.h"
 #include "observe/paraview.h"
@@ -37,9 +38,8 @@ private:
 };
 
 Problem cannot_write(const std::filesystem::path& file, int error) {
-    return {.file = file.string(),
-            .what = std::string("cannot be written: ") + std::strerror(error),
-            .fix = error == ENOSPC ? "free some space, or write to another disk" : ""};
+    return {
+        .file = file.string(), .what = std::string("cannot be written: ") + std::strerror(error), .fix = remedy(error)};
 }
 
 class TextSink final : public FrameSink {

@@ -139,18 +139,22 @@ TEST_CASE("the lists name what scenes may say") {
     for (const auto& law : laws) {
         CHECK(once.emplace(law["key"], law["law"]).second);
         CHECK_MESSAGE(!law["sentence"].get<std::string>().empty(), law["law"]);
-        CHECK(law["in"] == (law["key"] == "contact.adhesion" ? "3D" : ""));
+        CHECK(law["dimension"] == (law["key"] == "contact.adhesion" ? nlohmann::json(3) : nlohmann::json()));
     }
     CHECK(once.contains({"contact.rolling", "epsd"}));
     // A name that 2D and 3D take differently is there once for each.
-    std::set<std::tuple<std::string, std::string, std::string>> keys;
+    std::set<std::tuple<std::string, std::string, int>> keys; // 0: of both
     for (const auto& key : nlohmann::json::parse(tumble_in(folder, {"list", "keys", "--json"}).out))
-        CHECK_MESSAGE(keys.emplace(key["table"], key["key"], key["in"]).second, key["key"]);
-    CHECK(keys.contains({"[contact]", "normal", "2D"}));
-    CHECK(keys.contains({"[contact]", "normal", "3D"}));
+        CHECK_MESSAGE(
+            keys.emplace(key["table"], key["key"], key["dimension"].is_null() ? 0 : key["dimension"].get<int>()).second,
+            key["key"]);
+    CHECK(keys.contains({"[contact]", "normal", 2}));
+    CHECK(keys.contains({"[contact]", "normal", 3}));
+    CHECK(keys.contains({"", "duration_s", 0}));
     std::filesystem::create_directory(folder.path / "scenes");
     put(folder.path / "scenes" / "ball.toml", bouncing_ball(1));
     CHECK(contains(tumble_in(folder, {"list", "scenes"}).out, "scenes/ball.toml  3D  A ball that bounces"));
+    CHECK(nlohmann::json::parse(tumble_in(folder, {"list", "scenes", "--json"}).out)[0]["dimension"] == 3);
     CHECK(tumble_in(folder, {"list", "scenes", "nowhere"}).code == 2);
 }
 
@@ -170,7 +174,9 @@ TEST_CASE("check says masses, steps and margins as theory has them, and refuses 
     const double rayleigh = M_PI * 0.01 * std::sqrt(2500 / 4e7) / (0.1631 * 0.25 + 0.8766);
     CHECK(json["time_step"]["rayleigh_s"].get<double>() == about(rayleigh));
     CHECK_FALSE(std::filesystem::exists(folder.path / "out"));
+    CHECK(json["assumed_step_s"] == 1e-6);
     const std::string words = tumble_in(folder, {"check", "ball.toml"}).out;
+    CHECK(contains(words, "body-steps/s and 1 us a step at least"));
     CHECK(contains(words, "Rayleigh time"));
     CHECK(contains(words, "less than 1 s on one core")); // 50,000 steps of a microsecond, 552 rows and frames
     // A step costs a microsecond however few the bodies: 60 s of 1e-5 s are 6 million.

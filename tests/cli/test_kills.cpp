@@ -153,7 +153,8 @@ TEST_CASE("a run's folder stands for its run: with --resume it goes on there, wi
     CHECK(contains(without.err, "`tumble run out/crowd --resume` goes on with the run"));
     CHECK(tumble_in(folder, {"run", "out/crowd", "--resume", "--out", "there"}).code == 2);
     CHECK_FALSE(fs::exists(folder.path / "there"));
-    const Outcome resumed = tumble_in(folder, {"run", "out/crowd", "--resume"});
+    // Its own folder is no other place, however it is spelled.
+    const Outcome resumed = tumble_in(folder, {"run", "out/crowd", "--resume", "--out", "out/../out/crowd/"});
     CHECK_MESSAGE(resumed.code == 0, resumed.err);
     CHECK(contains(resumed.err, ", on from t = "));
     check_same(content_of_run(folder.path / "whole"), folder.path / "out/crowd");

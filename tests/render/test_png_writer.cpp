@@ -78,7 +78,7 @@ TEST_CASE("a file in a folder that does not exist is a problem with the file's n
     REQUIRE(!verdict.ok());
     CHECK(verdict.problems().front().file == (folder.path / "nowhere" / "a.png").string());
     CHECK(verdict.problems().front().what == "cannot write the file: No such file or directory");
-    CHECK(verdict.problems().front().fix == "make the folder first, or name another one");
+    CHECK(verdict.problems().front().fix == "name a place in a folder that is there and where you may write");
     CHECK(!writer.add(folder.path / "b.png", pattern(8, 8)).ok());
     CHECK(folder.files() == 0);
 }

@@ -83,6 +83,25 @@ TEST_CASE("a finished run goes on to a longer end, and to the same end without a
     CHECK(ran(even, going_on_in(folder.path / "even")).summary.frames == 3);
 }
 
+TEST_CASE("a finished run is one whose series is whole: rows that it did not write go, lost ones are told of") {
+    const Folder folder;
+    const scene::Scene scene = loaded(pouring);
+    const fs::path place = folder.path / "pour";
+    REQUIRE(ran(scene, in(place)).summary.state == "finished");
+    const auto before = content_of_run(place);
+    const std::string series = content_of(place / "series.csv");
+    put(place / "series.csv", series + "0.9,1,2\n");
+    CHECK(ran(scene, going_on_in(place)).summary.state == "finished");
+    CHECK(content_of_run(place) == before);
+    fs::remove(place / "series.csv");
+    const Problems problems = ran(scene, going_on_in(place)).problems;
+    REQUIRE(problems.size() == 2); // one a checkpoint
+    for (const Problem& problem : problems)
+        CHECK(problem.what == "counts on rows of series.csv that are not there");
+    put(place / "series.csv", series);
+    CHECK(content_of_run(place) == before);
+}
+
 TEST_CASE("pictures that are missing or stand beyond the checkpoint are put right") {
     const Folder folder;
     const scene::Scene scene = loaded(pouring);

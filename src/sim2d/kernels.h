@@ -112,6 +112,11 @@ struct Owned {
     int disc_begin, disc_end;
 };
 
+// Always inlined, so that no instruction set's copy of it is linked for another.
+[[gnu::always_inline]] inline bool owns(const Owned& owned, int row) {
+    return (row >= owned.body_begin && row < owned.body_end) || (row >= owned.disc_begin && row < owned.disc_end);
+}
+
 struct PushContext {
     const Row* rows;
     Load* loads;

@@ -37,6 +37,7 @@ void move_walls(World& world) {
             wall.half_frame = WallFrame(scene::pose_at(wall.wall.motion, world.time() - 0.5 * world.dt));
         }
         wall.travel += way_beside(world.flow, before, wall.frame, world.dt);
+        wall.leap = way_beside(world.flow, before, wall.frame, 0); // beside what does not flow meanwhile
     }
 }
 

@@ -103,16 +103,13 @@ void cut_chunks(World& world) {
         chunk.owned = {begin, end, disc_from(begin), disc_from(end)};
         chunk.near_discs.resize(kinds);
         chunk.wall_contacts.resize(kinds);
-        chunk.outbox.resize(static_cast<std::size_t>(count));
         std::fill(world.chunk_of.begin() + begin, world.chunk_of.begin() + end, k);
         std::fill(world.chunk_of.begin() + chunk.owned.disc_begin, world.chunk_of.begin() + chunk.owned.disc_end, k);
     }
 }
 
 void clear(Chunk& chunk) {
-    // Letters of the last step are addressed to rows that may be others' now.
-    for (auto& letters : chunk.outbox)
-        letters.clear();
+    chunk.foreign_count = 0; // the letters of the last step are addressed to rows that may be others' now
     chunk.partners_after = 0;
     chunk.partners_before = 0;
     chunk.pairs.clear();

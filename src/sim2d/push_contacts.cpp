@@ -21,18 +21,15 @@ PushContext context_of(World& world, Chunk& chunk, std::size_t kind) {
     return context;
 }
 
-void prepare_foreign(Chunk& chunk, PushContext& context, int contacts) {
-    if (chunk.foreign.size() < static_cast<std::size_t>(contacts))
-        chunk.foreign.resize(static_cast<std::size_t>(contacts) * 2);
+/// Lets the kernel write behind what is there; `foreign_count` is kept up to date.
+template <class Push> void push_with_letters(Chunk& chunk, PushContext& context, int contacts, Push&& push) {
+    const auto room = static_cast<std::size_t>(chunk.foreign_count + contacts);
+    if (chunk.foreign.size() < room)
+        chunk.foreign.resize(2 * room);
     context.foreign = chunk.foreign.data();
-    context.foreign_count = 0;
-}
-
-void post(const World& world, Chunk& chunk, const PushContext& context) {
-    for (int k = 0; k < context.foreign_count; ++k) {
-        const ForeignPush& push = chunk.foreign[static_cast<std::size_t>(k)];
-        chunk.outbox[static_cast<std::size_t>(world.chunk_of[static_cast<std::size_t>(push.row)])].push_back(push);
-    }
+    context.foreign_count = chunk.foreign_count;
+    push();
+    chunk.foreign_count = context.foreign_count;
 }
 
 /// What the discs of the chunk's clumps got goes to their bodies.
@@ -54,17 +51,16 @@ void hand_on(World& world, const Chunk& chunk) {
 void push_contacts(World& world, Chunk& chunk) {
     chunk.sums.contacts = {};
     chunk.sums.contacts.lost_history = chunk.dropped_history;
-    for (auto& letters : chunk.outbox)
-        letters.clear();
+    chunk.foreign_count = 0;
     for (std::size_t kind = 0; kind < world.pairs.size(); ++kind) {
         PushContext context = context_of(world, chunk, kind);
         const bool plain = context.pair.plain();
         if (NearDiscs& near = chunk.near_discs[kind]; near.contact_count > 0) {
-            prepare_foreign(chunk, context, near.contact_count);
             context.further = plain ? nullptr : near.further.data();
-            world.kernels->push_discs(context, near.pairs.data(), near.contacts.data(), near.contact_count,
-                                      near.memory.data());
-            post(world, chunk, context);
+            push_with_letters(chunk, context, near.contact_count, [&] {
+                world.kernels->push_discs(context, near.pairs.data(), near.contacts.data(), near.contact_count,
+                                          near.memory.data());
+            });
         }
         if (auto& contacts = chunk.wall_contacts[kind]; !contacts.empty()) {
             context.further = plain ? nullptr : chunk.wall_further.data();
@@ -78,11 +74,14 @@ void push_contacts(World& world, Chunk& chunk) {
 }
 
 void collect_pushes(World& world, Chunk& chunk) {
-    const auto own = static_cast<std::size_t>(&chunk - world.chunks.data());
-    for (std::size_t sender = 0; sender < world.chunks.size(); ++sender) {
-        if ((chunk.partners_before & chunk_bit(static_cast<int>(sender))) == 0)
+    for (std::size_t k = 0; k < world.chunks.size(); ++k) {
+        if ((chunk.partners_before & chunk_bit(static_cast<int>(k))) == 0)
             continue;
-        for (const ForeignPush& push : world.chunks[sender].outbox[own]) {
+        const Chunk& sender = world.chunks[k];
+        for (int letter = 0; letter < sender.foreign_count; ++letter) {
+            const ForeignPush& push = sender.foreign[static_cast<std::size_t>(letter)];
+            if (!owns(chunk.owned, push.row))
+                continue;
             Load& load = world.loads[static_cast<std::size_t>(push.row)];
             load.fx += push.fx;
             load.fy += push.fy;

@@ -19,7 +19,6 @@ void complete(World& world) {
     }
     for (Chunk& chunk : world.chunks) {
         chunk.wall_contacts.resize(world.pairs.size());
-        chunk.outbox.resize(world.chunks.size());
     }
 }
 

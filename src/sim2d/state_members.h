@@ -91,11 +91,12 @@ template <class Archive, As<Owned> O> void carry(Archive& archive, O& owned) {
 
 template <class Archive, As<Chunk> C> void carry(Archive& archive, C& chunk) {
     auto& [owned, partners_after, partners_before, pairs, near_discs, near_until, wall_nears, wall_further, wall_pieces,
-           wall_contacts, outbox, foreign, found, dropped_history, crossed_row, crossed_wall, sums, seconds] = chunk;
+           wall_contacts, foreign, foreign_count, found, dropped_history, crossed_row, crossed_wall, sums, seconds] =
+        chunk;
     archive(owned, partners_after, partners_before, pairs, near_discs, near_until, wall_nears, wall_pieces, sums);
     carry_if_any(archive, wall_further, max_wall_touches * wall_nears.size());
-    // Each step's own: wall_contacts, outbox, foreign, found, dropped_history. Set only in a step that ends the run:
-    // crossed_row and crossed_wall. Wall time: seconds.
+    // Each step's own: wall_contacts, foreign, foreign_count, found, dropped_history. Set only in a step that ends the
+    // run: crossed_row and crossed_wall. Wall time: seconds.
 }
 
 // The world.
@@ -111,7 +112,7 @@ template <class Archive, As<WallFrame> F> void carry(Archive& archive, F& frame)
 }
 
 template <class Archive, As<WallState> W> void carry(Archive& archive, W& state) {
-    auto& [wall, line, frame, half_frame, travel] = state; // the first two are the scene's
+    auto& [wall, line, frame, half_frame, travel, leap] = state; // the first two are the scene's, the last each step's
     archive(frame, half_frame, travel);
 }
 

@@ -24,8 +24,8 @@
 /// The solver's state. Bodies stand in slots, sorted by cell so that neighbours in space are neighbours in memory; a
 /// body's id never changes, its slot may. The first rows are the bodies in slot order, then come the discs of the
 /// clumps; only rows with a radius touch anything. Slots are cut into chunks of fixed ranges that do not depend on the
-/// number of threads; whatever a chunk does, it does in one fixed order, and chunks hand each other forces through
-/// outboxes that are emptied in a fixed order. That is why one thread and two give the same bits.
+/// number of threads; whatever a chunk does, it does in one fixed order, and each takes the forces that others have for
+/// its rows in a fixed order. That is why one thread and two give the same bits.
 namespace tumble::sim2d {
 
 /// The smooth velocity field that neighbours share. Lists wear by what rows do beside it, so a bed that shakes as one
@@ -121,12 +121,12 @@ struct Chunk {
     std::vector<int> wall_pieces;
     std::vector<std::vector<WallContact>> wall_contacts; // per material pair
 
-    std::vector<std::vector<ForeignPush>> outbox; // per receiving chunk
-    std::vector<ForeignPush> foreign;             // room for the kernels; delivered through the outbox
-    std::vector<int> found;                       // room for the kernels
-    double dropped_history = 0;                   // J forgotten by contacts that ended in this step
-    int crossed_row = -1;                         // row whose centre has passed through a wall, ...
-    int crossed_wall = -1;                        // ... and the wall
+    std::vector<ForeignPush> foreign; // forces for rows of other chunks, which look for theirs; room for the kernels
+    int foreign_count = 0;
+    std::vector<int> found;     // room for the kernels
+    double dropped_history = 0; // J forgotten by contacts that ended in this step
+    int crossed_row = -1;       // row whose centre has passed through a wall, ...
+    int crossed_wall = -1;      // ... and the wall
     Sums sums;
     PhaseSeconds seconds{};
 };
@@ -137,6 +137,7 @@ struct WallState {
     WallFrame frame;      // at the step's time
     WallFrame half_frame; // half a step earlier, where leapfrog's velocities live
     double travel = 0;    // m, odometer: way beside the mean flow since the last rebuild
+    double leap = 0;      // m, how far it went in the last step where bodies are
 };
 
 /// Running sums, J. Losses are sums of force * velocity * dt at the steps; the books take the last one half.

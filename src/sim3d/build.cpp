@@ -105,7 +105,7 @@ Problems make_walls(World& world) {
             }
             continue;
         }
-        WallState state{wall, *surface, {}, {}, 0, 0, turns_in_place(wall)};
+        WallState state{wall, *surface, {}, {}, 0, 0, 0, turns_in_place(wall)};
         state.pose = pose_of(state, 0);
         state.half_pose = pose_of(state, -0.5 * world.dt);
         world.walls.push_back(std::move(state));

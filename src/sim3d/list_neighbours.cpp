@@ -48,6 +48,7 @@ void move_walls(World& world) {
         }
         wall.way = way_beside(world.flow, before, wall.pose, world.dt);
         wall.travel += wall.way;
+        wall.leap = way_beside(world.flow, before, wall.pose, 0); // beside what does not flow meanwhile
     }
 }
 

@@ -61,6 +61,18 @@ std::optional<Problem> wild_motion(const World& world) {
     return std::nullopt;
 }
 
+/// A wall that goes further than a radius in a step could pass a sphere that touches it neither before nor after, so
+/// that no crossing is seen.
+std::optional<Problem> leaping_wall(const World& world) {
+    for (const WallState& wall : world.walls)
+        if (wall.leap > world.smallest_radius)
+            return stop(world,
+                        fmt::format("wall '{}' moves by {:.3g} m in one step, more than the smallest sphere's radius",
+                                    wall.wall.name, wall.leap),
+                        "use a shorter time step or a slower wall");
+    return std::nullopt;
+}
+
 std::string deepest_pair(const World& world) {
     double deepest = 0;
     std::string who = "two bodies";
@@ -116,6 +128,8 @@ std::optional<Problem> outside(const World& world) {
 } // namespace
 
 std::optional<Problem> insanity(const World& world) {
+    if (auto problem = leaping_wall(world))
+        return problem;
     bool wild = false;
     for (const Chunk& chunk : world.chunks)
         wild = wild || !chunk.sums.motion.finite;

@@ -141,8 +141,8 @@ template <class Archive, As<MeanFlow> F> void carry(Archive& archive, F& flow) {
 }
 
 template <class Archive, As<WallState> W> void carry(Archive& archive, W& state) {
-    auto& [wall, surface, pose, half_pose, travel, way, in_place] = state; // the first two and the last are the scene's
-    archive(pose, half_pose, travel, way);
+    auto& [wall, surface, pose, half_pose, travel, way, leap, in_place] = state;
+    archive(pose, half_pose, travel, way); // leap is each step's own, the rest the scene's
 }
 
 template <class Archive, As<FillState> F> void carry(Archive& archive, F& state) {

@@ -191,6 +191,7 @@ struct WallState {
     scene::WallPose half_pose; // half a step earlier, where leapfrog's velocities live
     double travel = 0;         // m, odometer: way beside the mean flow since the last rebuild
     double way = 0;            // m, the same in the last step
+    double leap = 0;           // m, how far it went in the last step where bodies are
     bool in_place = false;     // only the surface's velocity changes: turns_in_place
 };
 

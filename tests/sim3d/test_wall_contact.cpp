@@ -269,4 +269,21 @@ TEST_CASE("two spheres of a clump that straddle the border rest on a periodic me
     CHECK(on_mesh.position.y() == about(on_plane.position.y(), 1e-9));
 }
 
+TEST_CASE(
+    "a wall that could pass a whole sphere within one step stops the run, though they touch neither before nor after") {
+    const auto goes = [](double speed) {
+        Sandbox box({"media", 1666, 4.6e7, 0.2887}, {0.3, 0.5}, 1e-5);
+        scene::PlaneShape plane;
+        plane.point = {0, 0.0035, 0};
+        box.wall(plane).motion.linears.push_back({{}, {0, speed, 0}});
+        box.start({placed(box.ball(1e-3), {0, 5e-3, 0})});
+        const auto problem = advance(*box.world, 2); // walls move from the second step on
+        return problem ? problem->what : "";
+    };
+    // From half a millimetre below the sphere to half a millimetre above it.
+    CHECK(goes(300).find("wall 'wall0' moves by 0.003 m in one step, more than the smallest sphere's radius") !=
+          std::string::npos);
+    CHECK(goes(49).empty()); // 0.49 mm
+}
+
 } // namespace test_wall_contact

@@ -131,10 +131,6 @@ TUMBLE_INLINE void load_rows(Quad* to, Pack fx, Pack fy, Pack torque) {
     for_rows({fx, fy, torque, Pack(0.0)}, [&](int k, Quad row) TUMBLE_INLINE_LAMBDA { to[k] = row; });
 }
 
-TUMBLE_INLINE bool owns(const Owned& owned, int row) {
-    return (row >= owned.body_begin && row < owned.body_end) || (row >= owned.disc_begin && row < owned.disc_end);
-}
-
 TUMBLE_INLINE void hand_out(PushContext& context, int row, Quad load) {
     if (owns(context.owned, row)) {
         quad_at(&context.loads[row].fx) += load;

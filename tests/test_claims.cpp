@@ -294,26 +294,39 @@ TEST_CASE("shaken-bed-2d: the bed flies as high as an inelastic block, and stays
     CHECK(mean(rises(lying, 1.5)) == about(0.00138, 0.1));
 }
 
-TEST_CASE("hopper-2d: as many discs leave the slot a second when half the filling is gone") {
-    const scene::Scene hopper = loaded("hopper-2d.toml");
-    auto world = sim2d::build_world(hopper, 1);
-    REQUIRE_MESSAGE(world.ok(), to_string(world.problems()));
-    const auto left_until = [&](double time) {
-        REQUIRE(!sim2d::advance(**world, std::llround(time / hopper.time_step) - sim2d::steps_of(**world)));
-        int below = 0;
-        for (const sim2d::BodyState& disc : sim2d::bodies_of(**world))
-            below += disc.position.y() < -0.01 ? 1 : 0;
-        return below;
+TEST_CASE(
+    "hopper-2d: as many discs leave the slot a second when half the filling is gone, and as Beverloo's law says") {
+    const auto left_until = [](const scene::Scene& hopper, const std::vector<double>& times) {
+        auto world = sim2d::build_world(hopper, 1);
+        REQUIRE_MESSAGE(world.ok(), to_string(world.problems()));
+        std::vector<int> left;
+        for (const double time : times) {
+            REQUIRE(!sim2d::advance(**world, std::llround(time / hopper.time_step) - sim2d::steps_of(**world)));
+            const auto discs = sim2d::bodies_of(**world);
+            left.push_back(static_cast<int>(std::count_if(
+                discs.begin(), discs.end(), [](const sim2d::BodyState& disc) { return disc.position.y() < -0.01; })));
+        }
+        return left;
     };
-    const int begun = left_until(1.44), half = left_until(2.04), end = left_until(2.64);
-    CHECK((half - begun) / 0.6 == about(743, 0.1));
-    // Beverloo's law for a slot, 1.03 phi sqrt(g) (B - k d)^1.5 of area per second (Nedderman 1992), with k = 1.4 and
-    // the solid fraction 0.82 of discs at rest, over the mean area of the two sizes.
-    const double disc = std::numbers::pi * (0.0036 * 0.0036 + 0.0044 * 0.0044) / 2;
-    const double beverloo = 1.03 * 0.82 * std::sqrt(9.81) * std::pow(0.07 - 1.4 * 0.008, 1.5) / disc;
-    CHECK((half - begun) / 0.6 == about(beverloo, 0.1));
-    CHECK(end - half > 0.88 * (half - begun));
-    CHECK(end - half < 1.05 * (half - begun));
+    // Beverloo's law for a slot, 1.03 phi sqrt(g) (B - k d)^1.5 of area per second (Nedderman 1992), with the solid
+    // fraction 0.82 of discs at rest, over the mean area of the two sizes; k lies between 1.2 and 1.6.
+    const auto beverloo = [](double slot, double k) {
+        const double disc = std::numbers::pi * (0.0036 * 0.0036 + 0.0044 * 0.0044) / 2;
+        return 1.03 * 0.82 * std::sqrt(9.81) * std::pow(slot - k * 0.008, 1.5) / disc;
+    };
+    const std::vector<int> left = left_until(loaded("hopper-2d.toml"), {1.44, 2.04, 2.64});
+    const double first = (left[1] - left[0]) / 0.6, second = (left[2] - left[1]) / 0.6; // 1/s
+    CHECK(first > beverloo(0.07, 1.6));
+    CHECK(first < beverloo(0.07, 1.2));
+    CHECK(second > 0.88 * first);
+    CHECK(second < 1.05 * first);
+    // The exponent: through a slot of 50 mm flows 0.54 of that (0.52 to 0.55 by k); with the exponent 1 it would be
+    // 0.66, with 2 0.44.
+    const std::vector<int> narrow =
+        left_until(loaded("hopper-2d.toml", {"wall.left.points_m=[[-0.13, 0.78], [-0.13, 0.0], [-0.025, 0.0]]",
+                                             "wall.right.points_m=[[0.13, 0.78], [0.13, 0.0], [0.025, 0.0]]"}),
+                   {1.44, 2.04});
+    CHECK((narrow[1] - narrow[0]) / 0.6 / first == about(beverloo(0.05, 1.4) / beverloo(0.07, 1.4), 0.1));
 }
 
 TEST_CASE(
@@ -354,15 +367,31 @@ TEST_CASE("trough-2d: moved round a circle, the trough makes its flat load circu
     CHECK(std::abs(flat.summary.books.closure) < 0.01 * flat.summary.energy_turnover);
 }
 
-TEST_CASE(
-    "trough-2d: in phase it turns the other way and lies level; with the thesis' amplitude across a quarter as fast") {
-    const Ran line(loaded("trough-2d.toml", {"duration_s=2.2", "wall.0.motion.1.phase_deg=0"}));
-    CHECK(line.mean("circulation", 1.4, 2.2) > 0.02);
-    CHECK(line.mean("circulation", 1.4, 2.2) < 0.2);
-    CHECK(std::abs(line.mean("surface_slope", 1.4, 2.2)) < 4);
-    const Ran ellipse(loaded("trough-2d.toml", {"duration_s=2.2", "wall.0.motion.1.amplitude_m=0.0004038"}));
-    CHECK(ellipse.mean("circulation", 1.4, 2.2) < -0.05);
-    CHECK(ellipse.mean("circulation", 1.4, 2.2) > -0.25);
+TEST_CASE("trough-2d: in phase it turns the other way and lies level; with the thesis' amplitude across it turns a "
+          "quarter as fast; with both nothing is left") {
+    // From 2 to 3 s as claimed, each held to what three seeds have shown and about as much again on either side.
+    struct Means {
+        double turns, slope; // rad/s, degrees
+    };
+    const auto shaken = [](const std::vector<std::string>& sets) {
+        const Ran ran(loaded("trough-2d.toml", sets));
+        return Means{ran.mean("circulation", 2, 3), ran.mean("surface_slope", 2, 3)};
+    };
+    const std::string in_phase = "wall.0.motion.1.phase_deg=0", thesis = "wall.0.motion.1.amplitude_m=0.0004038";
+    const Means line = shaken({in_phase});
+    CHECK(line.turns > 0.07);
+    CHECK(line.turns < 0.15);
+    CHECK(std::abs(line.slope) < 3.5);
+    const Means ellipse = shaken({thesis});
+    CHECK(ellipse.turns > -0.17);
+    CHECK(ellipse.turns < -0.11);
+    CHECK(ellipse.slope > -6);
+    CHECK(ellipse.slope < -3);
+    const Means both = shaken({in_phase, thesis});
+    CHECK(both.turns > -0.03);
+    CHECK(both.turns < 0.07);
+    CHECK(both.slope > -5);
+    CHECK(both.slope < 3);
 }
 
 TEST_CASE("drum-2d: the surface of a slowly turning drum keeps its dynamic angle") {

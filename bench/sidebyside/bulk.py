@@ -5,20 +5,18 @@ a few collisions; what must agree is the bulk, within its scatter from seed to s
 """
 
 from concurrent.futures import ThreadPoolExecutor
+from statistics import mean
 
 import numpy as np
 
-from . import liggghts, programs
+from . import liggghts, programs, student
 
 LENGTH, RADIUS = 0.1, 0.24             # m, period in x and radius of the trough's bottom
 SHAKING = 0.04                         # s, period of the wall's motion
 # The bed answers every second shake alike (it turns at -0.5 rad/s in one period, at +0.2 in the next), so means are
 # taken over pairs of periods; the first pair is left to the start.
 PAIR = 2 * SHAKING
-# Differences below either count as agreement. Eleven figures are compared, so each is held to what Student's t exceeds in
-# one of a hundred comparisons; by degrees of freedom, two less than there are runs.
-STUDENT_99 = {2: 9.92, 4: 4.60, 6: 3.71, 8: 3.36, 10: 3.17, 12: 3.05, 14: 2.98, 16: 2.92, 18: 2.88}
-SHARE = 0.02
+SHARE = 0.02                           # of the peer's mean; differences below it, or that may be chance, count as agreement
 MASS = 4.675e-3
 SEEDS = (49979687, 67867967, 86028121, 104395301, 122949823, 141650939, 160481183, 179424673, 198491317, 217645199)
 INERTIA = 1.66e-7                      # kg m2, mean of the cone's principal moments; for the spin's energy only
@@ -134,11 +132,10 @@ def compare(cones=200, seeds=8, cores=(0, 1), dt=1e-5, rest_steps=60000, shake_s
         both = list(pool.map(lambda k: one_seed(SEEDS[k], settings, cores[k % len(cores)]), range(seeds)))
     table = {}
     for name in both[0][0]:
-        ours, theirs = (np.array([pair[side][name] for pair in both], float) for side in (0, 1))
-        error = np.sqrt((ours.var(ddof=1) + theirs.var(ddof=1)) / seeds) if seeds > 1 else np.nan
-        gap = ours.mean() - theirs.mean()
-        agrees = abs(gap) <= max(STUDENT_99[2 * seeds - 2] * error, SHARE * abs(theirs.mean())) if seeds > 1 else None
-        table[name] = {"tumble": ours.tolist(), "liggghts": theirs.tolist(),
-                       "apart": float(gap / error) if error > 0 else (0.0 if gap == 0 else None),
-                       "agrees": None if agrees is None else bool(agrees)}
+        ours, theirs = ([float(pair[side][name]) for pair in both] for side in (0, 1))
+        gap = mean(ours) - mean(theirs)
+        error = student.error(ours, theirs) if seeds > 1 else 0
+        agrees = abs(gap) <= max(student.chance(ours, theirs, len(both[0][0])), SHARE * abs(mean(theirs))) if seeds > 1 else None
+        table[name] = {"tumble": ours, "liggghts": theirs, "apart": gap / error if error > 0 else (0.0 if gap == 0 else None),
+                       "agrees": agrees}
     return settings, table

@@ -1,22 +1,19 @@
 """Whether a figure of a chaotic run still moves when the step is halved, held against its scatter from seed to seed."""
 
-from math import sqrt
-from statistics import mean, variance
+from statistics import mean
 
-# Student's t that 95 of 100 comparisons stay within, by degrees of freedom (two sides); for more than these the last.
-STUDENT = {2: 4.303, 4: 2.776, 6: 2.447, 8: 2.306, 10: 2.228, 12: 2.179, 14: 2.145, 16: 2.120, 18: 2.101, 20: 2.086}
+from . import student
 
 
-def halved(coarse, fine):
+def halved(coarse, fine, comparisons):
     """{"step": values by seed, "half_step": the same, "moves": difference of the means, "scatter": what of it may be
-    chance, "converged": whether it may be all}. A single seed has no scatter: then nothing is known, and converged is None.
+    chance in one of so many comparisons, "converged": whether it may be all}. A single seed has no scatter: then nothing is
+    known, and converged is None.
     """
     found = {"step": list(coarse), "half_step": list(fine), "moves": mean(fine) - mean(coarse)}
     if min(len(coarse), len(fine)) < 2:
         return {**found, "scatter": None, "converged": None}
-    degrees = 2 * (min(len(coarse), len(fine)) - 1)
-    error = sqrt(variance(coarse) / len(coarse) + variance(fine) / len(fine))
-    scatter = STUDENT.get(degrees, STUDENT[20]) * error
+    scatter = student.chance(coarse, fine, comparisons)
     return {**found, "scatter": scatter, "converged": abs(found["moves"]) <= scatter}
 
 

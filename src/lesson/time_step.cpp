@@ -336,8 +336,8 @@ std::optional<Problem> rayleigh(Walk& walk) {
             walk.fact("rayleigh_time", bead->rayleigh, "s");
     }
     walk.parts.emplace_back(grid);
-    walk.say("Both times are worth a look, and the shorter bounds the step. `tumble check` prints both, and refuses by "
-             "the limit.");
+    walk.say("The limit bounds the step; a fraction of the Rayleigh time is a habit (docs/bodies.md). `tumble check` "
+             "prints both, and refuses by the limit.");
     return std::nullopt;
 }
 

@@ -109,6 +109,10 @@ int redraw_run(RenderArguments& arguments) {
         return refuse(scene.problems(), arguments.json, wrong);
     if (!arguments.beside.empty())
         return draw_both(arguments, *scene);
+    if (!arguments.labels.empty())
+        return refuse({{.what = "--labels names two runs side by side, and this is one",
+                        .fix = "add --beside OTHER, or leave --labels away"}},
+                      arguments.json, wrong);
     run::RedrawOptions options;
     options.settings = scene->render;
     options.title = scene->title;

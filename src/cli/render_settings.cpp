@@ -4,6 +4,7 @@
 #include "cli/scene_arguments.h"
 #include "scene/keys.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -60,8 +61,18 @@ void add_render_settings(CLI::App& command, std::vector<std::string>& sets) {
         };
     };
     add("--camera", "front|top|side|free", "Where the eye stands", word("render.camera"));
-    add("--eye", "X,Y,Z", "Place of the free camera, m", list("render.eye_m"));
-    add("--target", "X,Y,Z", "What the free camera looks at, m", list("render.target_m"));
+    const auto free_camera = [list](const char* key) {
+        return [to_list = list(key)](std::vector<std::string>& all, const std::string& text) {
+            const bool chosen = std::any_of(all.begin(), all.end(),
+                                            [](const std::string& set) { return set.starts_with("render.camera="); });
+            if (!chosen)
+                all.emplace_back("render.camera=\"free\"");
+            to_list(all, text);
+        };
+    };
+    add("--eye", "X,Y,Z", "Place of the free camera, m; takes the free camera without --camera",
+        free_camera("render.eye_m"));
+    add("--target", "X,Y,Z", "What the free camera looks at, m; the same", free_camera("render.target_m"));
     add("--clip-lo", "X,Y,Z", "Lowest corner of a section: bodies outside are not drawn, m", list("render.clip_lo_m"));
     add("--clip-hi", "X,Y,Z", "Highest corner of it, m", list("render.clip_hi_m"));
     add("--color", "QUANTITY", "What colours the bodies: " + words_of("color"), word("render.color"));

@@ -258,9 +258,9 @@ Result<Walk> teach(const Values& values) {
     walk.fact("departure_least", departs->least);
     walk.fact("departure_most", departs->most);
     walk.question =
-        fmt::format("Someone typed a restitution of 0.9 in place of {:.4g}. Does the curve of the sum betray "
+        fmt::format("Someone typed a restitution of {:.4g} in place of {:.4g}. Does the curve of the sum betray "
                     "it? So is a level sum a proof that a run is right?",
-                    s.e);
+                    s.e < 0.85 ? 0.9 : 0.7, s.e);
     walk.answer = fmt::format(
         "No, twice. A level sum says that no energy was made or forgotten, not that it went where nature would send "
         "it: a wrong restitution, a wrong friction or a wrong mass all give a level sum. What the sum does catch is a "

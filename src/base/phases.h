@@ -60,4 +60,26 @@ template <class Chunks, class First, class Then> void relay(Crew& crew, Chunks& 
     });
 }
 
+/// Lets a kernel write forces for bodies of other chunks, letters, behind those that chunk.foreign holds already:
+/// push() writes at most `letters` through the context.
+template <class Chunk, class Context, class Push>
+void push_with_letters(Chunk& chunk, Context& context, int letters, Push&& push) {
+    const auto room = static_cast<std::size_t>(chunk.foreign_count + letters);
+    if (chunk.foreign.size() < room)
+        chunk.foreign.resize(2 * room);
+    context.foreign = chunk.foreign.data();
+    context.foreign_count = chunk.foreign_count;
+    push();
+    chunk.foreign_count = context.foreign_count;
+}
+
+/// Calls read(letter) for all that those chunks wrote that may push this chunk's bodies, in a fixed order.
+template <class Chunks, class Chunk, class Read>
+void read_letters(const Chunks& chunks, const Chunk& chunk, Read&& read) {
+    for (std::size_t k = 0; k < chunks.size(); ++k)
+        if ((chunk.partners_before & chunk_bit(static_cast<int>(k))) != 0)
+            for (int letter = 0; letter < chunks[k].foreign_count; ++letter)
+                read(chunks[k].foreign[static_cast<std::size_t>(letter)]);
+}
+
 } // namespace tumble

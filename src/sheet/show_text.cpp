@@ -60,7 +60,8 @@ std::string text_of(const Grid& grid) {
 std::string text_of(const Figure& figure) {
     std::string curves;
     for (const Curve& curve : figure.curves)
-        curves += (curves.empty() ? "" : "; ") + curve.label;
+        if (!curve.label.empty()) // points beside a labelled line share its name
+            curves += (curves.empty() ? "" : "; ") + curve.label;
     return wrapped(fmt::format("[figure {}: {}; {} over {}; {}]", figure.name, figure.title, figure.y.label,
                                figure.x.label, curves),
                    text_width);

@@ -35,9 +35,9 @@ void move_walls(World& world) {
         if (!wall.wall.motion.at_rest()) {
             wall.frame = WallFrame(scene::pose_at(wall.wall.motion, world.time()));
             wall.half_frame = WallFrame(scene::pose_at(wall.wall.motion, world.time() - 0.5 * world.dt));
+            wall.leap = way_beside(world.flow, before, wall.frame, 0); // beside what does not flow meanwhile
         }
         wall.travel += way_beside(world.flow, before, wall.frame, world.dt);
-        wall.leap = way_beside(world.flow, before, wall.frame, 0); // beside what does not flow meanwhile
     }
 }
 

@@ -21,17 +21,6 @@ PushContext context_of(World& world, Chunk& chunk, std::size_t kind) {
     return context;
 }
 
-/// Lets the kernel write behind what is there; `foreign_count` is kept up to date.
-template <class Push> void push_with_letters(Chunk& chunk, PushContext& context, int contacts, Push&& push) {
-    const auto room = static_cast<std::size_t>(chunk.foreign_count + contacts);
-    if (chunk.foreign.size() < room)
-        chunk.foreign.resize(2 * room);
-    context.foreign = chunk.foreign.data();
-    context.foreign_count = chunk.foreign_count;
-    push();
-    chunk.foreign_count = context.foreign_count;
-}
-
 /// What the discs of the chunk's clumps got goes to their bodies.
 void hand_on(World& world, const Chunk& chunk) {
     for (int disc = chunk.owned.disc_begin; disc < chunk.owned.disc_end; ++disc) {
@@ -74,20 +63,14 @@ void push_contacts(World& world, Chunk& chunk) {
 }
 
 void collect_pushes(World& world, Chunk& chunk) {
-    for (std::size_t k = 0; k < world.chunks.size(); ++k) {
-        if ((chunk.partners_before & chunk_bit(static_cast<int>(k))) == 0)
-            continue;
-        const Chunk& sender = world.chunks[k];
-        for (int letter = 0; letter < sender.foreign_count; ++letter) {
-            const ForeignPush& push = sender.foreign[static_cast<std::size_t>(letter)];
-            if (!owns(chunk.owned, push.row))
-                continue;
-            Load& load = world.loads[static_cast<std::size_t>(push.row)];
-            load.fx += push.fx;
-            load.fy += push.fy;
-            load.torque += push.torque;
-        }
-    }
+    read_letters(world.chunks, chunk, [&](const ForeignPush& push) {
+        if (!owns(chunk.owned, push.row))
+            return;
+        Load& load = world.loads[static_cast<std::size_t>(push.row)];
+        load.fx += push.fx;
+        load.fy += push.fy;
+        load.torque += push.torque;
+    });
     hand_on(world, chunk);
 }
 

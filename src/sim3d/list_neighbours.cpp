@@ -45,10 +45,10 @@ void move_walls(World& world) {
         if (!wall.wall.motion.at_rest()) {
             wall.pose = pose_of(wall, world.time());
             wall.half_pose = pose_of(wall, world.time() - 0.5 * world.dt);
+            wall.leap = way_beside(world.flow, before, wall.pose, 0); // beside what does not flow meanwhile
         }
         wall.way = way_beside(world.flow, before, wall.pose, world.dt);
         wall.travel += wall.way;
-        wall.leap = way_beside(world.flow, before, wall.pose, 0); // beside what does not flow meanwhile
     }
 }
 

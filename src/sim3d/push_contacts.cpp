@@ -21,17 +21,6 @@ PushContext context_of(World& world, Chunk& chunk, std::size_t kind) {
     return context;
 }
 
-/// Lets the kernel write behind what is there; `foreign_count` is kept up to date.
-template <class Push> void push_with_letters(Chunk& chunk, PushContext& context, int contacts, Push&& push) {
-    const auto room = static_cast<std::size_t>(chunk.foreign_count + contacts);
-    if (chunk.foreign.size() < room)
-        chunk.foreign.resize(2 * room);
-    context.foreign = chunk.foreign.data();
-    context.foreign_count = chunk.foreign_count;
-    push();
-    chunk.foreign_count = context.foreign_count;
-}
-
 } // namespace
 
 void push_contacts(World& world, Chunk& chunk) {
@@ -68,21 +57,15 @@ void push_contacts(World& world, Chunk& chunk) {
 }
 
 void collect_pushes(World& world, Chunk& chunk) {
-    for (std::size_t k = 0; k < world.chunks.size(); ++k) {
-        if ((chunk.partners_before & chunk_bit(static_cast<int>(k))) == 0)
-            continue;
-        const Chunk& sender = world.chunks[k];
-        for (int letter = 0; letter < sender.foreign_count; ++letter) {
-            const ForeignPush& push = sender.foreign[static_cast<std::size_t>(letter)];
-            if (push.body < chunk.begin || push.body >= chunk.end)
-                continue;
-            BodyLoad& load = world.load[static_cast<std::size_t>(push.body)];
-            for (int axis = 0; axis < 3; ++axis) {
-                load.force[axis] += push.force[axis];
-                load.torque[axis] += push.torque[axis];
-            }
+    read_letters(world.chunks, chunk, [&](const ForeignPush& push) {
+        if (push.body < chunk.begin || push.body >= chunk.end)
+            return;
+        BodyLoad& load = world.load[static_cast<std::size_t>(push.body)];
+        for (int axis = 0; axis < 3; ++axis) {
+            load.force[axis] += push.force[axis];
+            load.torque[axis] += push.torque[axis];
         }
-    }
+    });
 }
 
 } // namespace tumble::sim3d

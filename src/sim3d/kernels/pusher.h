@@ -188,9 +188,9 @@ TUMBLE_INLINE void load_body(BodyLoad& load, Quad force, Quad torque) {
     quad_at(load.torque) += torque;
 }
 
-template <class Pushed, class Torques>
-TUMBLE_INLINE void hand_out(PushContext& context, const Pushed& pushed, const Torques& torques, int lane, int a,
-                            int b) {
+/// `By` is Pushed or FullPushed.
+template <class By, class Torques>
+TUMBLE_INLINE void hand_out(PushContext& context, const By& pushed, const Torques& torques, int lane, int a, int b) {
     load_body(context.load[a], pushed.force[lane], torques.on_a(lane) + pushed.torque(lane));
     const Quad force_b = -pushed.force[lane];
     const Quad torque_b = torques.on_b(lane) - pushed.torque(lane);

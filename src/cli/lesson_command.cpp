@@ -46,6 +46,8 @@ int film_and_note(const lesson::Walk& walk, const fs::path& folder, bool json) {
     const auto posters = draw_posters(walk, folder);
     if (!posters)
         return refuse(posters.problems(), json, failed);
+    for (const fs::path& poster : *posters)
+        note("figure: " + poster.string());
     for (const lesson::Film& film : walk.films) {
         const fs::path file = folder / (film.name + ".mp4");
         const Result<Done> shot = lesson::shoot(film, file);

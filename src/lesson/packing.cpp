@@ -135,7 +135,7 @@ std::optional<Problem> add_packing(Walk& walk, double friction) {
               .range = {-1, 1},
               .view = scene::Box{{-period / 2, 0, -period / 2}, {period / 2, 0.11, period / 2}},
               .poster = static_cast<std::size_t>(while_they_fall / 0.02)};
-    Grid grid{{{"body"}, {"μ"}, {"voidage ε", "", 3}, {"bulk density", "kg/m3", 3}}, {}};
+    Grid grid{{{"body"}, {"μ"}, {"voidage ε", "", 3}, {"bulk density", "kg/m3", 4}}, {}};
     for (const bool spheres : {true, false}) {
         const std::string name = spheres ? "spheres" : "cones";
         const std::vector<scene::Sphere> body =

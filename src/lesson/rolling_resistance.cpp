@@ -199,7 +199,7 @@ std::optional<Problem> at_rest(Walk& walk, const Resistance& cdt, const Resistan
                    .x = {"step"},
                    .y = {"spin", "rad/s"},
                    .curves = {{"cdt", Style::points}, {"epsd", Style::points}}};
-    double most[2] = {0, 0};
+    double most[2] = {0, 0}, mean[2] = {0, 0};
     for (std::size_t k = 0; const Resistance& resistance : {cdt, epsd}) {
         const Result<Ride> seen = ride(resistance, usual_radius, 0, speed, 12 * period, 1);
         if (!seen)
@@ -208,6 +208,7 @@ std::optional<Problem> at_rest(Walk& walk, const Resistance& cdt, const Resistan
             const double now = seen->spin[seen->spin.size() - 40 + i];
             shaking.curves[k].add(static_cast<double>(i + 1), now);
             most[k] = std::max(most[k], std::abs(now));
+            mean[k] += now / 40;
         }
         ++k;
     }
@@ -215,11 +216,15 @@ std::optional<Problem> at_rest(Walk& walk, const Resistance& cdt, const Resistan
     walk.parts.emplace_back(shaking);
     const double turned = mu * g * dt / (0.4 * usual_radius);
     walk.say(fmt::format(
-        "After twelve periods the constant torque still turns the ball to and fro with {:.2g} rad/s; in one step it "
-        "gives M dt / (2/5 m R²) = {:.2g} rad/s. The spring leaves {:.1g} rad/s. The constant torque is enough for "
-        "what "
-        "rolls all the time; for heaps, which are to stand, it is not.",
-        most[0], turned, most[1]));
+        "After twelve periods the constant torque still gives the ball M Δt / (2/5 m R²) = {:.2g} rad/s in one step "
+        "and "
+        "takes it back in the next. The figure shows the spins at the steps, to which half of the last kick belongs, "
+        "and so twice that from point to point. What lies in the middle between them, {:.1g} rad/s here, is a rolling "
+        "that "
+        "a torque of changing sense no longer brakes: the ball creeps by {:.1g} mm a second. The spring leaves {:.1g} "
+        "rad/s. The constant torque is enough for what rolls all the time; for heaps, which are to stand, it is not.",
+        turned, std::abs(mean[0]), 1e3 * std::abs(mean[0]) * usual_radius, most[1]));
+    walk.fact("creep_at_rest_cdt", mean[0], "rad/s");
     walk.fact("spin_at_rest_cdt", most[0] / turned);
     walk.fact("spin_at_rest_epsd", most[1] / turned);
     walk.fact("period", period, "s");

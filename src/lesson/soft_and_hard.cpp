@@ -83,9 +83,11 @@ std::optional<Problem> one_impact(Walk& walk, const Setup& s) {
         .y = {"force", "N"},
         .curves = {stairs("soft", *soft), stairs("hard, step 1 ms", *whole), stairs("hard, step 0.5 ms", *half)}};
     walk.parts.emplace_back(figure);
-    walk.say("All three leave with the same speed, and the area under all three curves is the same J. But the hard "
-             "force is J over the step: halve the step and it doubles. It says nothing about the contact. What the "
-             "soft one says, contact time, overlap and peak force, is as true as its stiffness.");
+    walk.say(
+        "All three leave with the same speed, and the area under all three curves is the same J. But the hard "
+        "force is J over the step: halve the step and it doubles. It acts over the whole of the step in which Box2D "
+        "finds the touch, the part before it included. It says nothing about the contact. What the "
+        "soft one says, contact time, overlap and peak force, is as true as its stiffness.");
     walk.fact("soft_restitution", soft->restitution);
     walk.fact("hard_restitution", whole->restitution);
     walk.fact("soft_contact_time", soft->lasted, "s");

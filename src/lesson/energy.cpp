@@ -132,9 +132,9 @@ Result<Drop> fall(const Setup& s, int steps) {
     return drop;
 }
 
-Figure balance(const Drop& drop, const std::string& name, double from, double to) {
+Figure balance(const Drop& drop, const std::string& name, const std::string& title, double from, double to) {
     Figure figure{.name = name,
-                  .title = "Where the energy is",
+                  .title = title,
                   .x = {"time", "ms"},
                   .y = {"energy", "mJ"},
                   .curves = {{"kinetic", Style::line, {}, {}},
@@ -207,14 +207,17 @@ Result<Walk> teach(const Values& values) {
     walk.say(fmt::format(
         "A ball of {:.4g} g falls {:.4g} mm onto a plate and bounces. The solver keeps books: in every step it says "
         "how much energy moves, how much is height, how much the contact has stored, and what the dashpot has taken so "
-        "far. The thesis draws these in figure 4.14b for two bounces; here they are again.",
-        1e3 * s.mass, 1e3 * s.height));
-    walk.parts.emplace_back(balance(*drop, "bounces", 0, drop->course.back().time));
+        "far. The thesis draws these in figure 4.14b for two bounces; here they are again, with ball and plate softer "
+        "than its plastic (E = {:.3g} Pa, ν = {:.3g}), so that an impact can be seen.",
+        1e3 * s.mass, 1e3 * s.height, media.youngs_modulus, media.poisson_ratio));
+    walk.parts.emplace_back(
+        balance(*drop, "bounces", "Where the energy is, bounce after bounce", 0, drop->course.back().time));
     walk.say("Falling, height turns into motion, along two parabolas that mirror each other. The impact looks like a "
              "jump. The sum is a straight line: nothing comes from nowhere. Now the first impact alone, for what looks "
              "like a jump takes its time:");
     const double width = at.leave.time - at.touch.time;
-    walk.parts.emplace_back(balance(*drop, "impact", at.touch.time - 0.3 * width, at.leave.time + 0.3 * width));
+    walk.parts.emplace_back(balance(*drop, "impact", "Where the energy is in the first impact",
+                                    at.touch.time - 0.3 * width, at.leave.time + 0.3 * width));
     const auto row = [&](const char* name, const Instant& now) -> std::vector<Cell> {
         return {name,
                 1e3 * now.time,

@@ -135,11 +135,11 @@ std::optional<Problem> speeds(Walk& walk, const Setup& s) {
     walk.say(fmt::format(
         "A linear contact lasts equally long at every speed. Hertz' contact is stiffer the deeper it goes, so a "
         "fast impact is shorter. A sphere of glass, {:.3g} mm in radius (E = {:.3g} Pa, ν = {:.3g}, {:.0f} kg/m3), "
-        "strikes a "
-        "wall of glass at 0.01 to {:.0f} times the speed above, beside the disc with its spring of {:.3g} N/m:",
+        "strikes a wall of glass at 0.01 to {:.0f} times the speed above, beside the disc with its spring of {:.3g} "
+        "N/m:",
         1e3 * s.radius, glass.youngs_modulus, glass.poisson_ratio, glass.density, fastest, s.k));
-    walk.formula("δ_max = (15 m v² / (16 E* √R))^(2/5),   T = 2.9433 δ_max / v ~ v^(−1/5);   1/E* = 2 (1 − ν²) / E",
-                 "Johnson 1985");
+    walk.formula("δ_max = (15 m v² / (16 E* √R))^(2/5),   T = 2.9433 δ_max / v ~ v^(−1/5)", "Johnson 1985");
+    walk.formula("1/E* = 2 (1 − ν²) / E");
     Grid grid{{{"speed", "m/s"},
                {"linear, time", "us"},
                {"Hertz, time", "us"},

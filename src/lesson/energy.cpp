@@ -245,14 +245,23 @@ Result<Walk> teach(const Values& values) {
         fmt::format("energy lost in one bounce: (1 − e²) m g h = {:.5g} mJ", milli * (1 - s.e * s.e) * touched));
     walk.formula("height after n bounces: h e^(2n),   n = 1: thesis (4.7)");
     show_heights(walk, *drop, s);
-    walk.say(fmt::format(
-        "The solver lost {:.5g} mJ in the first bounce. Two things part it from the closed form. e is the restitution "
-        "of a free impact, and here gravity goes on pulling while the ball is in touch: with steps so short that "
-        "nothing else is left, that changes what an impact gives back by {:+.2f} %. And the steps are {} in a contact: "
-        "without gravity they change it by {:+.2f} to {:+.2f} %, by where between two steps the surfaces meet. At no "
-        "step do the books miss more than {:.1g} of the energy, which is the error of sums taken in steps.",
-        milli * taken, 100 * departs->gravity, steps_per_contact, 100 * departs->least, 100 * departs->most,
-        drop->closure / s.energy()));
+    if (s.e == 1)
+        walk.say(
+            fmt::format("Without a dashpot nothing is lost in a bounce, here {:.2g} mJ. At no step do the books miss "
+                        "more than {:.1g} of the energy, which is the error of sums taken in steps.",
+                        milli * taken, drop->closure / s.energy()));
+    else
+        walk.say(fmt::format(
+            "The solver lost {:.5g} mJ in the first bounce. Two things part it from the closed form. e is the "
+            "restitution "
+            "of a free impact, and here gravity goes on pulling while the ball is in touch: with steps so short that "
+            "nothing else is left, that changes what an impact gives back by {:+.2f} %. And the steps are {} in a "
+            "contact: "
+            "without gravity they change it by {:+.2f} to {:+.2f} %, by where between two steps the surfaces meet. At "
+            "no "
+            "step do the books miss more than {:.1g} of the energy, which is the error of sums taken in steps.",
+            milli * taken, 100 * departs->gravity, steps_per_contact, 100 * departs->least, 100 * departs->most,
+            drop->closure / s.energy()));
     walk.fact("energy", s.energy(), "J");
     walk.fact("lost_first", taken, "J");
     walk.fact("closure", drop->closure / s.energy());

@@ -250,8 +250,9 @@ Result<Walk> teach(const Values& values) {
     walk.answer = fmt::format(
         "Only the soft one, if its stiffness is the material's. The hard one has J = {:.4g} N s and divides it by the "
         "step: "
-        "{:.4g} m/s2 at 1 ms, {:.4g} at 0.1 ms, without end. What both can predict are speeds after an impact, and how "
-        "far things slide.",
+        "{:.4g} m/s2 at 1 ms, {:.4g} at 0.1 ms, without end. What both can predict are the speeds after an impact of "
+        "two bodies, and "
+        "how far things slide.",
         impulse, impulse / mass / hard_step, impulse / mass / (0.1 * hard_step));
     return walk;
 }

@@ -364,9 +364,13 @@ Result<Walk> teach(const Values& values) {
     const Result<double> seen = limit_seen(s);
     if (!seen)
         return seen.problems();
-    walk.say(fmt::format("Tried out on the solver, by halving the interval between a step that stays calm and one that "
-                         "explodes: {:.6g} s, the prediction to better than {}.",
-                         *seen, at_most(std::abs(*seen / limit - 1))));
+    walk.say(fmt::format(
+        "Tried out on the solver, by halving the interval between a step that stays calm and one that "
+        "explodes: {:.6g} s, the prediction to better than {}.{}",
+        *seen, at_most(std::abs(*seen / limit - 1)),
+        s.zeta > 0 ? " With dashpots a swing just beyond the limit grows by very little in a step, which so many "
+                     "steps as are tried do not show; without them the growth sets in at once."
+                   : ""));
     walk.fact("limit_predicted", limit, "s");
     walk.fact("limit_seen", *seen, "s");
     if (s.zeta == 0)

@@ -44,6 +44,9 @@ TEST_CASE("a name, a flag or a value that no lesson takes is told with the right
     CHECK(flag.code == 2);
     CHECK(contains(flag.err, "`tumble lesson friction` has no flag '--fricton'"));
     CHECK(contains(flag.err, "did you mean '--friction'?"));
+    const Outcome nowhere = tumble_in(folder, {"lesson", "friction", "--out", ""});
+    CHECK(nowhere.code == 2);
+    CHECK(contains(nowhere.err, "an empty name is not a place to write to"));
     const Outcome early = tumble_in(folder, {"lesson", "--answer", "friction"});
     CHECK(early.code == 2);
     CHECK(contains(early.err, "--answer stands before the name that it belongs to"));

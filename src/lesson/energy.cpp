@@ -234,7 +234,7 @@ Result<Walk> teach(const Values& values) {
                                   {"elastic", "mJ", 3},
                                   {"lost", "mJ", 3},
                                   {"sum", "mJ", 6}},
-                                 {row("released", drop->course.front()), row("first touch", at.touch),
+                                 {row("released", drop->course.front()), row("last step before the touch", at.touch),
                                   row("deepest", at.deepest), row("leaves", at.leave)}});
     walk.say(
         "At the deepest point almost nothing moves; what the ball had is in the contact, less what the dashpot has "

@@ -120,6 +120,8 @@ void draw(const Heap& heap, const Kind& kind, std::size_t color, Figure& figure)
     for (const Eigen::Vector2d& point : heap.surface.points)
         curve.add(1e3 * point.x(), 1e3 * point.y());
     figure.curves.push_back(std::move(curve));
+    if (kind.friction == 0)
+        return; // no heap, as the page says
     for (const auto& [from, to] : heap.flanks())
         figure.curves.push_back(
             {"", Style::dashes, {1e3 * from.x(), 1e3 * to.x()}, {1e3 * from.y(), 1e3 * to.y()}, color});
@@ -190,23 +192,33 @@ Result<Walk> teach(const Values& values) {
     walk.parts.emplace_back(figure);
     walk.show(std::move(film));
     const double slides_at = std::atan(mu) * 180 / std::numbers::pi;
+    const double scatter = std::max(walk.fact("angle_discs_scatter"), walk.fact("angle_wedges_scatter"));
+    const bool apart = walk.fact("angle_wedges") - walk.fact("angle_discs") > scatter;
     walk.say(fmt::format(
-        "The dashed lines are the flanks whose slopes the table has. Without friction a heap is low, yet not "
-        "flat: what lies in a hollow has to climb before it runs. {} Three discs bound together do "
-        "not roll so easily; here their heap stands {:.2g} times as steep. Friction and shape both raise "
-        "it: a measured angle of repose alone does not tell one from the other.",
+        "The dashed lines are the flanks whose slopes the table has. Without friction there is no heap: what lies in a "
+        "hollow has to climb before it runs, so that the bodies do not lie flat, but how steep depends on how many "
+        "they "
+        "are and on the room they have. {} {}",
         walk.fact("angle_discs") < slides_at
             ? "With it discs still roll, so their heap stays below arctan μ, at which a block would begin to slide "
               "(`tumble lesson friction`)."
             : "So little friction leaves the discs' heap steeper than arctan μ, at which a block would begin to slide "
               "(`tumble lesson friction`): hollows hold more than friction does, and arctan μ bounds nothing.",
-        walk.fact("angle_wedges") / walk.fact("angle_discs")));
-    walk.say(
+        apart ? fmt::format(
+                    "Three discs bound together do not roll so easily; here their heap stands {:.2g} times as steep. "
+                    "Friction and shape both raise it: a measured angle of repose alone does not tell one from the "
+                    "other.",
+                    walk.fact("angle_wedges") / walk.fact("angle_discs"))
+              : "Three discs bound together do not roll so easily, but between fills the heaps differ by as much as "
+                "discs and wedges do: so few heaps, or so few bodies, do not show it."));
+    walk.say(fmt::format(
         "Three fills that differ in nothing but where their bodies begin differ by as much as the table's columns "
         "from and to are apart: one heap is a sample of one. A slope does not depend on how many grains there "
-        "are only if the heap is not too small (thesis, section 3.1.1.5): try `--count 100`, whose heaps are a "
-        "few rows high. Nor is it a number of the material alone: `scenes/repose-2d.toml` pours stiffer discs, half as "
-        "many a second, from higher up and with the same friction, and gets 14 degrees.");
+        "are only if the heap is not too small (thesis, section 3.1.1.5){}. Nor is it a number of the material alone: "
+        "`scenes/repose-2d.toml` pours stiffer discs, half as many a second, from higher up and with a friction of "
+        "0.5, and "
+        "gets 14 degrees.",
+        count > 150 ? ": try `--count 100`, whose heaps are a few rows high" : ""));
     walk.question = "A code has only single discs, and its heap is too flat beside the experiment. What is often added "
                     "to the law in place of the shape?";
     walk.answer = "A moment that resists rolling. It stands for the corners that a disc does not have, and must be "
@@ -221,7 +233,7 @@ Lesson repose() {
     return {.name = "repose",
             .title = "The angle of repose: what nobody typed in",
             .parameters = {{"friction", "", 0.5, {.lo = 0.05, .hi = 1}, "Coulomb's coefficient μ of all contacts"},
-                           {"count", "", 500, {.lo = 60, .hi = 800}, "Bodies in a heap"}},
+                           {"count", "", 500, {.lo = 60, .hi = 800}, "Bodies in a heap", true}},
             .teach = teach};
 }
 

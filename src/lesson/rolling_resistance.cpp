@@ -35,7 +35,8 @@ double sunk(double force, double radius) {
 }
 
 struct Ride {
-    std::vector<double> time, place, speed, spin; // s, m, m/s downhill, rad/s
+    std::vector<double> time, place, speed; // s, m, m/s downhill
+    std::vector<double> spin;               // rad/s about z, mean since the look before
     /// When and where it first stands still; the end, if it never does.
     [[nodiscard]] std::size_t stop() const {
         const auto still = std::find_if(speed.begin(), speed.end(), [](double v) { return v <= 0; });
@@ -47,6 +48,12 @@ struct Ride {
         return (speed.back() - speed[middle]) / (time.back() - time[middle]);
     }
 };
+
+/// rad about z, small.
+double turned(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
+    const Eigen::Quaterniond way = to * from.conjugate();
+    return 2 * std::atan2(way.z(), way.w());
+}
 
 /// A ball that rolls at `speed` on a plane inclined by `slope` (rad), x downhill: gravity is turned instead. Looked at
 /// every `look` steps.
@@ -69,13 +76,16 @@ Result<Ride> ride(const Resistance& resistance, double radius, double slope, dou
     if (!world)
         return world.problems();
     Ride seen;
+    Eigen::Quaterniond before = Eigen::Quaterniond::Identity();
     const auto looks = static_cast<int>(std::lround(duration / dt / look));
     for (int k = 0; k <= looks; ++k) {
         const sim3d::BodyState now = sim3d::bodies_of(**world)[0];
         seen.time.push_back(sim3d::time_of(**world));
         seen.place.push_back(now.position.x());
         seen.speed.push_back(now.velocity.x());
-        seen.spin.push_back(now.angular_velocity.z());
+        // What the solver tells of a spin at a step is reckoned ahead from the last torque, which may jump.
+        seen.spin.push_back(k == 0 ? now.angular_velocity.z() : turned(before, now.orientation) / (look * dt));
+        before = now.orientation;
         if (const auto problem = k < looks ? sim3d::advance(**world, look) : std::nullopt)
             return *problem;
     }
@@ -203,36 +213,37 @@ std::optional<Problem> at_rest(Walk& walk, const Resistance& cdt, const Resistan
     Figure shaking{.name = "spin-at-rest",
                    .title = "A ball that has come to rest",
                    .x = {"step"},
-                   .y = {"spin", "rad/s"},
+                   .y = {"spin, from the angle", "rad/s"},
                    .curves = {{"cdt", Style::points}, {"epsd", Style::points}}};
-    double most[2] = {0, 0}, mean[2] = {0, 0};
+    double swing_of[2] = {0, 0}, creep[2] = {0, 0}; // rad/s, about the creep
     for (std::size_t k = 0; const Resistance& resistance : {cdt, epsd}) {
         const Result<Ride> seen = ride(resistance, usual_radius, 0, speed, 12 * period, 1);
         if (!seen)
             return seen.problems().front();
-        for (std::size_t i = 0; i < 40; ++i) {
-            const double now = seen->spin[seen->spin.size() - 40 + i];
-            shaking.curves[k].add(static_cast<double>(i + 1), now);
-            most[k] = std::max(most[k], std::abs(now));
-            mean[k] += now / 40;
-        }
+        const std::vector<double> last(seen->spin.end() - 40, seen->spin.end());
+        for (std::size_t i = 0; i < last.size(); ++i)
+            shaking.curves[k].add(static_cast<double>(i + 1), last[i]);
+        const auto [least, most] = std::minmax_element(last.begin(), last.end());
+        swing_of[k] = 0.5 * (*most - *least);
+        creep[k] = 0.5 * (*most + *least);
         ++k;
     }
     walk.parts.emplace_back(swing);
     walk.parts.emplace_back(shaking);
-    const double turned = mu * g * dt / (0.4 * usual_radius);
+    const double given = mu * g * dt / (0.4 * usual_radius);
     walk.say(fmt::format(
         "After twelve periods the constant torque still gives the ball M Δt / (2/5 m R²) = {:.2g} rad/s in one step "
         "and "
-        "takes it back in the next. The figure shows the spins at the steps, to which half of the last kick belongs, "
-        "and so twice that from point to point. What lies in the middle between them, {:.1g} rad/s here, is a rolling "
-        "that "
-        "a torque of changing sense no longer brakes: the ball creeps by {:.1g} mm a second. The spring leaves {:.1g} "
-        "rad/s. The constant torque is enough for what rolls all the time; for heaps, which are to stand, it is not.",
-        turned, std::abs(mean[0]), 1e3 * std::abs(mean[0]) * usual_radius, most[1]));
-    walk.fact("creep_at_rest_cdt", mean[0], "rad/s");
-    walk.fact("spin_at_rest_cdt", most[0] / turned);
-    walk.fact("spin_at_rest_epsd", most[1] / turned);
+        "takes it back in the next: it spins with half of that to and fro, {:.2g} rad/s, about a mean of {:.1g} rad/s. "
+        "That mean is a rolling which a torque of changing sense no longer brakes: the ball creeps by {:.1g} mm a "
+        "second. With the spring the spin has faded to at most {}. The constant torque is enough for what rolls all "
+        "the "
+        "time; for heaps, which are to stand, it is not.",
+        given, swing_of[0], std::abs(creep[0]), 1e3 * std::abs(creep[0]) * usual_radius,
+        at_most(std::max(1e-10, std::abs(creep[1]) + swing_of[1]))));
+    walk.fact("kicks_at_rest_cdt", swing_of[0] / given);
+    walk.fact("creep_at_rest_cdt", creep[0], "rad/s");
+    walk.fact("kicks_at_rest_epsd", (std::abs(creep[1]) + swing_of[1]) / given);
     walk.fact("period", period, "s");
     return std::nullopt;
 }

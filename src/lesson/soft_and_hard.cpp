@@ -86,7 +86,8 @@ std::optional<Problem> one_impact(Walk& walk, const Setup& s) {
     walk.say(
         "All three leave with the same speed, and the area under all three curves is the same J. But the hard "
         "force is J over the step: halve the step and it doubles. It acts over the whole of the step in which Box2D "
-        "finds the touch, the part before it included. It says nothing about the contact. What the "
+        "finds the touch, the part before it included (here the touch falls into the middle of a step of 1 ms). It "
+        "says nothing about the contact. What the "
         "soft one says, contact time, overlap and peak force, is as true as its stiffness.");
     walk.fact("soft_restitution", soft->restitution);
     walk.fact("hard_restitution", whole->restitution);

@@ -211,6 +211,17 @@ Result<Walk> teach(const Values& values) {
                                            "spring: the discs would fly apart",
                                            setup.dt, critical),
                        .fix = "a shorter step, a softer spring or larger masses; `tumble lesson time-step` shows why"};
+    // The solver's column consists of differences of places about 1 m away, which are known to 2e-16 m.
+    constexpr double shortest_way = 1e-9; // m
+    const double way = setup.k * setup.v * std::pow(setup.dt, 3) / std::max(setup.m_x, setup.m_y);
+    if (way < shortest_way)
+        return Problem{
+            .key = "--time_step_s",
+            .what = fmt::format("in the first step a disc would go {:.2g} m, too little to be told from places in "
+                                "double precision",
+                                way),
+            .fix = fmt::format("a step of at least {:.2g} s, faster walls, a stiffer spring or less mass",
+                               setup.dt * std::cbrt(shortest_way / way))};
     const Result<Path> seen = solve(setup, cycles);
     if (!seen)
         return seen.problems();

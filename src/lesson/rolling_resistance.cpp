@@ -236,7 +236,8 @@ std::optional<Problem> at_rest(Walk& walk, const Resistance& cdt, const Resistan
         "and "
         "takes it back in the next: it spins with half of that to and fro, {:.2g} rad/s, about a mean of {:.1g} rad/s. "
         "That mean is a rolling which a torque of changing sense no longer brakes: the ball creeps by {:.1g} mm a "
-        "second. With the spring the spin has faded to at most {}. The constant torque is enough for what rolls all "
+        "second. With the spring the spin has faded to at most {} rad/s. The constant torque is enough for what rolls "
+        "all "
         "the "
         "time; for heaps, which are to stand, it is not.",
         given, swing_of[0], std::abs(creep[0]), 1e3 * std::abs(creep[0]) * usual_radius,

@@ -1,4 +1,4 @@
-#include "sim2d/body_shape.h"
+#include "discs/body_shape.h"
 
 #include "base/disc_union.h"
 
@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <numbers>
 
-namespace tumble::sim2d {
+namespace tumble::discs {
 
 using Eigen::Vector2d;
 using scene::Sphere;
@@ -134,4 +134,4 @@ Result<std::vector<ShapeData>> shapes_for(const scene::Scene& scene) {
     return shapes;
 }
 
-} // namespace tumble::sim2d
+} // namespace tumble::discs

@@ -4,9 +4,6 @@
 
 namespace tumble::sim2d {
 
-/// No row is given a leash longer than this many half skins.
-constexpr double longest_leash = 3;
-
 /// Makes the lists of neighbouring discs and of discs near walls anew: wraps bodies into the periodic box, now and then
 /// sorts the slots by cell, cuts them into chunks, and carries the memory of every touching contact over.
 void rebuild_lists(World& world);

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace tumble::sim2d {
+namespace tumble::discs {
 
 /// Which pieces of a wall may lie near a point: cells over the wall's bounds, each with the pieces whose bounds meet
 /// it.
@@ -27,4 +27,4 @@ private:
     std::vector<std::vector<int>> cells_;
 };
 
-} // namespace tumble::sim2d
+} // namespace tumble::discs

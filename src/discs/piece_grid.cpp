@@ -1,9 +1,9 @@
-#include "sim2d/piece_grid.h"
+#include "discs/piece_grid.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace tumble::sim2d {
+namespace tumble::discs {
 
 using Eigen::Vector2d;
 
@@ -51,4 +51,4 @@ void PieceGrid::near(const Vector2d& point, double reach, std::vector<int>& out)
     out.erase(std::unique(out.begin(), out.end()), out.end());
 }
 
-} // namespace tumble::sim2d
+} // namespace tumble::discs

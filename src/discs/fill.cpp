@@ -1,22 +1,19 @@
-#include "sim2d/placing.h"
+#include "discs/fill.h"
 
+#include "discs/crowd.h"
 #include "scene/period.h"
 #include "scene/written.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 #include <numbers>
 
-namespace tumble::sim2d {
+namespace tumble::discs {
 
 namespace {
 
 using Eigen::Vector3d;
-
-// A region counts as full after this many misses in a row.
-constexpr int misses_until_full = 3000;
 
 double angle_for(FillState& fill) {
     return fill.fill.orientation == scene::Orientation::random ? fill.rng.uniform(0, 2 * std::numbers::pi) : 0.0;
@@ -107,12 +104,8 @@ public:
         } else if (!at_random(fill)) {
             return std::nullopt;
         }
-        fill.begun = true;
-        fill.placed += static_cast<std::int64_t>(placed_.size() - before);
-        const double again = static_cast<double>(site_.step) * site_.dt + fill.fill.every;
-        fill.next_step = static_cast<std::int64_t>(std::ceil(again / site_.dt));
-        fill.over = fill.placed >= fill.asked || again > fill.fill.until;
-        if (fill.placed >= fill.asked || fill.fill.until > fill.fill.start)
+        fill.note(static_cast<std::int64_t>(placed_.size() - before), site_.step, site_.dt);
+        if (!fill.failed())
             return std::nullopt;
         return scene::problem_about(
             site_.scene, key, owed(site_.shapes, fill),
@@ -141,7 +134,7 @@ private:
         const std::vector<Side> sides = sides_for(region, site_.walls);
         std::int64_t missing = fill.asked - fill.placed;
         int misses = 0;
-        while (missing > 0 && misses < misses_until_full && !stop_wanted(site_.stop)) {
+        while (missing > 0 && misses < solver::misses_until_full && !stop_wanted(site_.stop)) {
             Placement body{fill.fill.body, {}, 0};
             for (int axis = 0; axis < 2; ++axis)
                 body.position[axis] = fill.rng.uniform(region.lo[axis], region.hi[axis]);
@@ -175,30 +168,8 @@ private:
 
 } // namespace
 
-Result<std::vector<FillState>> begin_fills(const scene::Scene& scene, const std::vector<ShapeData>& shapes, double dt) {
-    std::vector<FillState> fills;
-    Problems problems;
-    for (const scene::Fill& fill : scene.fills) {
-        FillState state{fill, Rng(scene.seed * 0x9e3779b97f4a7c15ULL + fills.size()), 0, 0, 0, false};
-        const double mass = shapes[static_cast<std::size_t>(fill.body)].shape.mass;
-        state.asked = fill.count ? *fill.count : std::llround(fill.mass.value_or(0) / mass);
-        state.next_step = static_cast<std::int64_t>(std::ceil(fill.start / dt - 1e-9));
-        if (state.asked < 1)
-            problems.push_back(
-                scene::problem_about(scene, fmt::format("fill.{}.mass_kg", fills.size()),
-                                     fmt::format("a fill asks for less than one body of {:.4g} kg", mass),
-                                     "ask for more mass, or give a count"));
-        fills.push_back(std::move(state));
-    }
-    if (!problems.empty())
-        return problems;
-    return fills;
-}
-
 Result<std::vector<BodyState>> place_due(std::vector<FillState>& fills, const Site& site) {
-    const auto due = [&](const FillState& fill) {
-        return !fill.over && fill.next_step <= site.step && !stop_wanted(site.stop);
-    };
+    const auto due = [&](const FillState& fill) { return fill.due(site.step) && !stop_wanted(site.stop); };
     std::int64_t discs = 0;
     for (const FillState& fill : fills)
         if (due(fill))
@@ -213,20 +184,12 @@ Result<std::vector<BodyState>> place_due(std::vector<FillState>& fills, const Si
     return std::move(placer).placed();
 }
 
-std::int64_t next_due(const std::vector<FillState>& fills) {
-    std::int64_t next = std::numeric_limits<std::int64_t>::max();
-    for (const FillState& fill : fills)
-        if (!fill.over)
-            next = std::min(next, fill.next_step);
-    return next;
-}
-
 std::vector<std::string> owed_by(const std::vector<FillState>& fills, const std::vector<ShapeData>& shapes) {
     std::vector<std::string> reports;
     for (const FillState& fill : fills)
-        if (fill.begun && fill.placed < fill.asked)
+        if (fill.owes())
             reports.push_back(owed(shapes, fill));
     return reports;
 }
 
-} // namespace tumble::sim2d
+} // namespace tumble::discs

@@ -1,11 +1,10 @@
-#include "sim2d/pair_list.h"
+#include "sim2d/rebuild_lists.h"
 
 #include "scene/period.h"
-#include "sim2d/phase.h"
+#include "solver/leashes.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace tumble::sim2d {
 
@@ -15,11 +14,6 @@ using Eigen::Vector2d;
 
 // Sorting moves every body in memory; neighbours drift apart slowly, so it pays only now and then.
 constexpr std::int64_t rebuilds_per_sort = 4;
-
-constexpr int fewest_bodies_per_chunk = 48;
-
-constexpr double spare_leash = 0.6; // share of the mean leash that bodies at rest get
-constexpr double expired = std::numeric_limits<double>::lowest();
 
 bool touches(const World& world, int row) {
     return world.row(row).radius > 0;
@@ -89,7 +83,7 @@ void lay_out_discs(World& world) {
 
 void cut_chunks(World& world) {
     const int bodies = world.bodies();
-    const int count = std::clamp(bodies / fewest_bodies_per_chunk, 1, most_chunks);
+    const int count = solver::chunks_for(bodies);
     const auto disc_from = [&](int slot) {
         return slot < bodies ? world.first_disc[static_cast<std::size_t>(slot)] : static_cast<int>(world.rows.size());
     };
@@ -98,8 +92,7 @@ void cut_chunks(World& world) {
     const auto kinds = static_cast<std::size_t>(world.materials * world.materials);
     for (int k = 0; k < count; ++k) {
         Chunk& chunk = world.chunks[static_cast<std::size_t>(k)];
-        const int begin = static_cast<int>(static_cast<std::int64_t>(bodies) * k / count);
-        const int end = static_cast<int>(static_cast<std::int64_t>(bodies) * (k + 1) / count);
+        const auto [begin, end] = solver::range_of(k, count, bodies);
         chunk.owned = {begin, end, disc_from(begin), disc_from(end)};
         chunk.near_discs.resize(kinds);
         chunk.wall_contacts.resize(kinds);
@@ -158,7 +151,7 @@ void list_pairs_of(const World& world, Chunk& chunk, int a) {
             const double apart_squared = (from - world.centres[static_cast<std::size_t>(*b)]).squaredNorm();
             if (apart_squared >= reach * reach)
                 continue;
-            chunk.partners_after |= chunk_bit(world.chunk_of[static_cast<std::size_t>(*b)]);
+            chunk.partners_after |= solver::chunk_bit(world.chunk_of[static_cast<std::size_t>(*b)]);
             // build.cpp asks for periods so long that no digit of the sum runs over.
             const int image = cell.image + own_periods - world.periods[static_cast<std::size_t>(*b)];
             add_pair(world, chunk, a, *b, image, apart_squared);
@@ -176,7 +169,7 @@ void list_walls_of(const World& world, Chunk& chunk, int row, std::vector<int>& 
         WallNear near;
         near.row = row;
         near.wall = static_cast<int>(w);
-        near.expires = expired;
+        near.expires = solver::expired;
         near.pieces_begin = static_cast<int>(chunk.wall_pieces.size());
         near.pieces_count = static_cast<int>(pieces.size());
         chunk.wall_pieces.insert(chunk.wall_pieces.end(), pieces.begin(), pieces.end());
@@ -200,20 +193,12 @@ template <class Each> void for_touching_rows(const World& world, const Chunk& ch
         each(row);
 }
 
-/// Rows that are fast beside the mean flow get long leashes, slow ones short, so that all last about as long; what a
-/// collision may add is the same for all. The mean is half a skin.
 void give_leashes(World& world) {
-    double mean_speed = 0;
     for (std::size_t row = 0; row < world.rows.size(); ++row) {
         const Row& at = world.rows[row];
-        const double speed = (Vector2d(at.vx, at.vy) - world.flow.at(Vector2d(at.x, at.y))).norm();
-        world.travel[row] = speed;
-        mean_speed += speed / static_cast<double>(world.rows.size());
+        world.travel[row] = (Vector2d(at.vx, at.vy) - world.flow.at(Vector2d(at.x, at.y))).norm();
     }
-    const double half = 0.5 * world.skin;
-    const double time = mean_speed > 0 ? (1 - spare_leash) * half / mean_speed : 0;
-    for (double& travel : world.travel)
-        travel = -std::min(spare_leash * half + time * travel, longest_leash * half);
+    solver::start_odometers(world.travel, world.skin);
 }
 
 /// Where the rows stand inside the periodic box. Of a clump whose centre of mass is inside, discs may stand past it.
@@ -231,13 +216,6 @@ void find_centres(World& world) {
         world.periods.push_back(image_index(static_cast<int>(past.x()), static_cast<int>(past.y())) -
                                 image_index(0, 0));
     }
-}
-
-void find_partners(World& world) {
-    for (std::size_t k = 0; k < world.chunks.size(); ++k)
-        for (std::size_t before = 0; before < world.chunks.size(); ++before)
-            if (before != k && (world.chunks[before].partners_after & chunk_bit(static_cast<int>(k))) != 0)
-                world.chunks[k].partners_before |= chunk_bit(static_cast<int>(before));
 }
 
 } // namespace
@@ -265,7 +243,7 @@ void rebuild_lists(World& world) {
             list_walls_of(world, chunk, row, pieces);
         });
     });
-    find_partners(world);
+    solver::find_partners(world.chunks);
     world.kept.forget();
     world.stale = false;
     ++world.rebuilds;

@@ -1,23 +1,18 @@
-#include "sim3d/body_list.h"
+#include "sim3d/rebuild_lists.h"
 
 #include "scene/period.h"
-#include "sim3d/phase.h"
 #include "sim3d/placement.h"
+#include "solver/leashes.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <tuple>
 
 namespace tumble::sim3d {
 
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr int fewest_bodies_per_chunk = 48;
-
-constexpr double spare_leash = 0.6; // share of the mean leash that bodies at rest get
-constexpr double expired = std::numeric_limits<double>::lowest();
 
 /// Moves bodies back into the periodic box; fills World::wraps with the periods that each was moved, or empties it if
 /// none was.
@@ -65,14 +60,13 @@ void sort_slots(World& world, const std::vector<int>& order) {
 
 void cut_chunks(World& world) {
     const int bodies = world.bodies();
-    const int count = std::clamp(bodies / fewest_bodies_per_chunk, 1, most_chunks);
+    const int count = solver::chunks_for(bodies);
     world.chunks.resize(static_cast<std::size_t>(count));
     world.chunk_of.resize(static_cast<std::size_t>(bodies));
     const auto kinds = static_cast<std::size_t>(world.materials * world.materials);
     for (int k = 0; k < count; ++k) {
         Chunk& chunk = world.chunks[static_cast<std::size_t>(k)];
-        chunk.begin = static_cast<int>(static_cast<std::int64_t>(bodies) * k / count);
-        chunk.end = static_cast<int>(static_cast<std::int64_t>(bodies) * (k + 1) / count);
+        std::tie(chunk.begin, chunk.end) = solver::range_of(k, count, bodies);
         chunk.near_spheres.resize(kinds);
         chunk.body_contacts.resize(kinds);
         chunk.wall_contacts.resize(kinds);
@@ -131,7 +125,7 @@ void add_body_pair(const World& world, Chunk& chunk, int a, int b, int image) {
     const auto id_a = world.id[static_cast<std::size_t>(a)];
     const auto id_b = world.id[static_cast<std::size_t>(b)];
     ClumpCandidates& candidates = chunk.candidates;
-    BodyPair pair{a, b, expired, candidates.size(), 0, 0, static_cast<std::int16_t>(image)};
+    BodyPair pair{a, b, solver::expired, candidates.size(), 0, 0, static_cast<std::int16_t>(image)};
     world.kept.of_pair(id_a, id_b, image, [&](const KeptPair& old, bool straight) {
         const int sphere_a = straight ? old.sphere_of_first : old.sphere_of_second;
         const int sphere_b = straight ? old.sphere_of_second : old.sphere_of_first;
@@ -147,7 +141,7 @@ void add_body_pair(const World& world, Chunk& chunk, int a, int b, int image) {
 }
 
 void add_pair(const World& world, Chunk& chunk, int a, int b, int image) {
-    chunk.partners_after |= chunk_bit(world.chunk_of[static_cast<std::size_t>(b)]);
+    chunk.partners_after |= solver::chunk_bit(world.chunk_of[static_cast<std::size_t>(b)]);
     if (world.shape_at(a).single && world.shape_at(b).single)
         add_sphere_pair(world, chunk, a, b, image);
     else
@@ -215,7 +209,7 @@ void list_walls(const World& world, Chunk& chunk) {
             BodyWall near;
             near.body = body;
             near.wall = static_cast<int>(w);
-            near.expires = expired;
+            near.expires = solver::expired;
             near.primitives_begin = static_cast<int>(chunk.wall_primitives.size());
             near.primitives_count = static_cast<int>(primitives.size());
             near.begin = static_cast<int>(chunk.wall_candidates.size());
@@ -224,24 +218,16 @@ void list_walls(const World& world, Chunk& chunk) {
         }
 }
 
-/// Bodies that are fast beside the mean flow get long leashes, slow ones short, so that all last about as long; what a
-/// collision may add is the same for all. The mean is half a skin.
 void give_leashes(World& world) {
     const auto bodies = static_cast<std::size_t>(world.bodies());
     world.travel.resize(bodies);
-    double mean_speed = 0;
     for (std::size_t slot = 0; slot < bodies; ++slot) {
         const BodyMotion& body = world.motion[slot];
         const ShapeConstants& shape = world.shape_at(static_cast<int>(slot));
-        const double speed = (Vector3d(body.velocity) - world.flow.at(Vector3d(body.position))).norm() +
+        world.travel[slot] = (Vector3d(body.velocity) - world.flow.at(Vector3d(body.position))).norm() +
                              (shape.single ? 0 : Vector3d(body.spin).norm() * shape.reach);
-        world.travel[slot] = speed;
-        mean_speed += speed / static_cast<double>(bodies);
     }
-    const double half = 0.5 * world.skin;
-    const double time = mean_speed > 0 ? (1 - spare_leash) * half / mean_speed : 0;
-    for (double& travel : world.travel)
-        travel = -std::min(spare_leash * half + time * travel, longest_leash * half);
+    solver::start_odometers(world.travel, world.skin);
 }
 
 void find_bounds(World& world) {
@@ -267,7 +253,7 @@ double cell_width(const World& world) {
 
 } // namespace
 
-void rebuild_body_list(World& world) {
+void rebuild_lists(World& world) {
     wrap(world);
     world.kept.take(world, world.wraps);
     give_leashes(world);
@@ -282,10 +268,7 @@ void rebuild_body_list(World& world) {
         list_pairs(world, chunk);
         list_walls(world, chunk);
     });
-    for (std::size_t k = 0; k < world.chunks.size(); ++k)
-        for (std::size_t before = 0; before < world.chunks.size(); ++before)
-            if ((world.chunks[before].partners_after & chunk_bit(static_cast<int>(k))) != 0)
-                world.chunks[k].partners_before |= chunk_bit(static_cast<int>(before));
+    solver::find_partners(world.chunks);
     world.stale = false;
     ++world.rebuilds;
 }

@@ -7,7 +7,7 @@
 #include <doctest/doctest.h>
 #include <numbers>
 
-namespace test_law {
+namespace test_disc_laws {
 
 using namespace tumble::contact;
 using tumble::test::about;
@@ -48,7 +48,7 @@ template <class Law> Dragged drag(const Law& law, double overlap, double way) {
             seen.work += 0.5 * (before + push.shear) * rate * dt;
             seen.lost_sliding += push.lost_sliding;
             seen.lost_damping += push.lost_shear_damping;
-            seen.largest = std::max(seen.largest, std::abs(push.memory.shear));
+            seen.largest = std::max(seen.largest, std::abs(push.memory.force()));
             before = push.shear;
         }
         place = end;
@@ -151,4 +151,4 @@ TEST_CASE("a normal force that may not pull does not") {
           0);
 }
 
-} // namespace test_law
+} // namespace test_disc_laws

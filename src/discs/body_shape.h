@@ -2,14 +2,14 @@
 
 #include "base/problem.h"
 #include "contact/material.h"
+#include "discs/bodies.h"
 #include "scene/scene.h"
-#include "sim2d/solver.h"
 
 #include <vector>
 
-namespace tumble::sim2d {
+namespace tumble::discs {
 
-/// A template as the solver uses it: mass (density * area * depth), centre and inertia of the union of its discs, exact
+/// A template as solvers use it: mass (density * area * depth), centre and inertia of the union of its discs, exact
 /// sums over the arcs of the union's outline; discs moved to the centre of mass. A single disc gets m r^2 / 2. A mass
 /// given in the template scales the inertia; a given inertia replaces it. Problems: no discs, a radius, a depth or a
 /// density that is not positive, a number that is not finite.
@@ -29,4 +29,4 @@ struct ShapeData {
 /// Parallel to the scene's bodies. Problems: those of make_body_shape.
 Result<std::vector<ShapeData>> shapes_for(const scene::Scene& scene);
 
-} // namespace tumble::sim2d
+} // namespace tumble::discs

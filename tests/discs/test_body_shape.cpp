@@ -1,5 +1,5 @@
 #include "about.h"
-#include "sim2d/body_shape.h"
+#include "discs/body_shape.h"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -8,7 +8,7 @@
 namespace test_body_shape {
 
 using namespace tumble;
-using namespace tumble::sim2d;
+using namespace tumble::discs;
 using tumble::test::about;
 
 namespace {

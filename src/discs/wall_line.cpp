@@ -1,10 +1,10 @@
-#include "sim2d/wall_line.h"
+#include "discs/wall_line.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace tumble::sim2d {
+namespace tumble::discs {
 
 using Eigen::Vector2d;
 using scene::OutlinePiece;
@@ -189,4 +189,4 @@ int WallLine::touches(const Vector2d& centre, double radius, std::span<const int
     return static_cast<int>(count);
 }
 
-} // namespace tumble::sim2d
+} // namespace tumble::discs

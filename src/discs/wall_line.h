@@ -1,30 +1,22 @@
 #pragma once
 
+#include "discs/piece_grid.h"
 #include "scene/motion.h"
 #include "scene/outline.h"
 #include "scene/scene.h"
-#include "sim2d/kernels.h"
-#include "sim2d/piece_grid.h"
 
 #include <Eigen/Core>
 #include <array>
 #include <span>
 #include <vector>
 
-namespace tumble::sim2d {
+namespace tumble::discs {
 
 /// Where a disc touches a wall, in the wall's own frame.
 struct WallTouch {
     Eigen::Vector2d normal = Eigen::Vector2d::Zero(); // unit, from the wall's closest point to the disc's centre
     double gap = 0;                                   // m, distance - radius; negative: overlap
     int feature = 0; // the same while the disc stays on one piece or joint; a history belongs to it
-};
-
-/// What one touch with a wall remembers; it belongs to the feature touched.
-struct WallMemory {
-    int feature = 0;
-    Eigen::Vector2d normal = Eigen::Vector2d::Zero(); // wall's frame, a step ago
-    Memory memory{};
 };
 
 /// A wall's pose in the plane, from its pose in space.
@@ -94,4 +86,4 @@ private:
     std::vector<std::array<Eigen::Vector2d, 2>> rim_; // straight lines along a closed wall; empty for an open one
 };
 
-} // namespace tumble::sim2d
+} // namespace tumble::discs

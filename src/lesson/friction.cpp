@@ -157,6 +157,7 @@ Result<Film> film_of_slip(double mu, double speed, double until) {
     Result<Reel> reel = film(scene, "", until, shown.every);
     if (!reel)
         return reel.problems();
+    shown.poster = reel->frames.size() / 3; // it still slips
     shown.reels.push_back(std::move(*reel));
     return shown;
 }
@@ -265,7 +266,7 @@ std::optional<Problem> beyond_the_limit(Walk& walk) {
                {"e"},
                {"μ"},
                {"J_t / (μ J_n)", "", 3},
-               {"slides throughout", "", 3},
+               {"if it slid throughout", "", 3},
                {"largest F_t / (μ F_n)", "", 3}},
               {}};
     struct Row {

@@ -19,6 +19,7 @@ constexpr double period = 0.06;                    // m, along x and z, where th
 constexpr std::array<double, 2> layer{0.02, 0.06}; // m, heights between floor and surface where voidage is measured
 constexpr double cell = 1e-3;                      // m, of the points that are counted
 constexpr double settled = 0.8;                    // s
+constexpr double while_they_fall = 0.16;           // s, when velocities have something to tell
 constexpr double dt = 2e-5;                        // s
 constexpr int bodies = 60;
 
@@ -132,8 +133,9 @@ std::optional<Problem> add_packing(Walk& walk, double friction) {
               .every = 0.02,
               .color = "vy",
               .range = {-1, 1},
-              .view = scene::Box{{-period / 2, 0, -period / 2}, {period / 2, 0.11, period / 2}}};
-    Grid grid{{{"body"}, {"μ"}, {"voidage ε", "", 3}, {"bulk density", "kg/m3", 3}}, {}};
+              .view = scene::Box{{-period / 2, 0, -period / 2}, {period / 2, 0.11, period / 2}},
+              .poster = static_cast<std::size_t>(while_they_fall / 0.02)};
+    Grid grid{{{"body"}, {"μ"}, {"voidage ε", "", 3}, {"bulk density", "kg/m3", 4}}, {}};
     for (const bool spheres : {true, false}) {
         const std::string name = spheres ? "spheres" : "cones";
         const std::vector<scene::Sphere> body =

@@ -63,6 +63,11 @@ struct Kind {
     double friction = 0;
 };
 
+/// s, until the last bodies come in.
+double poured(double count) {
+    return batch * std::ceil(count / bodies_a_batch);
+}
+
 scene::Scene pouring(const Kind& kind, double count, int seed) {
     scene::Scene scene = plane_stage(linear_pair(stiffness, 0.8, 0.5, kind.friction), dt);
     scene.seed = static_cast<std::uint64_t>(seed);
@@ -73,7 +78,6 @@ scene::Scene pouring(const Kind& kind, double count, int seed) {
     add_wall(scene, scene::Outline(scene::toothed_floor(half, radii[1])));
     for (const double side : {-half, half})
         add_wall(scene, scene::Outline(scene::SegmentShape{{side, -0.02}, {side, 0.5}}));
-    const double poured = batch * std::ceil(count / bodies_a_batch);
     for (const std::size_t size : {0, 1}) {
         scene::Fill fill;
         fill.body = add_body(scene, kind.bodies[size]);
@@ -82,11 +86,11 @@ scene::Scene pouring(const Kind& kind, double count, int seed) {
         const double low = size == 0 ? 0.16 : 0.20; // m, a region for each size, so that both come at once
         fill.region = {{-0.025, low, -0.005}, {0.025, low + 0.04, 0.005}};
         fill.velocity = {0, -0.5, 0};
-        fill.until = poured;
+        fill.until = poured(count);
         fill.every = batch;
         scene.fills.push_back(fill);
     }
-    scene.duration = poured + settling;
+    scene.duration = poured(count) + settling;
     return scene;
 }
 
@@ -150,7 +154,8 @@ Result<Walk> teach(const Values& values) {
               .every = picture,
               .color = "vy",
               .range = {-1, 1},
-              .view = scene::Box{{-0.8 * half, -2 * radii[1], -0.005}, {0.8 * half, 0.16, 0.005}}};
+              .view = scene::Box{{-0.8 * half, -2 * radii[1], -0.005}, {0.8 * half, 0.16, 0.005}},
+              .poster = static_cast<std::size_t>(0.8 * poured(count) / picture)};
     Grid grid{{{"heap"},
                {"angle, mean of 3", "deg", 3},
                {"from", "deg", 3},
@@ -196,10 +201,12 @@ Result<Walk> teach(const Values& values) {
             : "So little friction leaves the discs' heap steeper than arctan μ, at which a block would begin to slide "
               "(`tumble lesson friction`): hollows hold more than friction does, and arctan μ bounds nothing.",
         walk.fact("angle_wedges") / walk.fact("angle_discs")));
-    walk.say("Three fills that differ in nothing but where their bodies begin differ by as much as the table's columns "
-             "from and to are apart: one heap is a sample of one. A slope does not depend on how many grains there "
-             "are only if the heap is not too small (thesis, section 3.1.1.5): try `--count 100`, whose heaps are a "
-             "few rows high.");
+    walk.say(
+        "Three fills that differ in nothing but where their bodies begin differ by as much as the table's columns "
+        "from and to are apart: one heap is a sample of one. A slope does not depend on how many grains there "
+        "are only if the heap is not too small (thesis, section 3.1.1.5): try `--count 100`, whose heaps are a "
+        "few rows high. Nor is it a number of the material alone: `scenes/repose-2d.toml` pours stiffer discs, half as "
+        "many a second, from higher up and with the same friction, and gets 14 degrees.");
     walk.question = "A code has only single discs, and its heap is too flat beside the experiment. What is often added "
                     "to the law in place of the shape?";
     walk.answer = "A moment that resists rolling. It stands for the corners that a disc does not have, and must be "

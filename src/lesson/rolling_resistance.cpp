@@ -105,14 +105,17 @@ std::optional<Problem> never_stops(Walk& walk, double speed, double duration) {
     if (!free)
         return free.problems().front();
     walk.head("A ball that never stops");
+    const double overlap = sunk(mass_of(usual_radius) * g, usual_radius);
     walk.say(fmt::format(
         "A ball rolls over a level plane at {:.4g} m/s. Its lowest point stands still, so nothing slips; and as "
         "nothing "
         "speeds it up or slows it down, friction has nothing to hold either: the shear spring of the contact lies "
         "slack. "
         "Coulomb's law, however rough the floor, takes no energy from a ball that rolls. After {:.3g} s it still has "
-        "{:.5g} m/s.",
-        speed, free->time.back(), free->speed.back()));
+        "{:.5g} m/s. (What is missing went in the first moments: the ball lies {:.2g} um deep in the plane, and rolls "
+        "about "
+        "the middle of the overlap, a little nearer than R: 2/7 δ / (2 R) = {:.2g} % of its speed.)",
+        speed, free->time.back(), free->speed.back(), 1e6 * overlap, 100 * overlap / (7 * usual_radius)));
     walk.say(
         "A real ball stops. The floor gives way under it and comes back late, or it is a little rough: what bears "
         "the ball stands a little ahead of its middle, and so turns against the rolling. The ratio of that lead to "
@@ -141,6 +144,7 @@ std::optional<Problem> stopping(Walk& walk, const Resistance& cdt, const Resista
                   .x = {"time", "s"},
                   .y = {"speed", "m/s"},
                   .curves = {{"no resistance", Style::dashes}, {"cdt"}, {"epsd"}}};
+    double worst = 0; // of the distances
     for (const auto& [name, resistance, curve] :
          {std::tuple("none", Resistance{}, 0), std::tuple("cdt", cdt, 1), std::tuple("epsd", epsd, 2)}) {
         const Result<Ride> seen = ride(resistance, usual_radius, 0, speed, duration, 20);
@@ -154,16 +158,18 @@ std::optional<Problem> stopping(Walk& walk, const Resistance& cdt, const Resista
         const bool winds = resistance.law == RollingLaw::epsd;
         grid.rows.push_back({name, seen->place[stop], winds ? wound : stop_distance(mu, speed), seen->time[stop],
                              stop_time(mu, speed) * (winds ? std::sqrt(std::max(0.0, 1 - taken)) : 1)});
+        worst = std::max(worst, std::abs(seen->place[stop] / (winds ? wound : stop_distance(mu, speed)) - 1));
         walk.fact(fmt::format("stop_distance_{}", name), seen->place[stop], "m");
     }
     walk.parts.emplace_back(grid);
     walk.parts.emplace_back(figure);
     walk.formula("k_r = 9/4 k_n (μ_r R*)²   →   gives way at θ = δ / (9/4 μ_r R*)", "Ai et al. 2011");
     walk.say(
-        fmt::format("Both stop it where they should. The spring of epsd is wound up within {:.2g} mm; meanwhile its "
+        fmt::format("Both stop it within {:.2g} % of where they should. The spring of epsd is wound up within {:.2g} "
+                    "mm; meanwhile its "
                     "dashpot brakes as well, and no limit holds that: it takes 4 η_r θ ω_r R / v = {:.2g} % of the "
                     "energy before the torque is what it should be.",
-                    1e3 * spring.yield * usual_radius, 100 * taken));
+                    100 * worst, 1e3 * spring.yield * usual_radius, 100 * taken));
     walk.fact("stop_distance_theory_epsd", wound, "m");
     walk.fact("stop_distance_theory", stop_distance(mu, speed), "m");
     return std::nullopt;
@@ -199,7 +205,7 @@ std::optional<Problem> at_rest(Walk& walk, const Resistance& cdt, const Resistan
                    .x = {"step"},
                    .y = {"spin", "rad/s"},
                    .curves = {{"cdt", Style::points}, {"epsd", Style::points}}};
-    double most[2] = {0, 0};
+    double most[2] = {0, 0}, mean[2] = {0, 0};
     for (std::size_t k = 0; const Resistance& resistance : {cdt, epsd}) {
         const Result<Ride> seen = ride(resistance, usual_radius, 0, speed, 12 * period, 1);
         if (!seen)
@@ -208,6 +214,7 @@ std::optional<Problem> at_rest(Walk& walk, const Resistance& cdt, const Resistan
             const double now = seen->spin[seen->spin.size() - 40 + i];
             shaking.curves[k].add(static_cast<double>(i + 1), now);
             most[k] = std::max(most[k], std::abs(now));
+            mean[k] += now / 40;
         }
         ++k;
     }
@@ -215,11 +222,15 @@ std::optional<Problem> at_rest(Walk& walk, const Resistance& cdt, const Resistan
     walk.parts.emplace_back(shaking);
     const double turned = mu * g * dt / (0.4 * usual_radius);
     walk.say(fmt::format(
-        "After twelve periods the constant torque still turns the ball to and fro with {:.2g} rad/s; in one step it "
-        "gives M dt / (2/5 m R²) = {:.2g} rad/s. The spring leaves {:.1g} rad/s. The constant torque is enough for "
-        "what "
-        "rolls all the time; for heaps, which are to stand, it is not.",
-        most[0], turned, most[1]));
+        "After twelve periods the constant torque still gives the ball M Δt / (2/5 m R²) = {:.2g} rad/s in one step "
+        "and "
+        "takes it back in the next. The figure shows the spins at the steps, to which half of the last kick belongs, "
+        "and so twice that from point to point. What lies in the middle between them, {:.1g} rad/s here, is a rolling "
+        "that "
+        "a torque of changing sense no longer brakes: the ball creeps by {:.1g} mm a second. The spring leaves {:.1g} "
+        "rad/s. The constant torque is enough for what rolls all the time; for heaps, which are to stand, it is not.",
+        turned, std::abs(mean[0]), 1e3 * std::abs(mean[0]) * usual_radius, most[1]));
+    walk.fact("creep_at_rest_cdt", mean[0], "rad/s");
     walk.fact("spin_at_rest_cdt", most[0] / turned);
     walk.fact("spin_at_rest_epsd", most[1] / turned);
     walk.fact("period", period, "s");
@@ -292,7 +303,7 @@ Lesson rolling_resistance() {
         .name = "rolling-resistance",
         .title = "Rolling resistance: what stops a ball",
         .parameters = {{"rolling_friction", "", 0.05, {.lo = 0.02, .hi = 0.3}, "Coefficient of rolling friction μ_r"},
-                       {"rolling_damping", "", 0.3, {.lo = 0, .hi = 1}, "Share of critical damping η_r of epsd"},
+                       {"rolling_damping", "", 0.3, {.lo = 0.1, .hi = 1}, "Share of critical damping η_r of epsd"},
                        {"speed_m_s", "m/s", 0.3, {.lo = 0.1, .hi = 0.6}, "First speed of the ball"}},
         .teach = teach};
 }

@@ -83,9 +83,11 @@ std::optional<Problem> one_impact(Walk& walk, const Setup& s) {
         .y = {"force", "N"},
         .curves = {stairs("soft", *soft), stairs("hard, step 1 ms", *whole), stairs("hard, step 0.5 ms", *half)}};
     walk.parts.emplace_back(figure);
-    walk.say("All three leave with the same speed, and the area under all three curves is the same J. But the hard "
-             "force is J over the step: halve the step and it doubles. It says nothing about the contact. What the "
-             "soft one says, contact time, overlap and peak force, is as true as its stiffness.");
+    walk.say(
+        "All three leave with the same speed, and the area under all three curves is the same J. But the hard "
+        "force is J over the step: halve the step and it doubles. It acts over the whole of the step in which Box2D "
+        "finds the touch, the part before it included. It says nothing about the contact. What the "
+        "soft one says, contact time, overlap and peak force, is as true as its stiffness.");
     walk.fact("soft_restitution", soft->restitution);
     walk.fact("hard_restitution", whole->restitution);
     walk.fact("soft_contact_time", soft->lasted, "s");
@@ -252,8 +254,9 @@ Result<Walk> teach(const Values& values) {
     walk.answer = fmt::format(
         "Only the soft one, if its stiffness is the material's. The hard one has J = {:.4g} N s and divides it by the "
         "step: "
-        "{:.4g} m/s2 at 1 ms, {:.4g} at 0.1 ms, without end. What both can predict are speeds after an impact, and how "
-        "far things slide.",
+        "{:.4g} m/s2 at 1 ms, {:.4g} at 0.1 ms, without end. What both can predict are the speeds after an impact of "
+        "two bodies, and "
+        "how far things slide.",
         impulse, impulse / mass / hard_step, impulse / mass / (0.1 * hard_step));
     return walk;
 }

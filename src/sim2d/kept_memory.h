@@ -2,8 +2,8 @@
 
 #include "base/carried.h"
 #include "sim2d/kernels.h"
-#include "sim2d/wall_memory.h"
 #include "solver/grouped.h"
+#include "solver/wall_memory.h"
 
 #include <span>
 #include <vector>
@@ -11,6 +11,7 @@
 namespace tumble::sim2d {
 
 struct World;
+using WallMemory = solver::WallMemory<2, Memory>;
 
 /// What one touching pair remembers, named by the tags of its discs, so that it outlives lists, slots and rows. Two
 /// discs meet through one image of the periodic box at most (build.cpp asks for periods that long), and both sides

@@ -1,6 +1,7 @@
 #include "sim2d/rebuild_lists.h"
 
 #include "scene/period.h"
+#include "solver/arrays.h"
 #include "solver/leashes.h"
 
 #include <algorithm>
@@ -37,13 +38,6 @@ void wrap(World& world) {
     }
 }
 
-template <class Array> void reorder(Array& values, const std::vector<int>& order) {
-    Array sorted(values.size());
-    for (std::size_t k = 0; k < order.size(); ++k)
-        sorted[k] = values[static_cast<std::size_t>(order[k])];
-    values = std::move(sorted);
-}
-
 void sort_slots(World& world) {
     std::vector<Vector2d>& centres = world.centres;
     centres.clear();
@@ -53,11 +47,11 @@ void sort_slots(World& world) {
     const std::vector<int>& order = world.cells.order();
     world.rows.resize(world.id.size());
     world.loads.resize(world.id.size());
-    reorder(world.id, order);
-    reorder(world.shape, order);
-    reorder(world.angle, order);
-    reorder(world.rows, order);
-    reorder(world.loads, order);
+    solver::reorder(world.id, order);
+    solver::reorder(world.shape, order);
+    solver::reorder(world.angle, order);
+    solver::reorder(world.rows, order);
+    solver::reorder(world.loads, order);
 }
 
 /// Rows for the discs of all clumps, behind those of the bodies.

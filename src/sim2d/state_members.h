@@ -41,11 +41,6 @@ template <class Archive, As<FurtherMemory> F> void carry(Archive& archive, F& fu
     archive(rolling, rolling_energy, impact_speed);
 }
 
-template <class Archive, As<WallMemory> M> void carry(Archive& archive, M& wall_memory) {
-    auto& [feature, normal, memory] = wall_memory;
-    archive(feature, normal, memory);
-}
-
 template <class Archive, As<KeptPair> P> void carry(Archive& archive, P& kept) {
     auto& [first, second, further, memory] = kept;
     archive(first, second, further, memory);

@@ -12,7 +12,6 @@
 #include "sim2d/kept_memory.h"
 #include "sim2d/kernels.h"
 #include "sim2d/solver.h"
-#include "sim2d/wall_memory.h"
 #include "solver/books.h"
 #include "solver/chunks.h"
 #include "solver/fill_state.h"

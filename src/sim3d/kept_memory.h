@@ -1,8 +1,8 @@
 #pragma once
 
 #include "sim3d/kernels.h"
-#include "sim3d/wall_memory.h"
 #include "solver/grouped.h"
+#include "solver/wall_memory.h"
 
 #include <array>
 #include <cstdint>
@@ -12,6 +12,7 @@
 namespace tumble::sim3d {
 
 struct World;
+using WallMemory = solver::WallMemory<3, MemoryLanes>;
 
 /// What one touching contact remembers, named by body ids, so that it outlives lists and slots.
 struct KeptPair {

@@ -51,7 +51,7 @@ void push_contacts(World& world, Chunk& chunk) {
             for (const WallContact& contact : contacts)
                 chunk.wall_candidates[static_cast<std::size_t>(contact.candidate)]
                     .memory[static_cast<std::size_t>(contact.touch)]
-                    .lanes = contact.memory;
+                    .memory = contact.memory;
         }
     }
 }

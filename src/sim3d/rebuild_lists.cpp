@@ -2,6 +2,7 @@
 
 #include "scene/period.h"
 #include "sim3d/placement.h"
+#include "solver/arrays.h"
 #include "solver/leashes.h"
 
 #include <algorithm>
@@ -36,24 +37,16 @@ void wrap(World& world) {
         }
 }
 
-template <class Array> void reorder(Array& values, const std::vector<int>& order) {
-    thread_local Array sorted; // fresh memory costs more than moving what it is for
-    sorted.resize(values.size());
-    for (std::size_t k = 0; k < order.size(); ++k)
-        sorted[k] = values[static_cast<std::size_t>(order[k])];
-    std::swap(values, sorted);
-}
-
 void sort_slots(World& world, const std::vector<int>& order) {
-    reorder(world.id, order);
-    reorder(world.shape, order);
-    reorder(world.motion, order);
-    reorder(world.load, order);
-    reorder(world.orientation, order);
+    solver::reorder(world.id, order);
+    solver::reorder(world.shape, order);
+    solver::reorder(world.motion, order);
+    solver::reorder(world.load, order);
+    solver::reorder(world.orientation, order);
     if (world.has_clumps)
-        reorder(world.turn, order);
-    reorder(world.travel, order);
-    reorder(world.bounds, order);
+        solver::reorder(world.turn, order);
+    solver::reorder(world.travel, order);
+    solver::reorder(world.bounds, order);
     for (std::size_t slot = 0; slot < world.id.size(); ++slot)
         world.slot_of[static_cast<std::size_t>(world.id[slot])] = static_cast<int>(slot);
 }

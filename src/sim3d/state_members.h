@@ -51,11 +51,6 @@ template <class Archive, As<MemoryLanes> M> void carry(Archive& archive, M& memo
     archive(spring, energy);
 }
 
-template <class Archive, As<WallMemory> M> void carry(Archive& archive, M& memory) {
-    auto& [feature, normal, lanes] = memory;
-    archive(feature, normal, lanes);
-}
-
 template <class Archive, As<FurtherLanes> F> void carry(Archive& archive, F& further) {
     auto& [rolling, rolling_energy, impact_speed, bonded, bond_energy, unused] = further;
     archive(rolling, rolling_energy, impact_speed, bonded, bond_energy, unused);

@@ -10,7 +10,6 @@
 #include "sim3d/kept_memory.h"
 #include "sim3d/kernels.h"
 #include "sim3d/solver.h"
-#include "sim3d/wall_memory.h"
 #include "sim3d/wall_surface.h"
 #include "solver/books.h"
 #include "solver/chunks.h"

@@ -132,7 +132,11 @@ std::optional<Problem> in_a_row(Walk& walk, const Setup& s) {
         "speed back, the second only that nothing closes in. With a gap of a millionth of a radius, which no "
         "eye would see, they act one after the other, and the last disc takes it all:");
     walk.formula("touching:  v₂ − v₁ = v,   v₃ = v₂,   v₁ + v₂ + v₃ = v   →   −1/3, 2/3, 2/3");
-    Grid grid{{{"speed after / before"}, {"striker", "", 3}, {"first", "", 3}, {"second", "", 3}, {"energy", "", 4}},
+    Grid grid{{{"speed after / before"},
+               {"striker", "", 3, 1},
+               {"first", "", 3, 1},
+               {"second", "", 3, 1},
+               {"energy", "", 4, 1}},
               {}};
     for (const bool springs : {true, false})
         for (const double gap : {0.0, 1e-6 * radius}) {

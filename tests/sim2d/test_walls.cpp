@@ -80,6 +80,23 @@ TEST_CASE("a disc that is pressed through a wall stops the run, with its name an
     CHECK(problem->what.find("stopped at t = ") != std::string::npos);
 }
 
+TEST_CASE("a clump whose discs whirl further than a radius in a step stops the run before one can pass a wall unseen") {
+    // Two discs of 5 mm, 0.1 m either side of the middle: in 0.2 ms they go 0.02 mm at 1 rad/s, 5 mm at 250 rad/s.
+    const auto spun = [](double spin) {
+        Sandbox box(springs(1e5, 1, 1, 0), 2e-4);
+        box.wall(scene::SegmentShape{{-1, 0}, {1, 0}});
+        const int bar = box.body({{{-0.1, 0, 0}, 0.005}, {{0.1, 0, 0}, 0.005}});
+        BodyState body = at(bar, {0, 0.2});
+        body.angular_velocity = spin;
+        box.put({body});
+        const auto problem = advance(*box.world, 5);
+        return problem ? problem->what : "";
+    };
+    CHECK(spun(240).empty());
+    CHECK(spun(260).find("spins at 260 rad/s: its discs go further than the smallest one's radius in one step") !=
+          std::string::npos);
+}
+
 TEST_CASE(
     "a wall that could pass a whole disc within one step stops the run, though they touch neither before nor after") {
     const auto goes = [](double speed) {

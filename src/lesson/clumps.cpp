@@ -77,8 +77,10 @@ private:
             seen.overlap = std::max(seen.overlap, radius - body.position.y());
             seen.restitution = std::max(0.0, body.velocity.y() / speed);
             seen.duration = k * dt;
-            if (k > 2 && body.position.y() >= radius)
+            if (k > 2 && body.position.y() >= radius) {
+                seen.left = true;
                 break;
+            }
         }
         return seen;
     }

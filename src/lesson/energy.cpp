@@ -236,9 +236,12 @@ Result<Walk> teach(const Values& values) {
                                   {"sum", "mJ", 6}},
                                  {row("released", drop->course.front()), row("last step before the touch", at.touch),
                                   row("deepest", at.deepest), row("leaves", at.leave)}});
-    walk.say(
-        "At the deepest point almost nothing moves; what the ball had is in the contact, less what the dashpot has "
-        "taken on the way in. On the way out it takes less, for the ball is slower. The closed forms of a bounce:");
+    walk.say(fmt::format(
+        "At the deepest point almost nothing moves; what the ball had is in the contact{} The closed forms of a "
+        "bounce:",
+        s.e < 1 ? ", less what the dashpot has taken on the way in. On the way out it takes less, for the "
+                  "ball is slower."
+                : "."));
     const double touched = s.energy();
     const double taken = at.leave.lost;
     walk.formula(

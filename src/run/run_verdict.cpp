@@ -1,5 +1,6 @@
 #include "run/run_verdict.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -26,8 +27,11 @@ double turned_over(const Books& books) {
 
 std::vector<std::string> verdict(const RunSummary& summary, const scene::Scene& scene) {
     std::vector<std::string> sentences;
+    const bool early = std::any_of(scene.fills.begin(), scene.fills.end(),
+                                   [&](const scene::Fill& fill) { return fill.until > summary.time; });
     for (const std::string& sentence : summary.unfilled)
-        sentences.push_back("not all bodies found room: " + sentence);
+        sentences.push_back(
+            (early ? "the run ended while bodies were still coming in: " : "not all bodies found room: ") + sentence);
     if (summary.overlap_ratio_max > scene.contact.accepted_overlap)
         sentences.push_back(fmt::format(
             "bodies overlapped by up to {:.1f} % of the smaller {}'s radius, and the scene expects at "

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <span>
 
 namespace tumble::sim2d {
 
@@ -18,18 +19,6 @@ std::string name_of(const World& world, int row) {
 
 const char* const shorter_step = "use a shorter time step or stiffer contacts, and look at the frames just before";
 
-/// m, from the centre of mass to the farthest middle of a disc, or a little more; 0 for a lone disc.
-double arm_of(const ShapeConstants& shape) {
-    return shape.single ? 0 : shape.reach - shape.smallest_radius;
-}
-
-double longest_arm(const World& world) {
-    double arm = 0;
-    for (const ShapeConstants& shape : world.shape_constants)
-        arm = std::max(arm, arm_of(shape));
-    return arm;
-}
-
 std::optional<Problem> wild_motion(const World& world) {
     for (int slot = 0; slot < world.bodies(); ++slot) {
         const Row& row = world.row(slot);
@@ -42,14 +31,10 @@ std::optional<Problem> wild_motion(const World& world) {
                         fmt::format("{} moves at {:.4g} m/s, more than its smallest disc's radius in one step",
                                     name_of(world, slot), speed),
                         shorter_step);
-        const double whirl = std::abs(row.spin) * arm_of(shape);
-        if ((speed + whirl) * world.dt > shape.smallest_radius)
-            return stop(
-                world,
-                fmt::format("{} moves at {:.4g} m/s and spins at {:.4g} rad/s: its discs go further than the smallest "
-                            "one's radius in one step",
-                            name_of(world, slot), speed, std::abs(row.spin)),
-                shorter_step);
+        const double spin = std::abs(row.spin);
+        const std::span parts(shape.exposed, 3 * static_cast<std::size_t>(shape.exposed_count));
+        if (!shape.single && solver::whirls(parts, 2, speed, spin, world.dt))
+            return stop(world, name_of(world, slot) + solver::whirling(speed, spin, "disc"), shorter_step);
     }
     return std::nullopt;
 }
@@ -90,8 +75,7 @@ std::optional<Problem> insanity(const World& world) {
     bool wild = false;
     for (const Chunk& chunk : world.chunks)
         wild = wild || !chunk.sums.motion.finite;
-    const double fastest = world.books.speed_max + world.books.angular_speed_max * longest_arm(world); // m/s, at most
-    if (wild || fastest * world.dt > world.smallest_radius)
+    if (wild || solver::fastest_part(world) * world.dt > world.smallest_radius)
         if (auto problem = wild_motion(world))
             return problem;
     if (world.books.overlap_ratio_max > solver::deepest_overlap_ratio)

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <fmt/format.h>
+#include <span>
 
 namespace tumble::sim3d {
 
@@ -38,6 +39,10 @@ std::optional<Problem> wild_motion(const World& world) {
                         fmt::format("{} moves at {:.4g} m/s, more than its smallest sphere's radius in one step",
                                     name_of(world, slot), speed),
                         shorter_step);
+        const ShapeConstants& shape = world.shape_at(slot);
+        const std::span parts(shape.exposed, 4 * static_cast<std::size_t>(shape.exposed_count));
+        if (!shape.single && solver::whirls(parts, 3, speed, spin, world.dt))
+            return stop(world, name_of(world, slot) + solver::whirling(speed, spin, "sphere"), shorter_step);
         if (spin * world.dt > widest_turn)
             return stop(world,
                         fmt::format("{} spins at {:.4g} rad/s, {:.2g} rad in one step where {} are the most",
@@ -94,7 +99,7 @@ std::optional<Problem> insanity(const World& world) {
     bool wild = false;
     for (const Chunk& chunk : world.chunks)
         wild = wild || !chunk.sums.motion.finite;
-    if (wild || world.books.speed_max * world.dt > world.smallest_radius ||
+    if (wild || solver::fastest_part(world) * world.dt > world.smallest_radius ||
         world.books.angular_speed_max * world.dt > widest_turn)
         if (auto problem = wild_motion(world))
             return problem;

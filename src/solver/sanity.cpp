@@ -1,5 +1,7 @@
 #include "solver/sanity.h"
 
+#include <cmath>
+
 namespace tumble::solver {
 
 std::optional<int> axis_outside(const scene::Domain& domain, std::span<const double> place) {
@@ -9,6 +11,23 @@ std::optional<int> axis_outside(const scene::Domain& domain, std::span<const dou
             return static_cast<int>(k);
     }
     return std::nullopt;
+}
+
+bool whirls(std::span<const double> parts, std::size_t dimension, double speed, double spin, double dt) {
+    for (std::size_t at = 0; at < parts.size(); at += dimension + 1) {
+        double arm = 0;
+        for (std::size_t k = 0; k < dimension; ++k)
+            arm = std::hypot(arm, parts[at + k]);
+        if ((speed + spin * arm) * dt > parts[at + dimension])
+            return true;
+    }
+    return false;
+}
+
+std::string whirling(double speed, double spin, const char* part) {
+    return fmt::format(
+        " moves at {:.4g} m/s and spins at {:.4g} rad/s, and takes a {} further than its radius in one step", speed,
+        spin, part);
 }
 
 std::optional<Problem> refusal_of(std::size_t number, int shape, const char* flaw, std::span<const double> place,

@@ -3,6 +3,7 @@
 #include "base/problem.h"
 #include "scene/scene.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <fmt/format.h>
@@ -33,6 +34,22 @@ template <class World> std::string name_of(const World& world, int slot) {
     return fmt::format("body {} ({})", world.id[at],
                        world.plain_shapes[static_cast<std::size_t>(world.shape[at])].name);
 }
+
+/// m/s, a bound on how fast the middle of any part of any body goes, from the greatest speed and spin of all.
+template <class World> double fastest_part(const World& world) {
+    double arm = 0;
+    for (const auto& shape : world.shape_constants)
+        if (!shape.single)
+            arm = std::max(arm, shape.reach);
+    return world.books.speed_max + arm * world.books.angular_speed_max;
+}
+
+/// A disc or sphere of the body goes further in a step than its own radius, and could pass what it should touch.
+/// `parts`: centre from the centre of mass and radius of each, m, `dimension` + 1 numbers; m/s, rad/s, s.
+bool whirls(std::span<const double> parts, std::size_t dimension, double speed, double spin, double dt);
+
+/// What is said of it.
+std::string whirling(double speed, double spin, const char* part);
 
 /// A wall that goes further than a radius in a step could pass a part, "disc" or "sphere", that touches it neither
 /// before nor after, so that no crossing is seen.

@@ -24,6 +24,20 @@ TEST_CASE("clumps: n contacts are sqrt(n) times as damped as one, unless they sh
     }
 }
 
+TEST_CASE("clumps: the table shows what a landing gave back, and nothing for a body that does not come free") {
+    // From zeta_n = 1 on it creeps out for ever: with e = 0.1 (zeta = 0.591) from four spheres on.
+    const auto shown = [](const char* e) {
+        std::vector<bool> numbers;
+        for (const tumble::sheet::Part& part : taught("clumps", {{"restitution", e}}).parts)
+            if (const auto* grid = std::get_if<Grid>(&part); grid && grid->columns[0].head == "spheres")
+                for (const std::vector<Cell>& row : grid->rows)
+                    numbers.push_back(std::holds_alternative<double>(row[1]));
+        return numbers;
+    };
+    CHECK(shown("0.7") == std::vector{true, true, true, true});
+    CHECK(shown("0.1") == std::vector{true, true, false, false});
+}
+
 TEST_CASE("clumps: mass is that of the union") {
     // Two spheres of radius R at d: both, less a lens of two caps of height R - d / 2.
     const double R = 5e-3, density = 1665.71;

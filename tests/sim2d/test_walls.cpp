@@ -93,7 +93,7 @@ TEST_CASE("a clump whose discs whirl further than a radius in a step stops the r
         return problem ? problem->what : "";
     };
     CHECK(spun(240).empty());
-    CHECK(spun(260).find("spins at 260 rad/s: its discs go further than the smallest one's radius in one step") !=
+    CHECK(spun(260).find("spins at 260 rad/s, and takes a disc further than its radius in one step") !=
           std::string::npos);
 }
 

@@ -375,4 +375,20 @@ TEST_CASE("a body that turns too far in a step for its orientation to follow sto
     }
 }
 
+TEST_CASE(
+    "a clump whose spheres whirl further than a radius in a step stops the run before one can pass a wall unseen") {
+    // Two spheres of 5 mm, 0.1 m either side of the middle: in 0.2 ms they go 5 mm at 250 rad/s, and turn by 0.05 rad.
+    for (const double spin : {240.0, 260.0}) {
+        Sandbox box({"media", 1666, 4.6e7, 0.2887}, {0.5, 0.3}, 2e-4);
+        const int bar = box.body({{{-0.1, 0, 0}, 0.005}, {{0.1, 0, 0}, 0.005}});
+        box.start({placed(bar, {0, 0, 0}, {0, 0, 0}, {0, 0, spin})});
+        const auto problem = advance(*box.world, 10);
+        REQUIRE(problem.has_value() == (spin > 250));
+        if (problem)
+            CHECK(problem->what ==
+                  "stopped at t = 0.0002 s, step 1: body 0 (body0) moves at 0 m/s and spins at 260 rad/s, and "
+                  "takes a sphere further than its radius in one step");
+    }
+}
+
 } // namespace test_fill

@@ -42,15 +42,20 @@ struct Drawers {
     std::optional<Overlay> overlay; // its letters depend on the arrangement
 };
 
+/// What a picture shows of a frame: settled by words that may be wrong.
+struct Style {
+    Theme theme;
+    Quantity quantity;
+    ColorMap map;
+    ColorRange range;
+};
+
 struct Painter::Inside {
     GlContext context;
     scene::Render settings;
     PainterOptions options;
     std::shared_ptr<const observe::FrameLayout> layout;
-    Theme theme;
-    Quantity quantity;
-    ColorMap map;
-    ColorRange range;
+    Style style;
     std::vector<std::vector<int>> showing;
     std::vector<double> reach;  // per shape, m: radius about the centre of mass that holds it
     std::vector<double> spokes; // per shape, m, in two dimensions
@@ -64,11 +69,9 @@ struct Painter::Inside {
     Span span;
 
     Inside(GlContext made, const scene::Render& wanted, const PainterOptions& chosen,
-           std::shared_ptr<const observe::FrameLayout> scenery, Theme colors, Quantity shown, ColorMap scale)
+           std::shared_ptr<const observe::FrameLayout> scenery, Style shown)
         : context(std::move(made)), settings(wanted), options(chosen), layout(std::move(scenery)),
-          theme(std::move(colors)), quantity(std::move(shown)), map(std::move(scale)),
-          range(settings.range ? std::optional<Span>({(*settings.range)[0], (*settings.range)[1]}) : std::nullopt,
-                quantity.has_sign) {}
+          style(std::move(shown)) {}
     Inside(const Inside&) = delete;
     Inside& operator=(const Inside&) = delete;
     ~Inside() {
@@ -76,6 +79,10 @@ struct Painter::Inside {
         drawers.reset();
     }
 
+    /// What must be in the picture.
+    [[nodiscard]] AlignedBox3d box() const {
+        return settings.view ? AlignedBox3d(settings.view->lo, settings.view->hi) : fitted;
+    }
     void arrange();
     void enclose(const observe::Frame& frame);
     std::vector<std::uint32_t> colors_of(const observe::Frame& frame, Legend& legend);
@@ -93,6 +100,26 @@ static Problem bad_range(double lo, double hi) {
     return {.key = "render.range",
             .what = "a colour range from " + std::to_string(lo) + " to " + std::to_string(hi) + " holds no values",
             .fix = "write the smaller value first, both finite and different"};
+}
+
+static Result<Style> find_style(const scene::Render& settings, int dimension) {
+    auto theme = find_theme(settings.background);
+    auto quantity = find_quantity(settings.color, dimension);
+    auto map = find_color_map(settings.colormap, quantity.ok() && quantity->has_sign);
+    const auto camera = make_camera(settings, AlignedBox3d(Vector3d::Zero(), Vector3d::Ones()), {0, 0, 100, 100});
+    Problems problems;
+    for (const Problems& found : {theme.problems(), quantity.problems(), map.problems(), camera.problems()}) {
+        problems.insert(problems.end(), found.begin(), found.end());
+    }
+    if (settings.range && !((*settings.range)[1] - (*settings.range)[0] > 0)) {
+        problems.push_back(bad_range((*settings.range)[0], (*settings.range)[1]));
+    }
+    if (!problems.empty()) {
+        return problems;
+    }
+    const auto fixed =
+        settings.range ? std::optional<Span>({(*settings.range)[0], (*settings.range)[1]}) : std::nullopt;
+    return Style{*theme, *quantity, *map, ColorRange(fixed, quantity->has_sign)};
 }
 
 static std::optional<Drawers> open_drawers(const scene::Render& settings, const observe::FrameLayout& layout,
@@ -122,27 +149,18 @@ static std::optional<Drawers> open_drawers(const scene::Render& settings, const 
 
 Result<Painter> Painter::open(const scene::Render& settings, std::shared_ptr<const observe::FrameLayout> layout,
                               const PainterOptions& options) {
-    auto theme = find_theme(settings.background);
-    auto quantity = find_quantity(settings.color, layout->dimension);
-    auto map = find_color_map(settings.colormap, quantity.ok() && quantity->has_sign);
-    const auto camera = make_camera(settings, AlignedBox3d(Vector3d::Zero(), Vector3d::Ones()), {0, 0, 100, 100});
+    auto style = find_style(settings, layout->dimension);
+    if (!style) {
+        return style.problems();
+    }
     Problems problems;
-    for (const Problems& found : {theme.problems(), quantity.problems(), map.problems(), camera.problems()}) {
-        problems.insert(problems.end(), found.begin(), found.end());
-    }
-    if (settings.range && !((*settings.range)[1] - (*settings.range)[0] > 0)) {
-        problems.push_back(bad_range((*settings.range)[0], (*settings.range)[1]));
-    }
-    if (!problems.empty()) {
-        return problems;
-    }
     auto context = GlContext::open();
     if (!context) {
         return context.problems();
     }
-    auto inside = std::make_unique<Inside>(*context, settings, options, std::move(layout), *theme, *quantity, *map);
+    auto inside = std::make_unique<Inside>(*context, settings, options, std::move(layout), std::move(*style));
     const GlContext::Current current(inside->context);
-    inside->drawers = open_drawers(settings, *inside->layout, inside->theme, problems);
+    inside->drawers = open_drawers(settings, *inside->layout, inside->style.theme, problems);
     if (!inside->drawers) {
         return problems;
     }
@@ -162,6 +180,29 @@ Painter::Painter(Painter&&) noexcept = default;
 Painter& Painter::operator=(Painter&&) noexcept = default;
 Painter::~Painter() = default;
 
+Result<Done> Painter::restyle(const scene::Render& settings) {
+    Inside& in = *inside_;
+    scene::Render wanted = settings;
+    wanted.width = in.settings.width;
+    wanted.height = in.settings.height;
+    wanted.background = in.settings.background;
+    wanted.plot = in.settings.plot;
+    auto style = find_style(wanted, in.layout->dimension);
+    if (!style) {
+        return style.problems();
+    }
+    if (wanted.color != in.settings.color || wanted.range != in.settings.range) {
+        in.style.range = style->range; // else what an automatic range has seen goes on to count
+    }
+    in.style.quantity = style->quantity;
+    in.style.map = style->map;
+    in.settings = std::move(wanted);
+    if (in.arranged) {
+        in.camera = *make_camera(in.settings, in.box(), in.arrangement.scene);
+    }
+    return Done{};
+}
+
 void Painter::fit(const AlignedBox3d& box) {
     inside_->fitted.extend(box);
     inside_->arranged = false;
@@ -169,8 +210,7 @@ void Painter::fit(const AlignedBox3d& box) {
 
 /// Settles panels and camera for what has been fitted.
 void Painter::Inside::arrange() {
-    const AlignedBox3d box = settings.view ? AlignedBox3d(settings.view->lo, settings.view->hi) : fitted;
-    const auto look = [&](const Area& area) { return *make_camera(settings, box, area); };
+    const auto look = [&](const Area& area) { return *make_camera(settings, box(), area); };
     const auto zoom = [&](const Area& area) {
         const Camera tried = look(area);
         return tried.pixels_per_metre(tried.target);
@@ -185,7 +225,7 @@ void Painter::Inside::arrange() {
     camera = look(arrangement.scene);
     drawers->overlay.reset();
     if (arrangement.lettered) {
-        if (auto overlay = Overlay::open(arrangement, theme)) {
+        if (auto overlay = Overlay::open(arrangement, style.theme)) {
             drawers->overlay = std::move(*overlay);
         }
     }
@@ -212,13 +252,13 @@ void Painter::Inside::enclose(const observe::Frame& frame) {
 }
 
 std::vector<std::uint32_t> Painter::Inside::colors_of(const observe::Frame& frame, Legend& legend) {
-    const std::vector<double> values = values_of(quantity, frame);
-    span = range.next(values);
-    legend = {quantity.label, quantity.unit, span, map};
+    const std::vector<double> values = values_of(style.quantity, frame);
+    span = style.range.next(values);
+    legend = {style.quantity.label, style.quantity.unit, span, style.map};
     std::vector<std::uint32_t> colors;
     colors.reserve(values.size());
     for (const double value : values) {
-        colors.push_back(map.bytes_at((value - span.lo) / (span.hi - span.lo)));
+        colors.push_back(style.map.bytes_at((value - span.lo) / (span.hi - span.lo)));
         legend.below = legend.below || value < span.lo;
         legend.above = legend.above || value > span.hi;
     }
@@ -245,7 +285,7 @@ void Painter::Inside::draw_discs(const observe::Frame& frame, const std::vector<
         }
     }
     const double pixels = smallest * camera.pixels_per_metre(camera.target);
-    const DiscLook look{theme.outline, std::min(disc_line * std::max(1.0, arrangement.unit), disc_line_share * pixels)};
+    const DiscLook look{style.theme.outline, std::min(disc_line * std::max(1.0, arrangement.unit), disc_line_share * pixels)};
     glBindFramebuffer(GL_FRAMEBUFFER, drawers->canvas.samples.name());
     drawers->discs.draw(collect_discs(frame, colors, camera), collect_spokes(frame, spokes, camera), camera,
                         drawers->canvas.width, drawers->canvas.height, look);
@@ -290,7 +330,7 @@ void Painter::Inside::draw_spheres(std::vector<SphereMark> marks) {
         std::nth_element(front, front + count, marks.end(),
                          [](const SphereMark& a, const SphereMark& b) { return a.z + a.radius > b.z + b.radius; });
         glBindFramebuffer(GL_FRAMEBUFFER, canvas.samples.name());
-        drawers->spheres.draw(std::span(front, front + count), camera, canvas.width, canvas.height, theme.rim,
+        drawers->spheres.draw(std::span(front, front + count), camera, canvas.width, canvas.height, style.theme.rim,
                               options.lighting);
         front += count;
         if (front == marks.end()) {
@@ -354,7 +394,7 @@ Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
     const Canvas& canvas = in.drawers->canvas;
     glViewport(0, 0, canvas.width, canvas.height);
     glBindFramebuffer(GL_FRAMEBUFFER, canvas.samples.name());
-    const Eigen::Vector3f back = in.theme.background.cast<float>();
+    const Eigen::Vector3f back = in.style.theme.background.cast<float>();
     glClearColor(back.x(), back.y(), back.z(), 1);
     glClearDepth(1);
     glDepthMask(GL_TRUE);

@@ -31,7 +31,7 @@ constexpr std::size_t longest_file = 500; // lines
 
 /// Headers that only these folders may see, so that the library behind them can be exchanged there.
 const std::multimap<std::string, std::string> private_libraries{
-    {"toml++", "scene"}, {"GL/", "render"},    {"imgui", "render"}, {"imgui", "view"},     {"stb/", "render"},
+    {"toml++", "scene"}, {"GL/", "render"},    {"imgui", "render"}, {"imgui", "view"},    {"stb/", "render"},
     {"CLI/", "cli"},     {"box2d/", "hard2d"}, {"boost/", "view"},  {"turbojpeg", "view"}};
 
 Layers read_layers(const std::string& list, Faults& faults) {

@@ -70,8 +70,8 @@ Result<Watched> open_watched(ViewArguments& arguments, const std::shared_ptr<vie
                          : view::open_live(*text, *scene, arguments.threads, news);
     if (!source)
         return source.problems();
-    view::Plots plots = folder ? view::Plots::of_run(arguments.what, *scene)
-                               : view::Plots::of_simulation(*scene, *(*source)->layout());
+    view::Plots plots =
+        folder ? view::Plots::of_run(arguments.what, *scene) : view::Plots::of_simulation(*scene, *(*source)->layout());
     return Watched{std::move(*text), std::move(*scene), std::move(*source), std::move(plots)};
 }
 

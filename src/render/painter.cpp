@@ -285,7 +285,8 @@ void Painter::Inside::draw_discs(const observe::Frame& frame, const std::vector<
         }
     }
     const double pixels = smallest * camera.pixels_per_metre(camera.target);
-    const DiscLook look{style.theme.outline, std::min(disc_line * std::max(1.0, arrangement.unit), disc_line_share * pixels)};
+    const DiscLook look{style.theme.outline,
+                        std::min(disc_line * std::max(1.0, arrangement.unit), disc_line_share * pixels)};
     glBindFramebuffer(GL_FRAMEBUFFER, drawers->canvas.samples.name());
     drawers->discs.draw(collect_discs(frame, colors, camera), collect_spokes(frame, spokes, camera), camera,
                         drawers->canvas.width, drawers->canvas.height, look);

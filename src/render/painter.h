@@ -47,8 +47,8 @@ public:
     void pass_over(const observe::Frame& frame);
 
     /// From the next picture on, camera, clip and colours are those of other settings; size, background and plot stay,
-    /// and so does the arrangement of the panels. Quick enough for a camera that a hand turns. Problems: those of open()
-    /// about camera and colours; nothing has changed then.
+    /// and so does the arrangement of the panels. Quick enough for a camera that a hand turns. Problems: those of
+    /// open() about camera and colours; nothing has changed then.
     Result<Done> restyle(const scene::Render& settings);
 
     /// How the last picture was made: its camera, arrangement, colour bar (pixels) and the colours' range (SI unit).

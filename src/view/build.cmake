@@ -1,6 +1,6 @@
 # The page becomes part of the program: its files as strings.
 set(TUMBLE_PAGE_FOLDER ${CMAKE_CURRENT_SOURCE_DIR}/src/view/page)
-foreach(file index.html view.css view.js)
+foreach(file index.html view.css view.js icon.svg)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${TUMBLE_PAGE_FOLDER}/${file})
   file(READ ${TUMBLE_PAGE_FOLDER}/${file} TUMBLE_PAGE_${file})
 endforeach()

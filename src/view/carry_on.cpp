@@ -15,7 +15,9 @@ constexpr double turn = 2 * std::numbers::pi;
 class Next {
 public:
     void at(double time) { time_ = std::min(time_, time); }
-    [[nodiscard]] std::optional<double> time() const { return std::isfinite(time_) ? std::optional(time_) : std::nullopt; }
+    [[nodiscard]] std::optional<double> time() const {
+        return std::isfinite(time_) ? std::optional(time_) : std::nullopt;
+    }
 
 private:
     double time_ = std::numeric_limits<double>::infinity();
@@ -24,8 +26,8 @@ private:
 /// Harmonic or Rocking: both are amplitude * (sin(2 pi f (t - start) + phase) - sin(phase)), which is 0 whenever a
 /// whole number of periods has passed.
 template <class Wave> Wave carried(const Wave& running, const Wave& wanted, double now, double step, Next& next) {
-    const bool same = running.amplitude == wanted.amplitude && running.frequency == wanted.frequency &&
-                      running.phase == wanted.phase;
+    const bool same =
+        running.amplitude == wanted.amplitude && running.frequency == wanted.frequency && running.phase == wanted.phase;
     if (same || now >= running.active.stop)
         return running;
     Wave changed = wanted;

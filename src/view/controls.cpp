@@ -13,7 +13,7 @@ namespace tumble::view {
 namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
-constexpr double steepest_tilt = 60;   // degrees
+constexpr double steepest_tilt = 60;     // degrees
 constexpr double least_amplitude = 5e-3; // m that a wall at rest can be given
 
 struct MotionKey {

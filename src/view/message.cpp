@@ -122,8 +122,12 @@ std::string to_text(const Message& message) {
         std::string operator()(const PointerPressed& m) const {
             return fmt::format("down {} {} {}", m.button, m.x, m.y);
         }
-        std::string operator()(const PointerReleased& m) const { return fmt::format("up {} {} {}", m.button, m.x, m.y); }
-        std::string operator()(const WheelTurned& m) const { return fmt::format("wheel {} {} {}", m.x, m.y, m.notches); }
+        std::string operator()(const PointerReleased& m) const {
+            return fmt::format("up {} {} {}", m.button, m.x, m.y);
+        }
+        std::string operator()(const WheelTurned& m) const {
+            return fmt::format("wheel {} {} {}", m.x, m.y, m.notches);
+        }
         std::string operator()(const Pinched& m) const {
             return fmt::format("pinch {} {} {} {} {}", m.x, m.y, m.dx, m.dy, m.factor);
         }
@@ -131,7 +135,9 @@ std::string to_text(const Message& message) {
             return fmt::format("key {} {:d} {:d} {:d}", m.key, m.down, m.shift, m.ctrl);
         }
         std::string operator()(const TextTyped& m) const { return "text " + m.text; }
-        std::string operator()(const Resized& m) const { return fmt::format("size {} {} {}", m.width, m.height, m.ratio); }
+        std::string operator()(const Resized& m) const {
+            return fmt::format("size {} {} {}", m.width, m.height, m.ratio);
+        }
         std::string operator()(const PanelToggled&) const { return "panel"; }
         std::string operator()(const FrameSeen& m) const { return fmt::format("seen {}", m.number); }
     };

@@ -33,14 +33,14 @@ private:
     [[nodiscard]] double metres_per_pixel() const;
 
     bool flat_ = false;
-    double height_ = 1;       // pixels
-    double tangent_ = 1;      // of half the field of view
-    Eigen::Vector3d target_;  // m
-    double distance_ = 1;     // m, from target to eye
-    double heading_ = 0;      // rad, about y; 0: from +z
-    double elevation_ = 0;    // rad, above the horizon
-    double nearest_ = 0;      // m, the least distance
-    double farthest_ = 1;     // m, the largest
+    double height_ = 1;      // pixels
+    double tangent_ = 1;     // of half the field of view
+    Eigen::Vector3d target_; // m
+    double distance_ = 1;    // m, from target to eye
+    double heading_ = 0;     // rad, about y; 0: from +z
+    double elevation_ = 0;   // rad, above the horizon
+    double nearest_ = 0;     // m, the least distance
+    double farthest_ = 1;    // m, the largest
 };
 
 } // namespace tumble::view

@@ -13,7 +13,7 @@ namespace tumble::view {
 
 namespace {
 
-constexpr double plot_height = 128; // units
+constexpr double plot_height = 128;                  // units
 constexpr double least_speed = 1e-4, most_speed = 2; // s of the scene per s of watching
 
 /// The widget just made, by name: where it can be touched.
@@ -133,7 +133,8 @@ void show_colors(Desk& desk) {
 void show_section(Desk& desk) {
     bool clipped = desk.look.clip.has_value();
     if (ImGui::Checkbox("only bodies between planes", &clipped)) {
-        desk.look.clip = clipped ? std::optional(scene::Box{desk.layout.domain_lo, desk.layout.domain_hi}) : std::nullopt;
+        desk.look.clip =
+            clipped ? std::optional(scene::Box{desk.layout.domain_lo, desk.layout.domain_hi}) : std::nullopt;
         desk.wishes.restyle = true;
     }
     mark(desk, "section");
@@ -155,9 +156,10 @@ void show_section(Desk& desk) {
 
 void show_controls(Desk& desk) {
     if (!desk.source.can_change()) {
-        ImGui::TextWrapped("%s", desk.source.can_seek() ? "A run that is over cannot be changed. Its scene can be viewed."
-                                                        : "What Box2D remembers of its contacts is its own: its "
-                                                          "scenes cannot change while they run.");
+        ImGui::TextWrapped("%s", desk.source.can_seek()
+                                     ? "A run that is over cannot be changed. Its scene can be viewed."
+                                     : "What Box2D remembers of its contacts is its own: its "
+                                       "scenes cannot change while they run.");
         return;
     }
     bool changed = false;
@@ -166,7 +168,8 @@ void show_controls(Desk& desk) {
     for (std::size_t i = 0; i < all.size(); ++i) {
         const Control control = all[i];
         // The key's own table once over its sliders: "pair.media-lining", "wall.trough.motion.0".
-        const std::string table = control.kind == Control::Kind::key ? control.key.substr(0, control.key.rfind('.')) : control.key;
+        const std::string table =
+            control.kind == Control::Kind::key ? control.key.substr(0, control.key.rfind('.')) : control.key;
         if (table != before)
             ImGui::TextDisabled("%s", table.c_str());
         before = table;

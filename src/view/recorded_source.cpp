@@ -170,10 +170,11 @@ Result<std::unique_ptr<Source>> open_recorded(const std::filesystem::path& folde
             times.push_back(frame->time);
         }
     if (times.empty())
-        return Problem{.file = folder.string(), .what = "no frame of this run can be read", .fix = "run the scene again"};
+        return Problem{
+            .file = folder.string(), .what = "no frame of this run can be read", .fix = "run the scene again"};
     recording->frames = std::move(readable);
-    return std::unique_ptr<Source>(std::make_unique<RecordedSource>(
-        folder, std::move(*recording), std::move(times), 1 / settings.slowdown(), std::move(news)));
+    return std::unique_ptr<Source>(std::make_unique<RecordedSource>(folder, std::move(*recording), std::move(times),
+                                                                    1 / settings.slowdown(), std::move(news)));
 }
 
 } // namespace tumble::view

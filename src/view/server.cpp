@@ -62,9 +62,9 @@ struct Shared {
     std::optional<Guard> guard;
     std::set<Watcher*> watching;
     std::atomic<std::size_t> connected{0};
-    std::atomic<std::size_t> seated{0}; // watchers
+    std::atomic<std::size_t> seated{0};  // watchers
     std::atomic<std::uint32_t> taken{0}; // number of the newest frame that went to one
-    mutable std::mutex mutex;           // of the two below
+    mutable std::mutex mutex;            // of the two below
     FramePtr newest;
     std::string link;
 
@@ -204,11 +204,10 @@ private:
         if (failed)
             return;
         const auto& request = parser_->get();
-        const Answer answer = shared_.guard->judge({text_of(request.method_string()), text_of(request.target()),
-                                                    text_of(request[http::field::host]),
-                                                    text_of(request[http::field::origin]),
-                                                    text_of(request[http::field::cookie]),
-                                                    websocket::is_upgrade(request), !request.body().empty()});
+        const Answer answer = shared_.guard->judge(
+            {text_of(request.method_string()), text_of(request.target()), text_of(request[http::field::host]),
+             text_of(request[http::field::origin]), text_of(request[http::field::cookie]),
+             websocket::is_upgrade(request), !request.body().empty()});
         if (answer.status == 101)
             return become_watcher();
         if (answer.status != 200)
@@ -246,7 +245,7 @@ private:
         const int port = static_cast<int>(stream_.socket().local_endpoint().port());
         response.set(http::field::content_type, {type.data(), type.size()});
         response.set("Content-Security-Policy",
-                     fmt::format("default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self' "
+                     fmt::format("default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; connect-src 'self' "
                                  "ws://127.0.0.1:{0} ws://localhost:{0}; base-uri 'none'; form-action 'none'; "
                                  "frame-ancestors 'none'",
                                  port));
@@ -279,7 +278,8 @@ private:
 };
 
 Problem cannot_listen(int port, const error_code& failed) {
-    Problem problem{.what = fmt::format("port {} of 127.0.0.1 cannot be opened: {}", port, failed.message()), .fix = {}};
+    Problem problem{.what = fmt::format("port {} of 127.0.0.1 cannot be opened: {}", port, failed.message()),
+                    .fix = {}};
     problem.fix = failed == asio::error::address_in_use ? "another program has it: leave --port away, or take another"
                                                         : "leave --port away, or take one from 1024 to 65535";
     return problem;

@@ -16,11 +16,11 @@ namespace tumble::view {
 /// What one browser, or somebody who is none, may take of the program.
 struct Limits {
     std::size_t connections = 24;
-    std::size_t watchers = 8;            // connections that frames go to
-    std::size_t header_bytes = 8192;     // of a request
-    std::size_t body_bytes = 1024;       // of a request
-    std::size_t message_bytes = 256;     // of a message
-    double messages_per_s = 500;         // from one watcher; as many may come at once
+    std::size_t watchers = 8;              // connections that frames go to
+    std::size_t header_bytes = 8192;       // of a request
+    std::size_t body_bytes = 1024;         // of a request
+    std::size_t message_bytes = 256;       // of a message
+    double messages_per_s = 500;           // from one watcher; as many may come at once
     std::chrono::seconds request_wait{10}; // for a whole request
 };
 

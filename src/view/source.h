@@ -33,10 +33,10 @@ struct SourceState {
     double speed = 0;   // s of the scene per s of watching that is wanted; 0: as fast as it goes
     double pace = 0;    // the same as it is; 0 while unknown
     double steps_per_s = 0;
-    bool change_waits = false;  // for the end of a wall's period
-    bool filming = false;       // a video is being made
-    std::string trouble;        // why it does not go on, or what was refused; empty while all is well
-    std::string filmed;         // sentence about the last video
+    bool change_waits = false; // for the end of a wall's period
+    bool filming = false;      // a video is being made
+    std::string trouble;       // why it does not go on, or what was refused; empty while all is well
+    std::string filmed;        // sentence about the last video
 };
 
 /// What a view shows: a simulation at work, or a run that is over. None of these calls waits for a step.

@@ -19,13 +19,13 @@ constexpr double panel_letters = 0.8; // of a picture's usual letters
 constexpr int least_width = 320, least_height = 200;
 constexpr int most_width = 2560, most_height = 1600;
 constexpr double zoom_per_notch = 1.15;
-constexpr double key_turn = 20;  // pixels of dragging that an arrow stands for
+constexpr double key_turn = 20;    // pixels of dragging that an arrow stands for
 constexpr int settling_passes = 3; // what Dear ImGui sizes by itself is right in the second frame
 
 /// What the panel says of a source, as far as it can change without a new moment.
 std::string words_of(const SourceState& s) {
-    return fmt::format("{}{}{}{}{}{:.3g}{:.3g}{}{}", s.playing, s.ended, s.change_waits, s.filming, s.time, s.speed, s.pace,
-                       s.trouble, s.filmed);
+    return fmt::format("{}{}{}{}{}{:.3g}{:.3g}{}{}", s.playing, s.ended, s.change_waits, s.filming, s.time, s.speed,
+                       s.pace, s.trouble, s.filmed);
 }
 
 std::string stem_of(const std::filesystem::path& file) {
@@ -221,14 +221,23 @@ void Studio::resize(const Resized& size) {
 bool Studio::is_stale() {
     const SourceState state = source_->state();
     const MomentPtr now = source_->newest();
-    return !painter_ || !panel_ || look_changed_ || hands_.any() || passes_left_ > 0 || (now && now->number != drawn_) ||
-           words_of(state) != told_;
+    return !painter_ || !panel_ || look_changed_ || hands_.any() || passes_left_ > 0 ||
+           (now && now->number != drawn_) || words_of(state) != told_;
 }
 
 void Studio::pass_panel() {
     const auto theme = render::find_theme("dark");
-    Desk desk{*source_, controls_, plots_, look_, *layout_, {painter_->range().lo, painter_->range().hi}, notice_,
-              source_->state(), moment_->frame.time, {}, {}};
+    Desk desk{*source_,
+              controls_,
+              plots_,
+              look_,
+              *layout_,
+              {painter_->range().lo, painter_->range().hi},
+              notice_,
+              source_->state(),
+              moment_->frame.time,
+              {},
+              {}};
     const auto now = std::chrono::steady_clock::now();
     const double passed = std::chrono::duration<double>(now - std::exchange(passed_, now)).count();
     panel_->pass([&] { hands_.feed(passed); },

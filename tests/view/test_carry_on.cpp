@@ -65,7 +65,8 @@ TEST_CASE("a harmonic keeps its motion until its period ends and begins the new 
     CHECK(now.frequency == 30);
     CHECK(now.phase == -1.1);
     CHECK(now.active.start == about(0.26, 1e-12));
-    // Both curves go through zero at the period's end; a step later they are apart by the difference of their speeds at most.
+    // Both curves go through zero at the period's end; a step later they are apart by the difference of their speeds at
+    // most.
     const double speeds = 2 * pi * (2e-3 * 25 + 3e-3 * 30);
     CHECK(jump(running, taken.scene, end) <= speeds * step);
     CHECK(pose_at(taken.scene.walls[0].motion, now.active.start).translation.norm() == 0);

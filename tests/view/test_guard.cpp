@@ -45,9 +45,9 @@ TEST_CASE("the link lets one browser in, for a cookie that no script reads and n
 TEST_CASE("without the token or with a wrong one nothing is told, not even whether a file exists") {
     Guard guard(port);
     const std::string token = guard.link().substr(guard.link().find('=') + 1);
-    for (const std::string& target : {std::string("/"), std::string("/view.js"), std::string("/frames"),
-                                      std::string("/nothing"), "/?token=" + token.substr(1), "/?token=" + token + "0",
-                                      std::string("/?token="), "/view.js?token=" + token})
+    for (const std::string& target :
+         {std::string("/"), std::string("/view.js"), std::string("/frames"), std::string("/nothing"),
+          "/?token=" + token.substr(1), "/?token=" + token + "0", std::string("/?token="), "/view.js?token=" + token})
         CHECK_MESSAGE(guard.judge(get(target)).status == 403, target);
     Asked guess = get("/");
     guess.cookie = "tumble_4711=" + token; // the token is not the cookie
@@ -65,7 +65,8 @@ TEST_CASE("a host that is not ours (DNS rebinding) and an origin that is not our
     CHECK(status(asked) == 200);
     asked.host = "localhost:4711";
     CHECK(status(asked) == 200);
-    for (const char* other : {"evil.example:4711", "127.0.0.1", "127.0.0.1:80", "localhost.evil.example:4711", "[::1]:4711"}) {
+    for (const char* other :
+         {"evil.example:4711", "127.0.0.1", "127.0.0.1:80", "localhost.evil.example:4711", "[::1]:4711"}) {
         asked.host = other;
         CHECK_MESSAGE(status(asked) == 403, other);
     }

@@ -67,10 +67,9 @@ TEST_CASE("the page comes for the link's token with a strict policy, and its fil
     CHECK(head.starts_with("HTTP/1.1 200 "));
     CHECK(client.body().find("<canvas") != std::string::npos);
     CHECK(client.body().find("<script>") == std::string::npos); // nothing inline, as the policy demands
-    for (const char* line :
-         {"Content-Security-Policy: default-src 'none'; script-src 'self'", "frame-ancestors 'none'",
-          "X-Content-Type-Options: nosniff", "Cross-Origin-Resource-Policy: same-origin", "Referrer-Policy: no-referrer",
-          "Cache-Control: no-store", "HttpOnly; SameSite=Strict"})
+    for (const char* line : {"Content-Security-Policy: default-src 'none'; script-src 'self'", "frame-ancestors 'none'",
+                             "X-Content-Type-Options: nosniff", "Cross-Origin-Resource-Policy: same-origin",
+                             "Referrer-Policy: no-referrer", "Cache-Control: no-store", "HttpOnly; SameSite=Strict"})
         CHECK_MESSAGE(head.find(line) != std::string::npos, line);
     CHECK(head.find("Access-Control") == std::string::npos);
     CHECK(served.links == 1);
@@ -121,7 +120,9 @@ TEST_CASE("who does not say that he saw his frames gets two and no more, while a
     const std::string cookie = served.cookie();
     const auto slow = served.watcher(cookie);
     const auto quick = served.watcher(cookie);
-    const auto number_of = [](const Client::Heard& heard) { return static_cast<int>(static_cast<unsigned char>(heard.payload[0])); };
+    const auto number_of = [](const Client::Heard& heard) {
+        return static_cast<int>(static_cast<unsigned char>(heard.payload[0]));
+    };
     for (int k = 1; k <= 50; ++k) {
         served.server->show({0xff}, "");
         const auto heard = quick->hear();

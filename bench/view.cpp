@@ -103,8 +103,9 @@ int main(int count, char** words) {
     bench.run_until(from);
     const std::vector<double> took = drags(bench, moves);
     const double rate = frames_per_s(bench, seconds);
-    fmt::print("{{\"scene\": \"{}\", \"bodies\": {}, \"drag_ms\": {}, \"frames_per_s\": {:.3g}, \"steps_per_s\": {:.4g}, "
-               "\"frame_kB\": {:.3g}}}\n",
-               scene, bench.source->newest()->frame.bodies(), three(took, 1e3), rate, bench.source->state().steps_per_s,
-               1e-3 * static_cast<double>(bench.bytes));
+    fmt::print(
+        "{{\"scene\": \"{}\", \"bodies\": {}, \"drag_ms\": {}, \"frames_per_s\": {:.3g}, \"steps_per_s\": {:.4g}, "
+        "\"frame_kB\": {:.3g}}}\n",
+        scene, bench.source->newest()->frame.bodies(), three(took, 1e3), rate, bench.source->state().steps_per_s,
+        1e-3 * static_cast<double>(bench.bytes));
 }

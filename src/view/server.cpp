@@ -244,11 +244,12 @@ private:
         auto& response = response_.emplace(static_cast<http::status>(status), 11);
         const int port = static_cast<int>(stream_.socket().local_endpoint().port());
         response.set(http::field::content_type, {type.data(), type.size()});
-        response.set("Content-Security-Policy",
-                     fmt::format("default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; connect-src 'self' "
-                                 "ws://127.0.0.1:{0} ws://localhost:{0}; base-uri 'none'; form-action 'none'; "
-                                 "frame-ancestors 'none'",
-                                 port));
+        response.set(
+            "Content-Security-Policy",
+            fmt::format("default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; connect-src 'self' "
+                        "ws://127.0.0.1:{0} ws://localhost:{0}; base-uri 'none'; form-action 'none'; "
+                        "frame-ancestors 'none'",
+                        port));
         response.set("X-Content-Type-Options", "nosniff");
         response.set("X-Frame-Options", "DENY");
         response.set("Cross-Origin-Opener-Policy", "same-origin");

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <span>
 #include <utility>
@@ -22,7 +23,8 @@ namespace tumble::render {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-constexpr int samples_per_pixel = 4;
+constexpr int fine_samples = 4;   // a pixel
+constexpr int sketch_samples = 0; // one, as OpenGL says it: Mesa makes four of 1
 // Below this many spheres looking for hidden ones costs more than drawing them.
 constexpr std::size_t worth_culling = 2000;
 constexpr int culling_rounds = 5;
@@ -39,7 +41,6 @@ struct Drawers {
     DiscDrawer discs;
     WallDrawer walls;
     CreviceShade crevices;
-    std::optional<Overlay> overlay; // its letters depend on the arrangement
 };
 
 /// What a picture shows of a frame: settled by words that may be wrong.
@@ -57,9 +58,12 @@ struct Painter::Inside {
     std::shared_ptr<const observe::FrameLayout> layout;
     Style style;
     std::vector<std::vector<int>> showing;
-    std::vector<double> reach;  // per shape, m: radius about the centre of mass that holds it
-    std::vector<double> spokes; // per shape, m, in two dimensions
-    std::optional<Drawers> drawers;
+    std::vector<double> reach;     // per shape, m: radius about the centre of mass that holds it
+    std::vector<double> spokes;    // per shape, m, in two dimensions
+    std::map<int, Drawers> opened; // by samples a pixel
+    Drawers* drawers = nullptr;    // those at work
+    bool sketching = false;
+    std::optional<Overlay> overlay; // its letters depend on the arrangement
 
     AlignedBox3d fitted;
     bool arranged = false;
@@ -76,13 +80,16 @@ struct Painter::Inside {
     Inside& operator=(const Inside&) = delete;
     ~Inside() {
         const GlContext::Current current(context);
-        drawers.reset();
+        overlay.reset();
+        opened.clear();
     }
 
     /// What must be in the picture.
     [[nodiscard]] AlignedBox3d box() const {
         return settings.view ? AlignedBox3d(settings.view->lo, settings.view->hi) : fitted;
     }
+    /// Opens them where there are none yet of so many samples; false with problems.
+    bool take_drawers(int samples, Problems& problems);
     void arrange();
     void enclose(const observe::Frame& frame);
     std::vector<std::uint32_t> colors_of(const observe::Frame& frame, Legend& legend);
@@ -123,8 +130,8 @@ static Result<Style> find_style(const scene::Render& settings, int dimension) {
 }
 
 static std::optional<Drawers> open_drawers(const scene::Render& settings, const observe::FrameLayout& layout,
-                                           const Theme& theme, Problems& problems) {
-    auto canvas = make_canvas(settings.width, settings.height, samples_per_pixel);
+                                           const Theme& theme, int samples, Problems& problems) {
+    auto canvas = make_canvas(settings.width, settings.height, samples);
     if (!canvas) {
         problems = canvas.problems();
         return std::nullopt;
@@ -136,15 +143,10 @@ static std::optional<Drawers> open_drawers(const scene::Render& settings, const 
     for (const Problems& found : {spheres.problems(), discs.problems(), walls.problems(), crevices.problems()}) {
         problems.insert(problems.end(), found.begin(), found.end());
     }
-    // Opened again once the arrangement is known; here it shows whether it can be.
-    const auto overlay = Overlay::open(Layout{}, theme);
-    const Problems found = overlay.problems();
-    problems.insert(problems.end(), found.begin(), found.end());
     if (!problems.empty()) {
         return std::nullopt;
     }
-    return Drawers{std::move(*canvas), std::move(*spheres),  std::move(*discs),
-                   std::move(*walls),  std::move(*crevices), std::nullopt};
+    return Drawers{std::move(*canvas), std::move(*spheres), std::move(*discs), std::move(*walls), std::move(*crevices)};
 }
 
 Result<Painter> Painter::open(const scene::Render& settings, std::shared_ptr<const observe::FrameLayout> layout,
@@ -160,8 +162,10 @@ Result<Painter> Painter::open(const scene::Render& settings, std::shared_ptr<con
     }
     auto inside = std::make_unique<Inside>(*context, settings, options, std::move(layout), std::move(*style));
     const GlContext::Current current(inside->context);
-    inside->drawers = open_drawers(settings, *inside->layout, inside->style.theme, problems);
-    if (!inside->drawers) {
+    // Opened again once the arrangement is known; here it shows whether it can be.
+    const auto overlay = Overlay::open(Layout{}, inside->style.theme);
+    problems = overlay.problems();
+    if (!problems.empty() || !inside->take_drawers(fine_samples, problems)) {
         return problems;
     }
     inside->showing = showing_spheres(*inside->layout);
@@ -173,6 +177,29 @@ Result<Painter> Painter::open(const scene::Render& settings, std::shared_ptr<con
         inside->spokes.push_back(inside->layout->dimension == 2 ? spoke_length(shape) : 0);
     }
     return Painter(std::move(inside));
+}
+
+bool Painter::Inside::take_drawers(int samples, Problems& problems) {
+    auto found = opened.find(samples);
+    if (found == opened.end()) {
+        auto made = open_drawers(settings, *layout, style.theme, samples, problems);
+        if (!made) {
+            return false;
+        }
+        found = opened.emplace(samples, std::move(*made)).first;
+    }
+    drawers = &found->second;
+    return true;
+}
+
+Result<Done> Painter::set_sketching(bool on) {
+    const GlContext::Current current(inside_->context);
+    Problems problems;
+    if (!inside_->take_drawers(on ? sketch_samples : fine_samples, problems)) {
+        return problems;
+    }
+    inside_->sketching = on;
+    return Done{};
 }
 
 Painter::Painter(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}
@@ -223,10 +250,10 @@ void Painter::Inside::arrange() {
         arrangement.window = arrangement.scene;
     }
     camera = look(arrangement.scene);
-    drawers->overlay.reset();
+    overlay.reset();
     if (arrangement.lettered) {
-        if (auto overlay = Overlay::open(arrangement, style.theme)) {
-            drawers->overlay = std::move(*overlay);
+        if (auto letters = Overlay::open(arrangement, style.theme)) {
+            overlay = std::move(*letters);
         }
     }
     arranged = true;
@@ -293,7 +320,7 @@ void Painter::Inside::draw_discs(const observe::Frame& frame, const std::vector<
 }
 
 void Painter::Inside::shade_crevices() {
-    if (!options.lighting || reach.empty() || layout->dimension == 2) {
+    if (!options.lighting || sketching || reach.empty() || layout->dimension == 2) {
         return;
     }
     resolve(GL_DEPTH_BUFFER_BIT);
@@ -362,7 +389,7 @@ void Painter::Inside::write(const observe::Frame& frame, const PlotLine& plot, c
         const Vector3d axis = camera.axes.col(i);
         content.axes[static_cast<std::size_t>(i)] = {axis.x(), -axis.y()};
     }
-    legend_bar = drawers->overlay->draw(content, arrangement, settings.width, settings.height);
+    legend_bar = overlay->draw(content, arrangement, settings.width, settings.height);
 }
 
 /// What a frame changes for those after it: the depth that the camera sees, the range of the colours.
@@ -411,7 +438,7 @@ Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
     in.drawers->walls.draw_translucent(frame, in.camera, canvas, line);
     glDisable(GL_SCISSOR_TEST);
     in.resolve(GL_COLOR_BUFFER_BIT);
-    if (in.drawers->overlay) {
+    if (in.overlay) {
         glBindFramebuffer(GL_FRAMEBUFFER, canvas.resolved.name());
         in.write(frame, plot, legend);
     }

@@ -18,6 +18,7 @@ constexpr double panel_share = 300;   // pixels of the page
 constexpr double panel_letters = 0.8; // of a picture's usual letters
 constexpr int least_width = 320, least_height = 200;
 constexpr int most_width = 2560, most_height = 1600;
+constexpr std::chrono::milliseconds rest{250}; // without anything new
 constexpr double zoom_per_notch = 1.15;
 constexpr double key_turn = 20;    // pixels of dragging that an arrow stands for
 constexpr int settling_passes = 3; // what Dear ImGui sizes by itself is right in the second frame
@@ -221,7 +222,7 @@ void Studio::resize(const Resized& size) {
 bool Studio::is_stale() {
     const SourceState state = source_->state();
     const MomentPtr now = source_->newest();
-    return !painter_ || !panel_ || look_changed_ || hands_.any() || passes_left_ > 0 ||
+    return !painter_ || !panel_ || look_changed_ || (sketched_ && is_at_rest()) || hands_.any() || passes_left_ > 0 ||
            (now && now->number != drawn_) || words_of(state) != told_;
 }
 
@@ -268,6 +269,28 @@ void Studio::grant(const Wishes& wishes) {
     }
 }
 
+bool Studio::is_at_rest() const {
+    return !source_->state().playing && std::chrono::steady_clock::now() - moved_ > rest;
+}
+
+/// What moves is sketched; what rests is drawn once more with smooth edges.
+void Studio::draw_scene() {
+    const auto now = std::chrono::steady_clock::now();
+    const bool is_new = look_changed_ || moment_->number != drawn_;
+    sketched_ = is_new && drawn_ != 0;
+    if (is_new)
+        moved_ = now;
+    if (orbit_)
+        orbit().write(look_);
+    for (const Result<Done>& done : {painter_->restyle(look_), painter_->set_sketching(sketched_)})
+        if (!done)
+            notice_ = to_string(done.problems().front());
+    plots_.take(*moment_);
+    scene_picture_ = painter_->draw(moment_->frame);
+    drawn_ = moment_->number;
+    look_changed_ = false;
+}
+
 Result<Shown> Studio::draw() {
     if (!panel_)
         if (Result<Done> opened = open_panel(); !opened)
@@ -283,17 +306,11 @@ Result<Shown> Studio::draw() {
         pass_panel(); // at least once, and until all that hands did has been told and has settled
         passes_left_ = std::max(passes_left_ - 1, 0);
     } while (hands_.any() || passes_left_ > 0);
-    if (look_changed_ || moment_->number != drawn_) {
-        if (orbit_)
-            orbit().write(look_);
-        if (const Result<Done> restyled = painter_->restyle(look_); !restyled)
-            notice_ = to_string(restyled.problems().front());
-        plots_.take(*moment_);
-        scene_picture_ = painter_->draw(moment_->frame);
-        drawn_ = moment_->number;
-        look_changed_ = false;
+    const bool is_new = look_changed_ || moment_->number != drawn_;
+    if (is_new || (sketched_ && is_at_rest()))
+        draw_scene();
+    if (is_new)
         pass_panel(); // with the range and the points of this picture
-    }
     Shown shown{panel_shown_ ? beside_panel(panel_->paint()) : scene_picture_, describe()};
     return shown;
 }
@@ -325,8 +342,9 @@ std::filesystem::path Studio::free_name(const std::string& extension) {
 
 /// The scene's picture alone, without the panel.
 void Studio::keep_picture() {
+    (void)painter_->set_sketching(false); // then the rough edges stay
     const std::filesystem::path file = free_name(".png");
-    const auto added = png_.add(file, scene_picture_);
+    const auto added = png_.add(file, painter_->draw(moment_->frame));
     notice_ = added ? file.string() : to_string(added.problems().front());
 }
 
@@ -345,6 +363,15 @@ void Studio::save_scene() {
     notice_ = written ? file.string() : to_string(written.problems().front());
 }
 
+static std::array<double, 3> mean_velocity(const observe::Frame& frame) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& velocity : frame.velocity)
+        sum += velocity;
+    if (frame.bodies() > 0)
+        sum /= static_cast<double>(frame.bodies());
+    return {sum.x(), sum.y(), sum.z()};
+}
+
 std::string Studio::describe() const {
     const SourceState state = source_->state();
     nlohmann::json values = nlohmann::json::object();
@@ -354,6 +381,8 @@ std::string Studio::describe() const {
     const nlohmann::json json{{"title", title_},
                               {"time", moment_->frame.time},
                               {"step", moment_->frame.step},
+                              {"bodies", moment_->frame.bodies()},
+                              {"mean_velocity", mean_velocity(moment_->frame)},
                               {"last", state.last},
                               {"playing", state.playing},
                               {"ended", state.ended},

@@ -64,6 +64,8 @@ private:
     Result<Done> open_painter();
     Result<Done> open_panel();
     void pass_panel();
+    void draw_scene();
+    [[nodiscard]] bool is_at_rest() const;
     void grant(const Wishes& wishes);
     void keep_picture();
     void save_scene();
@@ -99,6 +101,8 @@ private:
     render::Picture scene_picture_;
     std::uint64_t drawn_ = 0; // number of the moment in it
     bool look_changed_ = true;
+    bool sketched_ = false;                                                          // the picture has rough edges
+    std::chrono::steady_clock::time_point moved_ = std::chrono::steady_clock::now(); // when it last had to be new
     int passes_left_ = 0; // of the panel until it has settled
     render::PngWriter png_;
     int kept_ = 0; // number of the last file

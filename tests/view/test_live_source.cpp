@@ -93,8 +93,8 @@ TEST_CASE(
 
 TEST_CASE("gravity that is turned about pulls the other way from that step on") {
     // A ball in free fall, 100 steps of 1e-5 s down and 100 up. The solver's velocity stands half a step before its
-    // positions (leapfrog), and to either end of a step half a pull is added: -(99.5 + 0.5) and then -99.5 + 100 + 0.5 of
-    // g dt.
+    // positions (leapfrog), and to either end of a step half a pull is added: -(99.5 + 0.5) and then -99.5 + 100 + 0.5
+    // of g dt.
     Live live(test::falling_ball);
     live.source->step(100);
     REQUIRE(live.reaches(100));

@@ -51,8 +51,8 @@ public:
     /// open() about camera and colours; nothing has changed then.
     Result<Done> restyle(const scene::Render& settings);
 
-    /// One sample a pixel in place of four from the next picture on: the same picture with rough edges, in a fraction
-    /// of the time. Problems: the graphics library has no more memory.
+    /// From the next picture on one sample a pixel in place of four, and no shade in crevices: the same picture with
+    /// rough edges, in a fifth of the time. Problems: the graphics library has no more memory.
     Result<Done> set_sketching(bool on);
 
     /// How the last picture was made: its camera, arrangement, colour bar (pixels) and the colours' range (SI unit).

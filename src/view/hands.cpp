@@ -39,6 +39,10 @@ void tell_key(ImGuiIO& io, const KeyChanged& change) {
     }
 }
 
+bool changes_button(const Message& message) {
+    return std::holds_alternative<PointerPressed>(message) || std::holds_alternative<PointerReleased>(message);
+}
+
 /// Whether the frame is full with it.
 struct Tell {
     ImGuiIO& io;
@@ -79,8 +83,9 @@ struct Tell {
 void Hands::feed(double seconds) {
     ImGuiIO& io = ImGui::GetIO();
     io.DeltaTime = static_cast<float>(seconds > 0 ? seconds : 1e-3);
+    // A press or release comes first in its frame: a slider would not follow a move that comes with its release.
     bool full = false;
-    while (!waiting_.empty() && !full) {
+    for (bool first = true; !waiting_.empty() && !full && (first || !changes_button(waiting_.front())); first = false) {
         full = std::visit(Tell{io}, waiting_.front());
         waiting_.pop_front();
     }

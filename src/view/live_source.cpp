@@ -75,6 +75,7 @@ public:
         SourceState state = state_;
         state.playing = orders_.play;
         state.speed = orders_.speed;
+        state.filming = (state.filming || orders_.film) && !orders_.film_ends;
         return state;
     }
     void play(bool on) override {
@@ -93,7 +94,10 @@ public:
         order([&] { orders_.changes = std::move(changes); });
     }
     void film(const scene::Render& settings, const std::filesystem::path& file) override {
-        order([&] { orders_.film = {settings, file}; });
+        order([&] {
+            orders_.film = {settings, file};
+            orders_.film_ends = false; // whatever is filmed now ends with this
+        });
     }
     void film_no_more() override {
         order([&] { orders_.film_ends = true; });
@@ -174,7 +178,8 @@ private:
             halt(to_string(*problem));
         if (next_change_ && simulation_->time() >= *next_change_ - 0.25 * running_.step())
             adopt();
-        shoot();
+        if (film_ && film_->schedule.due(simulation_->steps()))
+            shoot();
     }
 
     /// Steps until the clock is looked at again; with a speed that is wanted no more than that takes.
@@ -299,13 +304,10 @@ private:
         sinks.push_back(std::move(*sink));
         film_ = Film{std::make_unique<run::FrameQueue>(std::move(sinks)),
                      run::Schedule(settings.every, running_.step()), file};
-        film_->schedule.pass(simulation_->steps() - 1);
-        shoot();
+        shoot(); // what is seen as it begins
     }
 
     void shoot() {
-        if (!film_ || !film_->schedule.due(simulation_->steps()))
-            return;
         film_->schedule.pass(simulation_->steps());
         observe::Frame frame = simulation_->frame();
         frame.layout = layout_;

@@ -27,8 +27,7 @@ function tellSize() {
 async function show(message) {
   const head = new DataView(message);
   const number = head.getUint32(0, true), length = head.getUint32(4, true);
-  window.tumble = JSON.parse(new TextDecoder().decode(new Uint8Array(message, 8, length)));
-  window.tumble.frame = number;
+  const told = JSON.parse(new TextDecoder().decode(new Uint8Array(message, 8, length)));
   const picture = await createImageBitmap(new Blob([new Uint8Array(message, 8 + length)], { type: 'image/jpeg' }));
   if (canvas.width !== picture.width || canvas.height !== picture.height) {
     canvas.width = picture.width;
@@ -36,9 +35,10 @@ async function show(message) {
   }
   paper.drawImage(picture, 0, 0);
   picture.close();
-  window.tumble.shown = number;
-  document.title = window.tumble.title + ' - tumble';
-  notice.textContent = window.tumble.trouble || '';
+  told.shown = number;
+  window.tumble = told; // for tests and other tools
+  document.title = told.title + ' - tumble';
+  notice.textContent = told.trouble;
 }
 
 function connect() {

@@ -39,19 +39,28 @@ Result<PanelCanvas> PanelCanvas::open(int width, int height, double unit) {
         return context.problems();
     }
     auto inside = std::make_unique<Inside>(*context, unit);
-    const GlContext::Current current(inside->context);
-    auto canvas = make_canvas(width, height, 1);
-    if (!canvas) {
-        return canvas.problems();
+    PanelCanvas panel(std::move(inside));
+    if (auto sized = panel.resize(width, height); !sized) {
+        return sized.problems();
     }
-    inside->canvas = std::move(*canvas);
-    const ImGuiSession::Current session(inside->session);
+    const GlContext::Current current(panel.inside_->context);
+    const ImGuiSession::Current session(panel.inside_->session);
     auto drawer = PanelDrawer::open(*ImGui::GetIO().Fonts);
     if (!drawer) {
         return drawer.problems();
     }
-    inside->drawer = std::move(*drawer);
-    return PanelCanvas(std::move(inside));
+    panel.inside_->drawer = std::move(*drawer);
+    return panel;
+}
+
+Result<Done> PanelCanvas::resize(int width, int height) {
+    const GlContext::Current current(inside_->context);
+    auto canvas = make_canvas(width, height, 1);
+    if (!canvas) {
+        return canvas.problems();
+    }
+    inside_->canvas = std::move(*canvas);
+    return Done{};
 }
 
 void PanelCanvas::pass(const Step& feed, const Step& build) {

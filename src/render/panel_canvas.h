@@ -18,6 +18,9 @@ public:
     PanelCanvas& operator=(PanelCanvas&&) noexcept;
     ~PanelCanvas();
 
+    /// Another size, pixels, with the widgets as they are. Problems: one that cannot be drawn; the size is as before then.
+    Result<Done> resize(int width, int height);
+
     using Step = std::function<void()>;
 
     /// One frame of Dear ImGui: `feed` tells its IO what hands did, `build` makes the widgets. Nothing is painted.

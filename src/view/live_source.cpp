@@ -132,6 +132,7 @@ private:
                 std::unique_lock lock(mutex_);
                 changed_.wait(lock, [&] { return orders_.any(); });
                 now = orders_;
+                state_.filming = state_.filming || orders_.film; // opening it takes a while
                 orders_.changes.reset();
                 orders_.film.reset();
                 orders_.film_ends = false;

@@ -58,11 +58,14 @@ Result<std::unique_ptr<Studio>> Studio::open(std::unique_ptr<Source> source, con
 Result<Done> Studio::open_panel() {
     const int wanted = static_cast<int>(std::lround(panel_share * ratio_));
     panel_width_ = width_ - wanted < least_width ? width_ : wanted;
-    auto panel = render::PanelCanvas::open(panel_width_, height_, panel_letters * ratio_);
+    passes_left_ = settling_passes;
+    const double unit = panel_letters * ratio_;
+    if (panel_ && panel_->unit() == unit)
+        return panel_->resize(panel_width_, height_);
+    auto panel = render::PanelCanvas::open(panel_width_, height_, unit);
     if (!panel)
         return panel.problems();
     panel_ = std::move(*panel);
-    passes_left_ = settling_passes;
     return Done{};
 }
 
@@ -139,8 +142,7 @@ void Studio::take(const Message& message) {
         resize(*size);
     } else if (std::holds_alternative<PanelToggled>(message)) {
         panel_shown_ = !panel_shown_;
-        passes_left_ = settling_passes;
-        (void)open_painter();
+        resized_ = true;
     }
 }
 
@@ -215,14 +217,13 @@ void Studio::resize(const Resized& size) {
     width_ = width;
     height_ = height;
     ratio_ = std::clamp(size.ratio, 0.5, 4.0);
-    panel_.reset();
-    painter_.reset();
+    resized_ = true;
 }
 
 bool Studio::is_stale() {
     const SourceState state = source_->state();
     const MomentPtr now = source_->newest();
-    return !painter_ || !panel_ || look_changed_ || (sketched_ && is_at_rest()) || hands_.any() || passes_left_ > 0 ||
+    return resized_ || look_changed_ || (sketched_ && is_at_rest()) || hands_.any() || passes_left_ > 0 ||
            (now && now->number != drawn_) || words_of(state) != told_;
 }
 
@@ -292,12 +293,10 @@ void Studio::draw_scene() {
 }
 
 Result<Shown> Studio::draw() {
-    if (!panel_)
-        if (Result<Done> opened = open_panel(); !opened)
-            return opened.problems();
-    if (!painter_)
-        if (Result<Done> opened = open_painter(); !opened)
-            return opened.problems();
+    if (std::exchange(resized_, false))
+        for (const Result<Done>& opened : {open_panel(), open_painter()})
+            if (!opened)
+                return opened.problems();
     told_ = words_of(source_->state());
     moment_ = source_->newest();
     if (!moment_)

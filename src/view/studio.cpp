@@ -385,6 +385,7 @@ std::string Studio::describe() const {
                               {"last", state.last},
                               {"playing", state.playing},
                               {"ended", state.ended},
+                              {"sketched", sketched_},
                               {"trouble", state.trouble},
                               {"notice", notice_},
                               {"filmed", state.filmed},

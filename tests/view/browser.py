@@ -125,9 +125,7 @@ class Page:
 
     def wait_for_rest(self):
         """What moved is drawn once more with smooth edges; then no frame comes any more."""
-        seen = None
-        while seen != (seen := self.state()["shown"]):
-            time.sleep(0.6)
+        self.wait("smooth edges", lambda: not self.state()["sketched"])
 
     def middle(self, name):
         places = self.state()["places"]

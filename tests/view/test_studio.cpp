@@ -50,7 +50,7 @@ struct Opened {
     }
     /// What moved is drawn with smooth edges once it rests.
     void settle() {
-        REQUIRE(eventually([&] { return !studio->is_stale(); }));
+        REQUIRE(eventually([&] { return state["sketched"] == false; }));
     }
     std::array<double, 2> middle_of(const std::string& name) const {
         REQUIRE_MESSAGE(state["places"].contains(name), name);
@@ -157,7 +157,7 @@ TEST_CASE("a slider that is dragged changes the scene, and the changed scene is 
     opened.click("tab Change");
     const std::string key = "pair.glass-glass.friction";
     const auto [x, y] = opened.middle_of(key);
-    opened.drag(x, y, x + 140, y); // to its right end, in one go
+    opened.drag(x, y, x + 160, y); // beyond its right end, in one go
     const double value = opened.state["values"][key];
     CHECK(value == 1.5);
     opened.click("save scene");

@@ -12,6 +12,7 @@
 #include "view/viewer.h"
 
 #include <cstdlib>
+#include <cstring>
 #include <fmt/format.h>
 #include <memory>
 #include <optional>
@@ -97,6 +98,9 @@ int view_it(ViewArguments& arguments) {
     if (!arguments.quiet)
         note("the newest of these links opens the view in a browser on this machine, once; Ctrl-C ends it");
     const auto browser = arguments.no_open ? nullptr : open_browser((*viewer)->server().link());
+    if (browser && browser->error() != 0)
+        note(fmt::format("no browser opens by itself here (xdg-open: {}): open the link yourself",
+                         std::strerror(browser->error())));
     const Result<Done> done = (*viewer)->run(&watch_for_stop());
     return done ? static_cast<int>(fine) : refuse(done.problems(), arguments.json, failed);
 }

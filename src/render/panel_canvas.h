@@ -18,7 +18,8 @@ public:
     PanelCanvas& operator=(PanelCanvas&&) noexcept;
     ~PanelCanvas();
 
-    /// Another size, pixels, with the widgets as they are. Problems: one that cannot be drawn; the size is as before then.
+    /// Another size, pixels, with the widgets as they are. Problems: one that cannot be drawn; the size is as before
+    /// then.
     Result<Done> resize(int width, int height);
 
     using Step = std::function<void()>;

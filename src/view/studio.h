@@ -89,7 +89,7 @@ private:
     std::optional<render::Painter> painter_;
     std::optional<render::PanelCanvas> panel_;
     bool panel_shown_ = true;
-    int panel_width_ = 0; // pixels
+    int panel_width_ = 0;  // pixels
     bool resized_ = false; // and not yet drawn so
     Hands hands_;
     std::optional<Orbit> orbit_;

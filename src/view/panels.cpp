@@ -149,7 +149,7 @@ void show_section(Desk& desk) {
                             fmt::format("{} from %.3g m", letter).c_str());
         moved |= slider(desk, fmt::format("section {} to", letter), high, lo, hi,
                         fmt::format("{} to %.3g m", letter).c_str());
-        high = std::max(high, low);
+        high = std::max(high, low + 1e-3 * (hi - lo)); // a section of no thickness holds nothing
         desk.wishes.restyle |= moved;
     }
 }

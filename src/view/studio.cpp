@@ -263,7 +263,7 @@ void Studio::grant(const Wishes& wishes) {
         source_->film_no_more();
     if (wishes.film) {
         scene::Render settings = look_;
-        settings.plot = settings_.plot;
+        settings.plot = settings_.plot && source_->can_seek(); // a film of what goes on knows no series
         if (!settings.range)
             settings.range = {painter_->range().lo, painter_->range().hi};
         source_->film(settings, free_name(".mp4"));

@@ -274,11 +274,11 @@ bool Studio::is_at_rest() const {
     return !source_->state().playing && std::chrono::steady_clock::now() - moved_ > rest;
 }
 
-/// What moves is sketched; what rests is drawn once more with smooth edges.
+/// What moves is sketched; what rests is drawn once more with smooth edges. Discs are quick enough as they are.
 void Studio::draw_scene() {
     const auto now = std::chrono::steady_clock::now();
     const bool is_new = look_changed_ || moment_->number != drawn_;
-    sketched_ = is_new && drawn_ != 0;
+    sketched_ = is_new && drawn_ != 0 && layout_->dimension == 3;
     if (is_new)
         moved_ = now;
     if (orbit_)

@@ -171,6 +171,29 @@ TEST_CASE("a slider that is dragged changes the scene, and the changed scene is 
     CHECK(opened.state["values"][key] == 0.4);
 }
 
+TEST_CASE("colours, their range and a section are chosen in the panel and change the picture") {
+    Opened opened(test::pouring);
+    opened.click("tab Look");
+    CHECK(!opened.state["places"].contains("range"));
+    opened.click("fixed range");
+    CHECK(opened.state["places"].contains("range"));
+    const auto changes = [&](const std::string& name) {
+        opened.settle();
+        const render::Picture before = opened.picture;
+        opened.click(name);
+        opened.settle();
+        return differences(before, opened.picture, panel, 1000);
+    };
+    opened.click("color");
+    CHECK(changes("color vy") > 1000); // they fall at 1 m/s: dark blue where zero is grey
+    CHECK(changes("section") == 0);    // from end to end of the domain
+    const auto [x, y] = opened.middle_of("section y to");
+    const render::Picture whole = opened.picture;
+    opened.drag(x, y, x - 200, y);
+    opened.settle();
+    CHECK(differences(whole, opened.picture, panel, 1000) > 1000); // no body is left
+}
+
 TEST_CASE("a window that is hidden or tiny keeps the view alive, a larger one gets a larger picture") {
     Opened opened(test::pouring);
     opened.studio->take(Resized{0, 0, 1});

@@ -18,6 +18,7 @@ set(TUMBLE_EXTERNAL_fit Eigen3::Eigen)
 set(TUMBLE_EXTERNAL_lesson Eigen3::Eigen nlohmann_json::nlohmann_json)
 set(TUMBLE_EXTERNAL_lab Eigen3::Eigen)
 set(TUMBLE_EXTERNAL_reduce Eigen3::Eigen nlohmann_json::nlohmann_json)
+set(TUMBLE_EXTERNAL_view Eigen3::Eigen nlohmann_json::nlohmann_json Boost::headers PkgConfig::turbojpeg imgui)
 set(TUMBLE_EXTERNAL_cli CLI11::CLI11 nlohmann_json::nlohmann_json)
 
 # One static library a folder, linked as src/layers.txt says; src/cli becomes the program.

@@ -29,10 +29,10 @@ using Faults = std::vector<std::string>;
 
 constexpr std::size_t longest_file = 500; // lines
 
-/// Headers that only one folder may see, so that the library behind them can be exchanged there.
-const std::vector<std::pair<std::string, std::string>> private_libraries{{"toml++", "scene"}, {"GL/", "render"},
-                                                                         {"imgui", "render"}, {"stb/", "render"},
-                                                                         {"CLI/", "cli"},     {"box2d/", "hard2d"}};
+/// Headers that only these folders may see, so that the library behind them can be exchanged there.
+const std::multimap<std::string, std::string> private_libraries{
+    {"toml++", "scene"}, {"GL/", "render"},    {"imgui", "render"}, {"imgui", "view"},    {"stb/", "render"},
+    {"CLI/", "cli"},     {"box2d/", "hard2d"}, {"boost/", "view"},  {"turbojpeg", "view"}};
 
 Layers read_layers(const std::string& list, Faults& faults) {
     Layers layers;
@@ -67,9 +67,15 @@ std::string folder_of(const std::string& path) {
 std::optional<std::string> fault_of_include(const Layers& layers, const Tree& tree, const std::string& from,
                                             const std::string& included, bool quoted) {
     const std::string to = folder_of(included);
+    std::string owners;
+    bool owned = false;
     for (const auto& [prefix, owner] : private_libraries)
-        if (!quoted && included.starts_with(prefix) && from != owner)
-            return fmt::format("{} may not include <{}>, only {} may", from, included, owner);
+        if (!quoted && included.starts_with(prefix)) {
+            owners += (owners.empty() ? "" : " and ") + owner;
+            owned = owned || from == owner;
+        }
+    if (!owners.empty() && !owned)
+        return fmt::format("{} may not include <{}>, only {} may", from, included, owners);
     if (!quoted)
         return layers.contains(to) && tree.contains(included) ? std::optional(fmt::format("write \"{}\"", included))
                                                               : std::nullopt;

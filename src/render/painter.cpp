@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <span>
 #include <utility>
@@ -22,7 +23,8 @@ namespace tumble::render {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-constexpr int samples_per_pixel = 4;
+constexpr int fine_samples = 4;   // a pixel
+constexpr int sketch_samples = 0; // one, as OpenGL says it: Mesa makes four of 1
 // Below this many spheres looking for hidden ones costs more than drawing them.
 constexpr std::size_t worth_culling = 2000;
 constexpr int culling_rounds = 5;
@@ -39,7 +41,14 @@ struct Drawers {
     DiscDrawer discs;
     WallDrawer walls;
     CreviceShade crevices;
-    std::optional<Overlay> overlay; // its letters depend on the arrangement
+};
+
+/// What a picture shows of a frame: settled by words that may be wrong.
+struct Style {
+    Theme theme;
+    Quantity quantity;
+    ColorMap map;
+    ColorRange range;
 };
 
 struct Painter::Inside {
@@ -47,14 +56,14 @@ struct Painter::Inside {
     scene::Render settings;
     PainterOptions options;
     std::shared_ptr<const observe::FrameLayout> layout;
-    Theme theme;
-    Quantity quantity;
-    ColorMap map;
-    ColorRange range;
+    Style style;
     std::vector<std::vector<int>> showing;
-    std::vector<double> reach;  // per shape, m: radius about the centre of mass that holds it
-    std::vector<double> spokes; // per shape, m, in two dimensions
-    std::optional<Drawers> drawers;
+    std::vector<double> reach;     // per shape, m: radius about the centre of mass that holds it
+    std::vector<double> spokes;    // per shape, m, in two dimensions
+    std::map<int, Drawers> opened; // by samples a pixel
+    Drawers* drawers = nullptr;    // those at work
+    bool sketching = false;
+    std::optional<Overlay> overlay; // its letters depend on the arrangement
 
     AlignedBox3d fitted;
     bool arranged = false;
@@ -64,18 +73,23 @@ struct Painter::Inside {
     Span span;
 
     Inside(GlContext made, const scene::Render& wanted, const PainterOptions& chosen,
-           std::shared_ptr<const observe::FrameLayout> scenery, Theme colors, Quantity shown, ColorMap scale)
+           std::shared_ptr<const observe::FrameLayout> scenery, Style shown)
         : context(std::move(made)), settings(wanted), options(chosen), layout(std::move(scenery)),
-          theme(std::move(colors)), quantity(std::move(shown)), map(std::move(scale)),
-          range(settings.range ? std::optional<Span>({(*settings.range)[0], (*settings.range)[1]}) : std::nullopt,
-                quantity.has_sign) {}
+          style(std::move(shown)) {}
     Inside(const Inside&) = delete;
     Inside& operator=(const Inside&) = delete;
     ~Inside() {
         const GlContext::Current current(context);
-        drawers.reset();
+        overlay.reset();
+        opened.clear();
     }
 
+    /// What must be in the picture.
+    [[nodiscard]] AlignedBox3d box() const {
+        return settings.view ? AlignedBox3d(settings.view->lo, settings.view->hi) : fitted;
+    }
+    /// Opens them where there are none yet of so many samples; false with problems.
+    bool take_drawers(int samples, Problems& problems);
     void arrange();
     void enclose(const observe::Frame& frame);
     std::vector<std::uint32_t> colors_of(const observe::Frame& frame, Legend& legend);
@@ -95,35 +109,9 @@ static Problem bad_range(double lo, double hi) {
             .fix = "write the smaller value first, both finite and different"};
 }
 
-static std::optional<Drawers> open_drawers(const scene::Render& settings, const observe::FrameLayout& layout,
-                                           const Theme& theme, Problems& problems) {
-    auto canvas = make_canvas(settings.width, settings.height, samples_per_pixel);
-    if (!canvas) {
-        problems = canvas.problems();
-        return std::nullopt;
-    }
-    auto spheres = SphereDrawer::open();
-    auto discs = DiscDrawer::open();
-    auto walls = WallDrawer::open(layout, theme, *canvas);
-    auto crevices = CreviceShade::open(*canvas);
-    for (const Problems& found : {spheres.problems(), discs.problems(), walls.problems(), crevices.problems()}) {
-        problems.insert(problems.end(), found.begin(), found.end());
-    }
-    // Opened again once the arrangement is known; here it shows whether it can be.
-    const auto overlay = Overlay::open(Layout{}, theme);
-    const Problems found = overlay.problems();
-    problems.insert(problems.end(), found.begin(), found.end());
-    if (!problems.empty()) {
-        return std::nullopt;
-    }
-    return Drawers{std::move(*canvas), std::move(*spheres),  std::move(*discs),
-                   std::move(*walls),  std::move(*crevices), std::nullopt};
-}
-
-Result<Painter> Painter::open(const scene::Render& settings, std::shared_ptr<const observe::FrameLayout> layout,
-                              const PainterOptions& options) {
+static Result<Style> find_style(const scene::Render& settings, int dimension) {
     auto theme = find_theme(settings.background);
-    auto quantity = find_quantity(settings.color, layout->dimension);
+    auto quantity = find_quantity(settings.color, dimension);
     auto map = find_color_map(settings.colormap, quantity.ok() && quantity->has_sign);
     const auto camera = make_camera(settings, AlignedBox3d(Vector3d::Zero(), Vector3d::Ones()), {0, 0, 100, 100});
     Problems problems;
@@ -136,14 +124,48 @@ Result<Painter> Painter::open(const scene::Render& settings, std::shared_ptr<con
     if (!problems.empty()) {
         return problems;
     }
+    const auto fixed =
+        settings.range ? std::optional<Span>({(*settings.range)[0], (*settings.range)[1]}) : std::nullopt;
+    return Style{*theme, *quantity, *map, ColorRange(fixed, quantity->has_sign)};
+}
+
+static std::optional<Drawers> open_drawers(const scene::Render& settings, const observe::FrameLayout& layout,
+                                           const Theme& theme, int samples, Problems& problems) {
+    auto canvas = make_canvas(settings.width, settings.height, samples);
+    if (!canvas) {
+        problems = canvas.problems();
+        return std::nullopt;
+    }
+    auto spheres = SphereDrawer::open();
+    auto discs = DiscDrawer::open();
+    auto walls = WallDrawer::open(layout, theme, *canvas);
+    auto crevices = CreviceShade::open(*canvas);
+    for (const Problems& found : {spheres.problems(), discs.problems(), walls.problems(), crevices.problems()}) {
+        problems.insert(problems.end(), found.begin(), found.end());
+    }
+    if (!problems.empty()) {
+        return std::nullopt;
+    }
+    return Drawers{std::move(*canvas), std::move(*spheres), std::move(*discs), std::move(*walls), std::move(*crevices)};
+}
+
+Result<Painter> Painter::open(const scene::Render& settings, std::shared_ptr<const observe::FrameLayout> layout,
+                              const PainterOptions& options) {
+    auto style = find_style(settings, layout->dimension);
+    if (!style) {
+        return style.problems();
+    }
+    Problems problems;
     auto context = GlContext::open();
     if (!context) {
         return context.problems();
     }
-    auto inside = std::make_unique<Inside>(*context, settings, options, std::move(layout), *theme, *quantity, *map);
+    auto inside = std::make_unique<Inside>(*context, settings, options, std::move(layout), std::move(*style));
     const GlContext::Current current(inside->context);
-    inside->drawers = open_drawers(settings, *inside->layout, inside->theme, problems);
-    if (!inside->drawers) {
+    // Opened again once the arrangement is known; here it shows whether it can be.
+    const auto overlay = Overlay::open(Layout{}, inside->style.theme);
+    problems = overlay.problems();
+    if (!problems.empty() || !inside->take_drawers(fine_samples, problems)) {
         return problems;
     }
     inside->showing = showing_spheres(*inside->layout);
@@ -157,10 +179,56 @@ Result<Painter> Painter::open(const scene::Render& settings, std::shared_ptr<con
     return Painter(std::move(inside));
 }
 
+bool Painter::Inside::take_drawers(int samples, Problems& problems) {
+    auto found = opened.find(samples);
+    if (found == opened.end()) {
+        auto made = open_drawers(settings, *layout, style.theme, samples, problems);
+        if (!made) {
+            return false;
+        }
+        found = opened.emplace(samples, std::move(*made)).first;
+    }
+    drawers = &found->second;
+    return true;
+}
+
+Result<Done> Painter::set_sketching(bool on) {
+    const GlContext::Current current(inside_->context);
+    Problems problems;
+    if (!inside_->take_drawers(on ? sketch_samples : fine_samples, problems)) {
+        return problems;
+    }
+    inside_->sketching = on;
+    return Done{};
+}
+
 Painter::Painter(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}
 Painter::Painter(Painter&&) noexcept = default;
 Painter& Painter::operator=(Painter&&) noexcept = default;
 Painter::~Painter() = default;
+
+Result<Done> Painter::restyle(const scene::Render& settings) {
+    Inside& in = *inside_;
+    scene::Render wanted = settings;
+    wanted.width = in.settings.width;
+    wanted.height = in.settings.height;
+    wanted.background = in.settings.background;
+    wanted.plot = in.settings.plot;
+    auto style = find_style(wanted, in.layout->dimension);
+    if (!style) {
+        return style.problems();
+    }
+    if (wanted.color != in.settings.color || wanted.range != in.settings.range) {
+        in.style.range = style->range; // else what an automatic range has seen goes on to count
+    }
+    in.style.quantity = style->quantity;
+    in.style.map = style->map;
+    in.settings = std::move(wanted);
+    if (in.arranged) {
+        in.camera = *make_camera(in.settings, in.box(), in.arrangement.scene);
+    }
+    return Done{};
+}
 
 void Painter::fit(const AlignedBox3d& box) {
     inside_->fitted.extend(box);
@@ -169,8 +237,7 @@ void Painter::fit(const AlignedBox3d& box) {
 
 /// Settles panels and camera for what has been fitted.
 void Painter::Inside::arrange() {
-    const AlignedBox3d box = settings.view ? AlignedBox3d(settings.view->lo, settings.view->hi) : fitted;
-    const auto look = [&](const Area& area) { return *make_camera(settings, box, area); };
+    const auto look = [&](const Area& area) { return *make_camera(settings, box(), area); };
     const auto zoom = [&](const Area& area) {
         const Camera tried = look(area);
         return tried.pixels_per_metre(tried.target);
@@ -183,10 +250,10 @@ void Painter::Inside::arrange() {
         arrangement.window = arrangement.scene;
     }
     camera = look(arrangement.scene);
-    drawers->overlay.reset();
+    overlay.reset();
     if (arrangement.lettered) {
-        if (auto overlay = Overlay::open(arrangement, theme)) {
-            drawers->overlay = std::move(*overlay);
+        if (auto letters = Overlay::open(arrangement, style.theme)) {
+            overlay = std::move(*letters);
         }
     }
     arranged = true;
@@ -212,13 +279,13 @@ void Painter::Inside::enclose(const observe::Frame& frame) {
 }
 
 std::vector<std::uint32_t> Painter::Inside::colors_of(const observe::Frame& frame, Legend& legend) {
-    const std::vector<double> values = values_of(quantity, frame);
-    span = range.next(values);
-    legend = {quantity.label, quantity.unit, span, map};
+    const std::vector<double> values = values_of(style.quantity, frame);
+    span = style.range.next(values);
+    legend = {style.quantity.label, style.quantity.unit, span, style.map};
     std::vector<std::uint32_t> colors;
     colors.reserve(values.size());
     for (const double value : values) {
-        colors.push_back(map.bytes_at((value - span.lo) / (span.hi - span.lo)));
+        colors.push_back(style.map.bytes_at((value - span.lo) / (span.hi - span.lo)));
         legend.below = legend.below || value < span.lo;
         legend.above = legend.above || value > span.hi;
     }
@@ -245,14 +312,15 @@ void Painter::Inside::draw_discs(const observe::Frame& frame, const std::vector<
         }
     }
     const double pixels = smallest * camera.pixels_per_metre(camera.target);
-    const DiscLook look{theme.outline, std::min(disc_line * std::max(1.0, arrangement.unit), disc_line_share * pixels)};
+    const DiscLook look{style.theme.outline,
+                        std::min(disc_line * std::max(1.0, arrangement.unit), disc_line_share * pixels)};
     glBindFramebuffer(GL_FRAMEBUFFER, drawers->canvas.samples.name());
     drawers->discs.draw(collect_discs(frame, colors, camera), collect_spokes(frame, spokes, camera), camera,
                         drawers->canvas.width, drawers->canvas.height, look);
 }
 
 void Painter::Inside::shade_crevices() {
-    if (!options.lighting || reach.empty() || layout->dimension == 2) {
+    if (!options.lighting || sketching || reach.empty() || layout->dimension == 2) {
         return;
     }
     resolve(GL_DEPTH_BUFFER_BIT);
@@ -290,7 +358,7 @@ void Painter::Inside::draw_spheres(std::vector<SphereMark> marks) {
         std::nth_element(front, front + count, marks.end(),
                          [](const SphereMark& a, const SphereMark& b) { return a.z + a.radius > b.z + b.radius; });
         glBindFramebuffer(GL_FRAMEBUFFER, canvas.samples.name());
-        drawers->spheres.draw(std::span(front, front + count), camera, canvas.width, canvas.height, theme.rim,
+        drawers->spheres.draw(std::span(front, front + count), camera, canvas.width, canvas.height, style.theme.rim,
                               options.lighting);
         front += count;
         if (front == marks.end()) {
@@ -321,7 +389,7 @@ void Painter::Inside::write(const observe::Frame& frame, const PlotLine& plot, c
         const Vector3d axis = camera.axes.col(i);
         content.axes[static_cast<std::size_t>(i)] = {axis.x(), -axis.y()};
     }
-    legend_bar = drawers->overlay->draw(content, arrangement, settings.width, settings.height);
+    legend_bar = overlay->draw(content, arrangement, settings.width, settings.height);
 }
 
 /// What a frame changes for those after it: the depth that the camera sees, the range of the colours.
@@ -354,7 +422,7 @@ Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
     const Canvas& canvas = in.drawers->canvas;
     glViewport(0, 0, canvas.width, canvas.height);
     glBindFramebuffer(GL_FRAMEBUFFER, canvas.samples.name());
-    const Eigen::Vector3f back = in.theme.background.cast<float>();
+    const Eigen::Vector3f back = in.style.theme.background.cast<float>();
     glClearColor(back.x(), back.y(), back.z(), 1);
     glClearDepth(1);
     glDepthMask(GL_TRUE);
@@ -370,7 +438,7 @@ Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
     in.drawers->walls.draw_translucent(frame, in.camera, canvas, line);
     glDisable(GL_SCISSOR_TEST);
     in.resolve(GL_COLOR_BUFFER_BIT);
-    if (in.drawers->overlay) {
+    if (in.overlay) {
         glBindFramebuffer(GL_FRAMEBUFFER, canvas.resolved.name());
         in.write(frame, plot, legend);
     }

@@ -46,6 +46,15 @@ public:
     /// In place of draw() for a frame whose picture is there already: those after it are drawn as if draw() had been.
     void pass_over(const observe::Frame& frame);
 
+    /// From the next picture on, camera, clip and colours are those of other settings; size, background and plot stay,
+    /// and so does the arrangement of the panels. Quick enough for a camera that a hand turns. Problems: those of
+    /// open() about camera and colours; nothing has changed then.
+    Result<Done> restyle(const scene::Render& settings);
+
+    /// From the next picture on one sample a pixel in place of four, and no shade in crevices: the same picture with
+    /// rough edges, in a fifth of the time. Problems: the graphics library has no more memory.
+    Result<Done> set_sketching(bool on);
+
     /// How the last picture was made: its camera, arrangement, colour bar (pixels) and the colours' range (SI unit).
     [[nodiscard]] const Camera& camera() const;
     [[nodiscard]] const Layout& layout() const;

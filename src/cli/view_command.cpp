@@ -1,0 +1,138 @@
+#include "base/child_process.h"
+#include "cli/command.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/flag_checks.h"
+#include "cli/render_settings.h"
+#include "cli/scene_arguments.h"
+#include "cli/stop_flag.h"
+#include "run/run_folder.h"
+#include "view/live_source.h"
+#include "view/recorded_source.h"
+#include "view/viewer.h"
+
+#include <cstdlib>
+#include <cstring>
+#include <fmt/format.h>
+#include <memory>
+#include <optional>
+#include <thread>
+
+namespace tumble::cli {
+
+namespace {
+
+struct ViewArguments {
+    std::filesystem::path what; // a run's folder or a scene file
+    SceneArguments scene;
+    std::filesystem::path out = "out/view";
+    view::ViewerOptions viewer;
+    int threads = 1;
+    bool no_open = false;
+    bool quiet = false;
+    bool json = false;
+};
+
+/// The window of the one who typed the command, if there is a screen to have one on.
+std::unique_ptr<ChildProcess> open_browser(const std::string& link) {
+    const bool screen = std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
+    return screen ? std::make_unique<ChildProcess>(std::vector<std::string>{"xdg-open", link}) : nullptr;
+}
+
+/// A scene, or the one in a run's folder, as it is written and as it is meant.
+struct Watched {
+    view::SceneText text;
+    scene::Scene scene;
+    std::unique_ptr<view::Source> source;
+    view::Plots plots;
+};
+
+Result<Watched> open_watched(ViewArguments& arguments, const std::shared_ptr<view::Bell>& bell) {
+    std::error_code ignored;
+    const bool folder = std::filesystem::is_directory(arguments.what, ignored);
+    const std::filesystem::path file = folder ? arguments.what / "scene.toml" : arguments.what;
+    if (folder) {
+        if (const auto found = run::find_run(arguments.what); !found)
+            return found.problems();
+        if (auto problems = refuse_sets_of_the_run(arguments.scene.sets, file); !problems.empty())
+            return problems;
+    }
+    std::vector<scene::Override> sets;
+    for (const std::string& set : arguments.scene.sets)
+        sets.push_back({set});
+    auto text = view::SceneText::read(file, std::move(sets));
+    if (!text)
+        return text.problems();
+    auto scene = text->load();
+    if (!scene)
+        return scene.problems();
+    const auto news = [bell] { bell->ring(); };
+    auto source = folder ? view::open_recorded(arguments.what, scene->render, news)
+                         : view::open_live(*text, *scene, arguments.threads, news);
+    if (!source)
+        return source.problems();
+    view::Plots plots =
+        folder ? view::Plots::of_run(arguments.what, *scene) : view::Plots::of_simulation(*scene, *(*source)->layout());
+    return Watched{std::move(*text), std::move(*scene), std::move(*source), std::move(plots)};
+}
+
+int view_it(ViewArguments& arguments) {
+    const auto bell = std::make_shared<view::Bell>();
+    auto watched = open_watched(arguments, bell);
+    if (!watched)
+        return refuse(watched.problems(), arguments.json, wrong);
+    const view::StudioOptions options{watched->scene.render.width, watched->scene.render.height, arguments.out};
+    auto studio = view::Studio::open(std::move(watched->source), watched->text, watched->scene,
+                                     std::move(watched->plots), options);
+    if (!studio)
+        return refuse(studio.problems(), arguments.json, wrong);
+    const auto tell_link = [&arguments](const std::string& link) {
+        if (arguments.json)
+            say(nlohmann::ordered_json{{"link", link}}.dump());
+        else
+            say(link);
+    };
+    auto viewer = view::Viewer::open(std::move(*studio), bell, arguments.viewer, tell_link);
+    if (!viewer)
+        return refuse(viewer.problems(), arguments.json, wrong);
+    if (!arguments.quiet)
+        note("the newest of these links opens the view in a browser on this machine, once; Ctrl-C ends it");
+    const auto browser = arguments.no_open ? nullptr : open_browser((*viewer)->server().link());
+    if (browser && browser->error() != 0)
+        note(fmt::format("no browser opens by itself here (xdg-open: {}): open the link yourself",
+                         std::strerror(browser->error())));
+    const Result<Done> done = (*viewer)->run(&watch_for_stop());
+    return done ? static_cast<int>(fine) : refuse(done.problems(), arguments.json, failed);
+}
+
+} // namespace
+
+void add_view_command(CLI::App& program, Action& action) {
+    CLI::App* command = program.add_subcommand(
+        "view", "Example: tumble view scenes/drum-2d.toml\n\n"
+                "Simulates a scene, or shows a run that is over, drawn on this machine and seen in a browser on it.\n"
+                "Prints the link to open; nobody else can. docs/view.md says what hands can do.");
+    const auto arguments = std::make_shared<ViewArguments>();
+    arguments->threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1); // one draws
+    command->add_option("SCENE|RUN", arguments->what, "A scene file, or the folder of a run")->required();
+    command->add_option("--port", arguments->viewer.port, "Port of 127.0.0.1; any that is free without it")
+        ->type_name("N")
+        ->check(whole_number_from(0, 65535));
+    command->add_flag("--no-open", arguments->no_open, "Only print the link, open no browser");
+    command->add_option("--quality", arguments->viewer.quality, "Of the frames' JPEG, 1 to 100; 80 without it")
+        ->type_name("Q")
+        ->check(whole_number_from(1, 100));
+    command->add_option("--threads", arguments->threads, "Threads that step; never the result")
+        ->type_name("N")
+        ->check(whole_number_from(1, 256));
+    command->add_option("--out", arguments->out, "Folder for pictures, films and scenes that are kept")
+        ->type_name("DIR")
+        ->check(refuse_dash);
+    add_render_settings(*command, arguments->scene.sets);
+    arguments->scene.add_sets_to(*command);
+    command->add_flag("--quiet", arguments->quiet, "Nothing but the link");
+    command->add_flag("--json", arguments->json, "Print each link as a JSON object on a line");
+    command->callback([arguments, &action] { action = [arguments] { return view_it(*arguments); }; });
+}
+
+} // namespace tumble::cli

@@ -1,0 +1,395 @@
+#include "view/live_source.h"
+
+#include "base/thrown.h"
+#include "run/frame_queue.h"
+#include "run/picture_sink.h"
+#include "run/schedule.h"
+#include "run/simulation.h"
+#include "run/view_box.h"
+#include "scene/to_toml.h"
+#include "view/carry_on.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <fmt/format.h>
+#include <mutex>
+#include <thread>
+
+namespace tumble::view {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double stretch_s = 0.02; // of wall time between two looks at what is wanted
+
+double seconds_since(Clock::time_point begun) {
+    return std::chrono::duration<double>(Clock::now() - begun).count();
+}
+
+/// Frames on their way to a video. The steps wait for it: a film with holes would show another motion.
+struct Film {
+    std::unique_ptr<run::FrameQueue> queue;
+    run::Schedule schedule;
+    std::filesystem::path file;
+    std::int64_t shots = 0;
+};
+
+class LiveSource final : public Source {
+public:
+    LiveSource(SceneText text, const scene::Scene& scene, run::SimulationPtr simulation, int threads,
+               std::function<void()> news)
+        : text_(std::move(text)), running_(scene), wanted_(scene), simulation_(std::move(simulation)),
+          layout_(simulation_->layout()), bounds_(run::view_box(scene, *layout_)), threads_(threads),
+          news_(std::move(news)), all_steps_(std::llround(scene.duration / scene.step())),
+          can_change_(scene.solver != scene::Solver::box2d) {
+        state_.last = scene.duration;
+        publish();
+        thread_ = std::jthread([this] { work(); });
+    }
+    LiveSource(const LiveSource&) = delete;
+    LiveSource& operator=(const LiveSource&) = delete;
+    ~LiveSource() override {
+        {
+            const std::lock_guard lock(mutex_);
+            orders_.close = true;
+        }
+        changed_.notify_all();
+        thread_.join();
+    }
+
+    [[nodiscard]] std::shared_ptr<const observe::FrameLayout> layout() const override { return layout_; }
+    [[nodiscard]] Eigen::AlignedBox3d bounds() const override { return bounds_; }
+    [[nodiscard]] bool can_seek() const override { return false; }
+    [[nodiscard]] bool can_change() const override { return can_change_; }
+
+    MomentPtr newest() override {
+        const std::lock_guard lock(mutex_);
+        orders_.look = true;
+        return newest_;
+    }
+    [[nodiscard]] SourceState state() override {
+        const std::lock_guard lock(mutex_);
+        SourceState state = state_;
+        state.playing = orders_.play;
+        state.speed = orders_.speed;
+        state.filming = (state.filming || orders_.film) && !orders_.film_ends;
+        return state;
+    }
+    void play(bool on) override {
+        order([&] { orders_.play = on && !state_.ended; });
+    }
+    void step(std::int64_t count) override {
+        order([&] {
+            orders_.play = false;
+            orders_.steps += std::max<std::int64_t>(count, 0);
+        });
+    }
+    void set_speed(double speed) override {
+        order([&] { orders_.speed = std::max(speed, 0.0); });
+    }
+    void change(std::vector<scene::Override> changes) override {
+        order([&] { orders_.changes = std::move(changes); });
+    }
+    void film(const scene::Render& settings, const std::filesystem::path& file) override {
+        order([&] {
+            orders_.film = {settings, file};
+            orders_.film_ends = false; // whatever is filmed now ends with this
+        });
+    }
+    void film_no_more() override {
+        order([&] { orders_.film_ends = true; });
+    }
+
+private:
+    struct Orders {
+        bool close = false;
+        bool play = false;
+        bool look = false; // the newest moment was taken
+        std::int64_t steps = 0;
+        double speed = 0;
+        std::optional<std::vector<scene::Override>> changes;
+        std::optional<std::pair<scene::Render, std::filesystem::path>> film;
+        bool film_ends = false;
+
+        [[nodiscard]] bool any() const { return close || play || steps > 0 || changes || film || film_ends; }
+    };
+
+    template <class Change> void order(Change change) {
+        {
+            const std::lock_guard lock(mutex_);
+            change();
+        }
+        changed_.notify_all();
+    }
+
+    void work() {
+        while (true) {
+            Orders now;
+            {
+                std::unique_lock lock(mutex_);
+                changed_.wait(lock, [&] { return orders_.any(); });
+                now = orders_;
+                state_.filming = state_.filming || orders_.film; // opening it takes a while
+                orders_.changes.reset();
+                orders_.film.reset();
+                orders_.film_ends = false;
+            }
+            if (now.close)
+                break;
+            try {
+                obey(now);
+            } catch (const std::exception& error) {
+                halt(problem_of(error).what);
+            }
+        }
+        end_film();
+    }
+
+    void obey(const Orders& now) {
+        if (now.film)
+            begin_film(now.film->first, now.film->second);
+        if (now.film_ends)
+            end_film();
+        if (now.changes)
+            take_changes(*now.changes);
+        const std::int64_t wanted = now.play ? stretch(now.speed) : std::min(now.steps, stretch(0));
+        const std::int64_t before = simulation_->steps();
+        const std::int64_t steps = std::min({wanted, all_steps_ - before, to_next_change(), to_next_shot()});
+        if (steps > 0)
+            advance(steps);
+        settle(now, simulation_->steps() - before);
+        if (now.play && now.speed > 0)
+            keep_pace(now.speed);
+    }
+
+    void advance(std::int64_t steps) {
+        const std::int64_t before = simulation_->steps();
+        const Clock::time_point begun = Clock::now();
+        const std::optional<Problem> problem = simulation_->advance(steps);
+        const double seconds = seconds_since(begun);
+        const std::int64_t done = simulation_->steps() - before;
+        if (seconds > 0 && done > 0) {
+            rate_ = static_cast<double>(done) / seconds;
+            stretch_ = std::clamp(static_cast<std::int64_t>(stretch_s * rate_), std::int64_t{1}, 4 * stretch_);
+        }
+        if (problem)
+            halt(to_string(*problem));
+        if (next_change_ && simulation_->time() >= *next_change_ - 0.25 * running_.step())
+            adopt();
+        if (film_ && film_->schedule.due(simulation_->steps()))
+            shoot();
+    }
+
+    /// Steps until the clock is looked at again; with a speed that is wanted no more than that takes.
+    [[nodiscard]] std::int64_t stretch(double speed) const {
+        if (speed <= 0)
+            return stretch_;
+        const auto due = static_cast<std::int64_t>(std::ceil(speed * stretch_s / running_.step()));
+        return std::clamp(due, std::int64_t{1}, stretch_);
+    }
+
+    [[nodiscard]] std::int64_t to_next_change() const {
+        if (!next_change_)
+            return all_steps_;
+        const double steps = std::ceil((*next_change_ - simulation_->time()) / running_.step() - 1e-6);
+        return std::max(static_cast<std::int64_t>(steps), std::int64_t{1});
+    }
+
+    [[nodiscard]] std::int64_t to_next_shot() const {
+        return film_ ? std::max(film_->schedule.next() - simulation_->steps(), std::int64_t{1}) : all_steps_;
+    }
+
+    /// What the steps done change of the orders, and what others may see of it.
+    void settle(const Orders& obeyed, std::int64_t done) {
+        bool idle = false;
+        bool look = false;
+        {
+            const std::lock_guard lock(mutex_);
+            state_.ended = simulation_->steps() >= all_steps_ || dead_;
+            if (!obeyed.play)
+                orders_.steps = std::max(orders_.steps - done, std::int64_t{0});
+            if (state_.ended) {
+                orders_.play = false;
+                orders_.steps = 0;
+            }
+            state_.change_waits = next_change_.has_value();
+            state_.filming = film_.has_value();
+            note_pace(obeyed);
+            idle = !orders_.play && orders_.steps == 0;
+            look = orders_.look;
+        }
+        if (look || idle)
+            publish();
+        else if (obeyed.changes || obeyed.film || obeyed.film_ends)
+            news_();
+    }
+
+    /// Simulated over wall time, remembered for about a second.
+    void note_pace(const Orders& obeyed) {
+        const double passed = seconds_since(paced_);
+        if (!obeyed.play || passed > 2) {
+            paced_ = Clock::now();
+            paced_from_ = simulation_->time();
+            state_.pace = obeyed.play ? state_.pace : 0;
+        } else if (passed > 0.5) {
+            state_.pace = (simulation_->time() - paced_from_) / passed;
+            paced_ = Clock::now();
+            paced_from_ = simulation_->time();
+        }
+        state_.steps_per_s = rate_;
+    }
+
+    void publish() {
+        auto moment = std::make_shared<Moment>();
+        moment->frame = simulation_->frame();
+        moment->frame.layout = layout_; // one for all, however often the simulation was begun anew
+        moment->books = simulation_->books();
+        moment->number = ++moments_;
+        {
+            const std::lock_guard lock(mutex_);
+            newest_ = std::move(moment);
+            state_.time = simulation_->time();
+            orders_.look = false;
+        }
+        news_();
+    }
+
+    void halt(const std::string& reason) {
+        dead_ = true;
+        const std::lock_guard lock(mutex_);
+        state_.trouble = "the simulation cannot go on: " + reason;
+        state_.ended = true;
+        orders_.play = false;
+        orders_.steps = 0;
+    }
+
+    void take_changes(const std::vector<scene::Override>& changes) {
+        const Result<scene::Scene> wanted = text_.load(changes);
+        if (!wanted)
+            return refuse(wanted.problems());
+        wanted_ = *wanted;
+        adopt();
+    }
+
+    /// Goes on from here with as much of what is wanted as can be taken up now.
+    void adopt() {
+        const CarriedOn next = carry_on(running_, wanted_, simulation_->time());
+        next_change_ = next.next;
+        if (scene::to_toml(next.scene) == scene::to_toml(running_))
+            return;
+        Result<run::SimulationPtr> changed = run::restore(next.scene, threads_, simulation_->state());
+        if (!changed)
+            return refuse(changed.problems());
+        running_ = next.scene;
+        simulation_ = std::move(*changed);
+        refuse({});
+    }
+
+    void refuse(const Problems& problems) {
+        const std::lock_guard lock(mutex_);
+        if (!dead_)
+            state_.trouble = problems.empty() ? "" : "this change was not taken up: " + to_string(problems.front());
+    }
+
+    void begin_film(const scene::Render& settings, const std::filesystem::path& file) {
+        end_film();
+        auto sink = run::keep_pictures(settings, layout_, {.folder = {}, .video = file}, bounds_);
+        if (!sink) {
+            tell_of_film(to_string(sink.problems().front()));
+            return;
+        }
+        run::FrameSinks sinks;
+        sinks.push_back(std::move(*sink));
+        film_ = Film{std::make_unique<run::FrameQueue>(std::move(sinks)),
+                     run::Schedule(settings.every, running_.step()), file};
+        shoot(); // what is seen as it begins
+    }
+
+    void shoot() {
+        film_->schedule.pass(simulation_->steps());
+        observe::Frame frame = simulation_->frame();
+        frame.layout = layout_;
+        film_->queue->push({std::move(frame), film_->shots++, {}});
+        if (!film_->queue->problems().empty())
+            end_film();
+    }
+
+    void end_film() {
+        if (!film_)
+            return;
+        const Problems problems = film_->queue->close();
+        tell_of_film(problems.empty() ? fmt::format("{} with {} pictures", film_->file.string(), film_->shots)
+                                      : to_string(problems.front()));
+        film_.reset();
+    }
+
+    void tell_of_film(const std::string& sentence) {
+        const std::lock_guard lock(mutex_);
+        state_.filmed = sentence;
+    }
+
+    /// Waits until the wall's clock has come as far as the scene's, or something else is wanted.
+    void keep_pace(double speed) {
+        if (speed != paced_speed_ || seconds_since(pace_begun_) > 5) {
+            paced_speed_ = speed;
+            pace_begun_ = Clock::now();
+            pace_from_ = simulation_->time();
+            return;
+        }
+        const double ahead = (simulation_->time() - pace_from_) / speed - seconds_since(pace_begun_);
+        if (ahead < -0.5) { // cannot keep up: no rush later to make good for it
+            paced_speed_ = 0;
+            return;
+        }
+        std::unique_lock lock(mutex_);
+        changed_.wait_for(lock, std::chrono::duration<double>(std::clamp(ahead, 0.0, 1.0)), [&] {
+            return orders_.close || !orders_.play || orders_.speed != speed || orders_.changes || orders_.film ||
+                   orders_.film_ends;
+        });
+    }
+
+    SceneText text_;
+    scene::Scene running_; // that the simulation has
+    scene::Scene wanted_;
+    run::SimulationPtr simulation_;
+    std::shared_ptr<const observe::FrameLayout> layout_;
+    Eigen::AlignedBox3d bounds_;
+    int threads_;
+    std::function<void()> news_;
+    std::int64_t all_steps_;
+    bool can_change_;
+    bool dead_ = false;
+    std::optional<double> next_change_; // s
+    std::int64_t stretch_ = 1;
+    double rate_ = 0; // steps per s of wall time
+    std::uint64_t moments_ = 0;
+    std::optional<Film> film_;
+    Clock::time_point paced_ = Clock::now(); // when the pace was last looked at
+    double paced_from_ = 0;                  // s, of the scene then
+    double paced_speed_ = 0;                 // that is being kept
+    Clock::time_point pace_begun_ = Clock::now();
+    double pace_from_ = 0; // s, of the scene then
+
+    std::mutex mutex_; // of all below
+    std::condition_variable changed_;
+    Orders orders_;
+    SourceState state_;
+    MomentPtr newest_;
+    std::jthread thread_;
+};
+
+} // namespace
+
+Result<std::unique_ptr<Source>> open_live(const SceneText& text, const scene::Scene& scene, int threads,
+                                          std::function<void()> news) {
+    Result<run::SimulationPtr> simulation = run::simulate(scene, threads);
+    if (!simulation)
+        return simulation.problems();
+    return std::unique_ptr<Source>(
+        std::make_unique<LiveSource>(text, scene, std::move(*simulation), threads, std::move(news)));
+}
+
+} // namespace tumble::view

@@ -1,0 +1,131 @@
+// Shows the frames that the program draws and sends back what hands do. Messages: src/view/message.h.
+'use strict';
+
+const canvas = document.getElementById('picture');
+const notice = document.getElementById('notice');
+const paper = canvas.getContext('2d', { alpha: false });
+const mostPixels = 2560 * 1600;
+const pixelsPerNotch = 100;
+
+let socket = null;
+let wait = 500; // ms until the next attempt
+let ratio = 1;  // pixels of the picture per pixel of the page
+
+history.replaceState(null, '', '/'); // the token has been used: it need not stand in the address
+
+function send(...words) {
+  if (socket && socket.readyState === WebSocket.OPEN) socket.send(words.join(' '));
+}
+
+function tellSize() {
+  const width = window.innerWidth, height = window.innerHeight;
+  if (width < 1 || height < 1) return;
+  ratio = Math.min(window.devicePixelRatio || 1, Math.sqrt(mostPixels / (width * height)));
+  send('size', Math.round(width * ratio), Math.round(height * ratio), ratio.toFixed(3));
+}
+
+async function show(message) {
+  const head = new DataView(message);
+  const number = head.getUint32(0, true), length = head.getUint32(4, true);
+  const told = JSON.parse(new TextDecoder().decode(new Uint8Array(message, 8, length)));
+  const picture = await createImageBitmap(new Blob([new Uint8Array(message, 8 + length)], { type: 'image/jpeg' }));
+  if (canvas.width !== picture.width || canvas.height !== picture.height) {
+    canvas.width = picture.width;
+    canvas.height = picture.height;
+  }
+  paper.drawImage(picture, 0, 0);
+  picture.close();
+  told.shown = number;
+  window.tumble = told; // for tests and other tools
+  document.title = told.title + ' - tumble';
+  notice.textContent = told.trouble;
+}
+
+function connect() {
+  socket = new WebSocket('ws://' + location.host + '/frames');
+  socket.binaryType = 'arraybuffer';
+  socket.onopen = () => { wait = 500; notice.textContent = ''; tellSize(); };
+  socket.onmessage = async (event) => {
+    try { await show(event.data); } finally { send('seen', new DataView(event.data).getUint32(0, true)); }
+  };
+  socket.onclose = () => {
+    notice.textContent = 'The program does not answer. If it has ended, start it again and open its new link.';
+    setTimeout(connect, wait);
+    wait = Math.min(2 * wait, 10000);
+  };
+}
+
+// Pointers: the mouse and one finger press and drag; two fingers pinch. Of many moves a frame only the last is sent.
+const fingers = new Map();
+let lastMove = null;
+
+function place(event) { return [(event.clientX * ratio).toFixed(1), (event.clientY * ratio).toFixed(1)]; }
+
+function flushMove() {
+  if (lastMove) send('move', ...lastMove);
+  lastMove = null;
+}
+
+function spread() {
+  const [a, b] = [...fingers.values()];
+  return { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2, gap: Math.max(Math.hypot(a.x - b.x, a.y - b.y), 1) };
+}
+
+canvas.addEventListener('pointerdown', (event) => {
+  event.preventDefault();
+  canvas.focus();
+  canvas.setPointerCapture(event.pointerId);
+  if (event.pointerType === 'touch') {
+    fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    if (fingers.size === 2) { flushMove(); send('up', 0, ...place(event)); }
+    if (fingers.size > 1) return;
+  }
+  flushMove();
+  send('move', ...place(event));
+  send('down', Math.min(event.button, 2), ...place(event));
+});
+
+canvas.addEventListener('pointermove', (event) => {
+  if (event.pointerType === 'touch' && fingers.has(event.pointerId) && fingers.size === 2) {
+    const before = spread();
+    fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    const now = spread();
+    const factor = Math.min(Math.max(now.gap / before.gap, 0.1), 10);
+    send('pinch', ...[now.x, now.y, now.x - before.x, now.y - before.y].map((v) => (v * ratio).toFixed(2)), factor.toFixed(5));
+    return;
+  }
+  if (fingers.size > 1) return;
+  if (!lastMove) requestAnimationFrame(flushMove);
+  lastMove = place(event);
+});
+
+for (const kind of ['pointerup', 'pointercancel'])
+  canvas.addEventListener(kind, (event) => {
+    const pinching = fingers.size > 1;
+    fingers.delete(event.pointerId);
+    if (pinching) return;
+    flushMove();
+    send('up', Math.min(Math.max(event.button, 0), 2), ...place(event));
+  });
+
+canvas.addEventListener('wheel', (event) => {
+  event.preventDefault();
+  const pixels = event.deltaY * (event.deltaMode === 1 ? 33 : event.deltaMode === 2 ? 400 : 1);
+  send('wheel', ...place(event), Math.min(Math.max(-pixels / pixelsPerNotch, -20), 20).toFixed(3));
+}, { passive: false });
+
+canvas.addEventListener('contextmenu', (event) => event.preventDefault());
+
+for (const [kind, down] of [['keydown', 1], ['keyup', 0]])
+  canvas.addEventListener(kind, (event) => {
+    if (event.altKey || event.metaKey || event.code === 'Tab' || event.code.startsWith('F')) return;
+    if (event.ctrlKey && !['KeyA', 'KeyC', 'KeyV', 'KeyX'].includes(event.code) && !event.code.startsWith('Control')) return;
+    event.preventDefault();
+    if (/^[A-Za-z0-9]{1,24}$/.test(event.code)) send('key', event.code, down, event.shiftKey ? 1 : 0, event.ctrlKey ? 1 : 0);
+    if (down && event.key.length === 1 && !event.ctrlKey) send('text', event.key);
+  });
+
+document.getElementById('panel').addEventListener('click', () => { send('panel'); canvas.focus(); });
+window.addEventListener('resize', tellSize);
+canvas.focus();
+connect();

@@ -1,0 +1,274 @@
+#include "view/panels.h"
+
+#include "base/text.h"
+#include "render/panels.h"
+#include "render/quantity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace tumble::view {
+
+namespace {
+
+constexpr double plot_height = 128;                  // units
+constexpr double least_speed = 1e-4, most_speed = 2; // s of the scene per s of watching
+
+/// The widget just made, by name: where it can be touched.
+void mark(Desk& desk, const std::string& name) {
+    const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
+    if (ImGui::IsItemVisible())
+        desk.places[name] = {lo.x, lo.y, hi.x, hi.y};
+}
+
+bool button(Desk& desk, const std::string& name, const char* label, float width = 0) {
+    const bool pressed = ImGui::Button(label, {width, 0});
+    mark(desk, name);
+    return pressed;
+}
+
+/// A slider over the panel's whole width. Numbers are double; ImGui has no word for that.
+bool slider(Desk& desk, const std::string& name, double& value, double lo, double hi, const char* format,
+            ImGuiSliderFlags flags = ImGuiSliderFlags_None) {
+    ImGui::SetNextItemWidth(-1);
+    const bool moved =
+        ImGui::SliderScalar(("##" + name).c_str(), ImGuiDataType_Double, &value, &lo, &hi, format, flags);
+    mark(desk, name);
+    return moved;
+}
+
+void show_time(Desk& desk) {
+    const SourceState& state = desk.state;
+    ImGui::TextUnformatted(fmt::format("t = {:.5g} s of {:.5g} s", state.time, state.last).c_str());
+    if (desk.source.can_seek()) {
+        double time = state.time;
+        if (slider(desk, "time", time, state.first, state.last, "%.4g s")) {
+            desk.source.play(false);
+            desk.source.seek(time);
+        }
+    } else if (state.steps_per_s > 0) {
+        const std::string pace = state.pace > 0 ? fmt::format(", {:.3g} of real time", state.pace) : "";
+        ImGui::TextUnformatted(fmt::format("{:.3g} steps/s{}", state.steps_per_s, pace).c_str());
+    }
+}
+
+void show_run(Desk& desk) {
+    const SourceState& state = desk.state;
+    const float third = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
+    const bool over = state.ended && !desk.source.can_seek();
+    if (button(desk, "play", state.playing ? "Pause" : over ? "Ended" : "Play", third))
+        desk.source.play(!state.playing);
+    ImGui::SameLine();
+    const bool back = desk.source.can_seek();
+    if (button(desk, "step", back ? "Back" : "1 step", third))
+        desk.source.step(back ? -1 : 1);
+    ImGui::SameLine();
+    if (button(desk, "steps", back ? "Forth" : "100", third))
+        desk.source.step(back ? 1 : 100);
+    show_time(desk);
+    bool limited = state.speed > 0;
+    double speed = limited ? state.speed : most_speed;
+    if (!desk.source.can_seek()) {
+        if (ImGui::Checkbox("hold a speed", &limited))
+            desk.source.set_speed(limited ? 0.05 : 0);
+        mark(desk, "hold speed");
+    }
+    if (limited && slider(desk, "speed", speed, least_speed, most_speed, "%.3g x real time",
+                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoRoundToFormat))
+        desk.source.set_speed(speed);
+}
+
+void show_camera(Desk& desk) {
+    const float quarter = (ImGui::GetContentRegionAvail().x - 3 * ImGui::GetStyle().ItemSpacing.x) / 4;
+    if (desk.layout.dimension == 2) {
+        if (button(desk, "camera fit", "All of it"))
+            desk.wishes.camera = "fit";
+        return;
+    }
+    for (const char* name : {"front", "side", "top", "fit"}) {
+        if (name != std::string_view("front"))
+            ImGui::SameLine();
+        if (button(desk, std::string("camera ") + name, name, quarter))
+            desk.wishes.camera = name;
+    }
+}
+
+void show_colors(Desk& desk) {
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::BeginCombo("##color", ("colour: " + desk.look.color).c_str())) {
+        for (const render::Quantity& quantity : render::quantities()) {
+            if (!render::find_quantity(quantity.name, desk.layout.dimension))
+                continue;
+            if (ImGui::Selectable(quantity.name.c_str(), quantity.name == desk.look.color)) {
+                desk.look.color = quantity.name;
+                desk.look.range.reset();
+                desk.wishes.restyle = true;
+            }
+            mark(desk, "color " + quantity.name);
+        }
+        ImGui::EndCombo();
+    }
+    mark(desk, "color");
+    bool fixed = desk.look.range.has_value();
+    if (ImGui::Checkbox("fixed range", &fixed)) {
+        desk.look.range = fixed ? std::optional(desk.range) : std::nullopt;
+        desk.wishes.restyle = true;
+    }
+    mark(desk, "fixed range");
+    if (!desk.look.range)
+        return;
+    std::array<double, 2> ends = *desk.look.range;
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::InputScalarN("##range", ImGuiDataType_Double, ends.data(), 2, nullptr, nullptr, "%.4g",
+                            ImGuiInputTextFlags_EnterReturnsTrue) &&
+        std::isfinite(ends[0]) && std::isfinite(ends[1]) && ends[0] < ends[1]) {
+        desk.look.range = ends;
+        desk.wishes.restyle = true;
+    }
+    mark(desk, "range");
+}
+
+void show_section(Desk& desk) {
+    bool clipped = desk.look.clip.has_value();
+    if (ImGui::Checkbox("only bodies between planes", &clipped)) {
+        desk.look.clip =
+            clipped ? std::optional(scene::Box{desk.layout.domain_lo, desk.layout.domain_hi}) : std::nullopt;
+        desk.wishes.restyle = true;
+    }
+    mark(desk, "section");
+    if (!desk.look.clip)
+        return;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double lo = desk.layout.domain_lo[axis], hi = desk.layout.domain_hi[axis];
+        const char letter = "xyz"[axis];
+        double& low = desk.look.clip->lo[axis];
+        double& high = desk.look.clip->hi[axis];
+        bool moved = slider(desk, fmt::format("section {} from", letter), low, lo, hi,
+                            fmt::format("{} from %.3g m", letter).c_str());
+        moved |= slider(desk, fmt::format("section {} to", letter), high, lo, hi,
+                        fmt::format("{} to %.3g m", letter).c_str());
+        high = std::max(high, low + 1e-3 * (hi - lo)); // a section of no thickness holds nothing
+        desk.wishes.restyle |= moved;
+    }
+}
+
+void show_controls(Desk& desk) {
+    if (!desk.source.can_change()) {
+        ImGui::TextWrapped("%s", desk.source.can_seek()
+                                     ? "A run that is over cannot be changed. Its scene can be viewed."
+                                     : "What Box2D remembers of its contacts is its own: its "
+                                       "scenes cannot change while they run.");
+        return;
+    }
+    bool changed = false;
+    std::string before;
+    const std::vector<Control>& all = desk.controls.all();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Control control = all[i];
+        // The key's own table once over its sliders: "pair.media-lining", "wall.trough.motion.0".
+        const std::string table =
+            control.kind == Control::Kind::key ? control.key.substr(0, control.key.rfind('.')) : control.key;
+        if (table != before)
+            ImGui::TextDisabled("%s", table.c_str());
+        before = table;
+        const std::string name = control.kind == Control::Kind::key ? control.key : control.word;
+        const std::string format = control.word + " %.4g " + control.unit;
+        double value = control.value;
+        if (slider(desk, name, value, control.lo, control.hi, format.c_str(), ImGuiSliderFlags_NoRoundToFormat)) {
+            desk.controls.set(i, value);
+            changed = true;
+        }
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("%s, at first %.4g", control.key.c_str(), control.first);
+    }
+    if (desk.state.change_waits)
+        ImGui::TextWrapped("A wall's new motion waits for the end of its period.");
+    if (button(desk, "as in the scene", "As in the scene")) {
+        desk.controls.reset();
+        changed = true;
+    }
+    ImGui::SameLine();
+    if (button(desk, "save scene", "Save as scene"))
+        desk.wishes.save_scene = true;
+    if (changed)
+        desk.source.change(desk.controls.changes());
+}
+
+void show_plots(Desk& desk, const render::PanelCanvas& canvas, const render::Theme& theme) {
+    render::Pen pen(*ImGui::GetWindowDrawList(), canvas.fonts(), canvas.unit());
+    const double width = ImGui::GetContentRegionAvail().x;
+    const double height = plot_height * canvas.unit();
+    for (const render::PlotLine& line : desk.plots.lines()) {
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        ImGui::Dummy({static_cast<float>(width), static_cast<float>(height)});
+        if (ImGui::IsItemVisible())
+            render::draw_plot(pen, {at.x, at.y, at.x + width, at.y + height}, line, desk.now, theme);
+    }
+    if (desk.plots.lines().empty())
+        ImGui::TextWrapped("This run's series.csv has none of the measures plotted here.");
+}
+
+void show_keeping(Desk& desk) {
+    if (button(desk, "picture", "PNG"))
+        desk.wishes.picture = true;
+    ImGui::SameLine();
+    if (button(desk, "film", desk.state.filming ? "End the film" : "Film (MP4)"))
+        (desk.state.filming ? desk.wishes.film_ends : desk.wishes.film) = true;
+    for (const std::string& sentence : {desk.notice, desk.state.filmed})
+        if (!sentence.empty())
+            ImGui::TextWrapped("%s", sentence.c_str());
+}
+
+void show_look(Desk& desk) {
+    show_colors(desk);
+    if (desk.layout.dimension == 3)
+        show_section(desk);
+}
+
+bool begin_tab(Desk& desk, const char* name) {
+    const bool shown = ImGui::BeginTabItem(name);
+    mark(desk, std::string("tab ") + name);
+    return shown;
+}
+
+void show_tabs(Desk& desk, const render::PanelCanvas& canvas, const render::Theme& theme) {
+    if (!ImGui::BeginTabBar("tabs"))
+        return;
+    if (begin_tab(desk, "Plots")) {
+        show_plots(desk, canvas, theme);
+        ImGui::EndTabItem();
+    }
+    if (begin_tab(desk, "Change")) {
+        show_controls(desk);
+        ImGui::EndTabItem();
+    }
+    if (begin_tab(desk, "Look")) {
+        show_look(desk);
+        ImGui::EndTabItem();
+    }
+    if (begin_tab(desk, "Keep")) {
+        show_keeping(desk);
+        ImGui::EndTabItem();
+    }
+    ImGui::EndTabBar();
+}
+
+} // namespace
+
+void lay_out_panel(Desk& desk, const render::PanelCanvas& canvas, const render::Theme& theme) {
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
+    ImGui::Begin("panel", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
+    show_run(desk);
+    if (!desk.state.trouble.empty())
+        ImGui::TextWrapped("%s", desk.state.trouble.c_str());
+    show_camera(desk);
+    show_tabs(desk, canvas, theme);
+    ImGui::End();
+}
+
+} // namespace tumble::view

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "scene/scene.h"
+#include "view/source.h"
+
+namespace tumble::view {
+
+/// The frames of a run that is over. It plays as fast as its video would, until it is told another speed; `news` is
+/// called when a video is done. Problems: those of run::open_recording.
+Result<std::unique_ptr<Source>> open_recorded(const std::filesystem::path& run, const scene::Render& settings,
+                                              std::function<void()> news);
+
+} // namespace tumble::view

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "base/books.h"
+#include "observe/frame.h"
+#include "scene/override.h"
+#include "scene/scene.h"
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tumble::view {
+
+/// What is to be seen at one instant.
+struct Moment {
+    observe::Frame frame;
+    std::optional<Books> books; // of a simulation; a recorded run has them in its series
+    std::uint64_t number = 0;   // differs from moment to moment
+};
+using MomentPtr = std::shared_ptr<const Moment>;
+
+struct SourceState {
+    bool playing = false;
+    bool ended = false; // nothing comes after this moment
+    double time = 0;    // s
+    double first = 0;   // s
+    double last = 0;    // s
+    double speed = 0;   // s of the scene per s of watching that is wanted; 0: as fast as it goes
+    double pace = 0;    // the same as it is; 0 while unknown
+    double steps_per_s = 0;
+    bool change_waits = false; // for the end of a wall's period
+    bool filming = false;      // a video is being made
+    std::string trouble;       // why it does not go on, or what was refused; empty while all is well
+    std::string filmed;        // sentence about the last video
+};
+
+/// What a view shows: a simulation at work, or a run that is over. None of these calls waits for a step.
+class Source {
+public:
+    virtual ~Source() = default;
+
+    /// Of all its frames.
+    [[nodiscard]] virtual std::shared_ptr<const observe::FrameLayout> layout() const = 0;
+    /// What must be in the picture, m.
+    [[nodiscard]] virtual Eigen::AlignedBox3d bounds() const = 0;
+    /// The moment to be shown now; null while there is none.
+    virtual MomentPtr newest() = 0;
+    [[nodiscard]] virtual SourceState state() = 0;
+
+    virtual void play(bool on) = 0;
+    /// So many steps, or frames of a recorded run, which may go back.
+    virtual void step(std::int64_t count) = 0;
+    virtual void set_speed(double speed) = 0;
+
+    /// Recorded runs: to the frame nearest to a time, s.
+    [[nodiscard]] virtual bool can_seek() const = 0;
+    virtual void seek(double /*time*/) {}
+
+    /// Simulations: the scene with other values on top, from now on; whatever was changed before is replaced.
+    [[nodiscard]] virtual bool can_change() const = 0;
+    virtual void change(std::vector<scene::Override> /*changes*/) {}
+
+    /// Films from here on (a recorded run: all of it) with these settings, until film_no_more.
+    virtual void film(const scene::Render& settings, const std::filesystem::path& file) = 0;
+    virtual void film_no_more() = 0;
+};
+
+} // namespace tumble::view

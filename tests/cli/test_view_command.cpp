@@ -1,0 +1,68 @@
+#include "process.h"
+
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+using namespace tumble;
+using namespace tumble::test;
+
+namespace test_view_command {
+
+/// A port that is taken as long as this lives.
+struct Taken {
+    int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+    int port = 0;
+    Taken() {
+        sockaddr_in place{};
+        place.sin_family = AF_INET;
+        place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        REQUIRE(::bind(socket, reinterpret_cast<const sockaddr*>(&place), sizeof place) == 0);
+        REQUIRE(::listen(socket, 1) == 0);
+        socklen_t size = sizeof place;
+        REQUIRE(::getsockname(socket, reinterpret_cast<sockaddr*>(&place), &size) == 0);
+        port = ntohs(place.sin_port);
+    }
+    Taken(const Taken&) = delete;
+    Taken& operator=(const Taken&) = delete;
+    ~Taken() { ::close(socket); }
+};
+
+TEST_CASE("view prints its link and nothing else on stdout, and ends well with Ctrl-C") {
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(0.1));
+    Process process(folder.path, {"view", "ball.toml", "--no-open"});
+    const auto printed = [&] { return content_of(folder.path / ".stdout"); };
+    REQUIRE(eventually([&] { return printed().ends_with("\n"); }));
+    CHECK(printed().starts_with("http://127.0.0.1:"));
+    CHECK(printed().size() <= std::string("http://127.0.0.1:65535/?token=\n").size() + 32);
+    REQUIRE(eventually([&] { return process.catches(SIGINT); }));
+    process.send(SIGINT);
+    const Outcome outcome = process.wait();
+    CHECK(outcome.code == 0);
+    CHECK(outcome.err ==
+          "the newest of these links opens the view in a browser on this machine, once; Ctrl-C ends it\n");
+}
+
+TEST_CASE("a port in use, a port that is none, a scene or run that is not there: each says what to do, with code 2") {
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(0.1));
+    const Taken taken;
+    const std::string port = std::to_string(taken.port);
+    const Outcome used = tumble_in(folder, {"view", "ball.toml", "--no-open", "--port", port});
+    CHECK(used.code == 2);
+    CHECK(used.out.empty());
+    CHECK(contains(used.err, "port " + port + " of 127.0.0.1 cannot be opened"));
+    CHECK(contains(used.err, "another program has it: leave --port away, or take another"));
+    const Outcome wrong = tumble_in(folder, {"view", "ball.toml", "--port", "70000"});
+    CHECK(wrong.code == 2);
+    CHECK(contains(wrong.err, "70000"));
+    const Outcome missing = tumble_in(folder, {"view", "bal.toml"});
+    CHECK(missing.code == 2);
+    CHECK(contains(missing.err, "bal.toml"));
+    std::filesystem::create_directory(folder.path / "empty");
+    const Outcome empty = tumble_in(folder, {"view", "empty"});
+    CHECK(empty.code == 2);
+    CHECK(contains(empty.err, "empty"));
+}
+
+} // namespace test_view_command

@@ -1,0 +1,282 @@
+#!/usr/bin/python3
+"""The view as a person meets it: a real browser (Debian's chromium, headless) opens the link that `tumble view` prints.
+
+    tests/view/browser.py PROGRAM [--keep PICTURE.png]
+
+Exit code 77, with a sentence, where there is no browser to do it with.
+"""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+SKIPPED = 77
+MOST_WAIT_S = 60  # only so that a broken view fails instead of hanging
+FLAGS = (
+    "--headless=new --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking "
+    "--disable-component-update --disable-sync --hide-scrollbars --window-size=1280,720"
+).split()
+
+# A box of balls over a floor that shakes; small enough to run on a busy machine.
+SCENE = """
+title = "A shaken box"
+claim = "none"
+duration_s = 60
+time_step_s = 2e-5
+[domain]
+lo_m = [-0.03, -0.01, -0.03]
+hi_m = [0.03, 0.12, 0.03]
+[material.glass]
+density_kg_m3 = 2500
+youngs_modulus_Pa = 5e6
+poisson_ratio = 0.25
+[pair.glass-glass]
+restitution = 0.6
+friction = 0.4
+[body.ball]
+radius_mm = 4
+material = "glass"
+[[fill]]
+body = "ball"
+count = 40
+region_lo_m = [-0.03, 0.005, -0.03]
+region_hi_m = [0.03, 0.08, 0.03]
+[[wall]]
+name = "box"
+shape = "box"
+lo_m = [-0.03, 0, -0.03]
+hi_m = [0.03, 0.12, 0.03]
+open = ["+y"]
+material = "glass"
+[[wall.motion]]
+kind = "harmonic"
+axis = "y"
+amplitude_m = 0.0005
+frequency_Hz = 50
+[observe]
+every_s = 0.005
+[render]
+every_s = 0.01
+"""
+
+
+def skip(reason):
+    print(f"skipped: {reason}")
+    sys.exit(SKIPPED)
+
+
+try:
+    from selenium import webdriver
+    from selenium.webdriver.chrome.options import Options
+    from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.common.action_chains import ActionChains
+    from selenium.webdriver.common.by import By
+    from selenium.webdriver.common.keys import Keys
+except ImportError:
+    skip("python3-selenium is not installed")
+
+
+class View:
+    """`tumble view WHAT` at work, and the link it printed."""
+
+    def __init__(self, program, what, folder):
+        self.process = subprocess.Popen(
+            [program, "view", str(what), "--no-open", "--quiet", "--out", str(folder / "kept")],
+            stdout=subprocess.PIPE,
+            text=True,
+            cwd=folder,
+        )
+        self.link = self.process.stdout.readline().strip()
+        assert self.link.startswith("http://127.0.0.1:"), self.link
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.process.terminate()
+        code = self.process.wait(timeout=MOST_WAIT_S)
+        self.process.stdout.close()
+        assert code == 0, f"the view ended with {code}"
+
+
+class Page:
+    """What is seen, and hands."""
+
+    def __init__(self, driver):
+        self.driver = driver
+
+    def open(self, link):
+        self.driver.get(link)
+        self.wait("the first frame", lambda: self.state().get("shown"))
+
+    def state(self):
+        return self.driver.execute_script("return window.tumble") or {}
+
+    def wait(self, what, holds):
+        begun = time.monotonic()
+        while not holds():
+            assert time.monotonic() - begun < MOST_WAIT_S, f"waited in vain for {what}: {self.state()}"
+            time.sleep(0.02)
+
+    def wait_for_rest(self):
+        """What moved is drawn once more with smooth edges; then no frame comes any more."""
+        self.wait("smooth edges", lambda: not self.state()["sketched"])
+
+    def middle(self, name):
+        places = self.state()["places"]
+        assert name in places, f"no '{name}' among {sorted(places)}"
+        left, top, right, bottom = places[name]
+        ratio = self.driver.execute_script("return document.getElementById('picture').width / innerWidth")
+        return (left + right) / 2 / ratio, (top + bottom) / 2 / ratio
+
+    def drag(self, start, *stops):
+        hands = ActionChains(self.driver, duration=50)
+        pointer = hands.w3c_actions.pointer_action
+        pointer.move_to_location(*(int(v) for v in start))
+        pointer.pointer_down()
+        for stop in stops:
+            pointer.move_to_location(*(int(v) for v in stop))
+        pointer.pointer_up()
+        hands.perform()
+
+    def click(self, name):
+        self.drag(self.middle(name))
+
+    def press(self, key):
+        ActionChains(self.driver).send_keys(key).perform()
+
+
+def opens_and_runs(page):
+    state = page.state()
+    assert state["title"] == "A shaken box" and state["step"] == 0, state
+    assert page.driver.current_url.endswith("/"), "the token still stands in the address"
+    assert "A shaken box" in page.driver.title
+    page.click("play")
+    page.wait("the simulation to run", lambda: page.state()["step"] > 0 and page.state()["playing"])
+    page.press(Keys.SPACE)
+    page.wait("a pause", lambda: not page.state()["playing"])
+
+
+def drags_the_camera(page):
+    page.wait_for_rest()
+    before, eye = picture_of(page), page.state()["camera"]["eye"]
+    page.drag((800, 300), (860, 280), (900, 260))
+    page.wait("the camera to move", lambda: page.state()["camera"]["eye"] != eye)
+    page.wait("another picture", lambda: picture_of(page) != before)
+
+
+def moves_a_slider(page):
+    """Gravity that is tilted by up to 60 degrees pulls the balls along x, steeper than friction (22 degrees) can hold
+    them: at 8.5 m/s2 less 2 of friction 100 steps of 20 us give those that are free to go 13 mm/s."""
+    page.click("tab Change")
+    page.wait("the sliders", lambda: "tilt towards x" in page.state()["places"])
+    x, y = page.middle("tilt towards x")
+    page.drag((x, y), (x + 138, y))
+    page.wait("the slider to move", lambda: page.state()["values"]["tilt towards x"] > 50)
+    before = page.state()
+    page.click("steps")
+    page.wait("100 steps", lambda: page.state()["step"] == before["step"] + 100)
+    gained = page.state()["mean_velocity"][0] - before["mean_velocity"][0]
+    assert gained > 2e-3, gained
+    page.click("save scene")
+    page.wait("a scene", lambda: page.state()["notice"].endswith(".toml"))
+
+
+def films(page):
+    page.click("tab Keep")
+    page.wait("the tab", lambda: "film" in page.state()["places"])
+    page.click("film")
+    page.click("steps")
+    page.click("film")
+    page.wait("a film", lambda: page.state()["filmed"].endswith("pictures"))
+
+
+def resizes(page):
+    page.driver.set_window_size(700, 500)
+    page.wait("a smaller picture", lambda: page.driver.execute_script("return document.getElementById('picture').width") < 800)
+    page.driver.set_window_size(1280, 720)
+    page.wait("a larger picture", lambda: page.driver.execute_script("return document.getElementById('picture').width") == 1280)
+
+
+def picture_of(page):
+    return page.driver.execute_script("return document.getElementById('picture').toDataURL()")
+
+
+def keeps_strangers_out(driver, link):
+    """A used link, and a page from elsewhere that asks for frames: both refused, and the view stays well."""
+    driver.get(link)
+    assert "this link has been used" in driver.page_source
+    driver.get("data:text/html,<title>elsewhere</title>")
+    port = link.split(":")[2].split("/")[0]
+    heard = driver.execute_async_script(
+        """const done = arguments[1];
+        const socket = new WebSocket('ws://127.0.0.1:' + arguments[0] + '/frames');
+        socket.onmessage = () => done('a frame');
+        socket.onclose = () => done('refused');""",
+        port,
+    )
+    assert heard == "refused", heard
+
+
+def scrubs(page):
+    assert page.state()["time"] == 0
+    x, y = page.middle("time")
+    page.drag((x - 100, y), (x + 60, y), (x + 40, y))
+    page.wait("a later frame", lambda: page.state()["time"] > 0.1)
+    later = page.state()["time"]
+    page.press(",")
+    page.wait("the frame before", lambda: page.state()["time"] < later)
+    page.press(Keys.SPACE)
+    page.wait("the end", lambda: page.state()["ended"])
+
+
+def browser(folder):
+    options = Options()
+    options.binary_location = shutil.which("chromium")
+    for flag in [*FLAGS, f"--user-data-dir={folder / 'browser'}"]:
+        options.add_argument(flag)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    return webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
+
+
+def main():
+    program = pathlib.Path(sys.argv[1]).resolve()
+    picture = sys.argv[sys.argv.index("--keep") + 1] if "--keep" in sys.argv else None
+    for needed in ("chromium", "chromedriver"):
+        if not shutil.which(needed):
+            skip(f"{needed} is not installed")
+    with tempfile.TemporaryDirectory() as place:
+        folder = pathlib.Path(place)
+        (folder / "shaken.toml").write_text(SCENE)
+        driver = browser(folder)
+        try:
+            page = Page(driver)
+            with View(program, "shaken.toml", folder) as view:
+                page.open(view.link)
+                for part in (opens_and_runs, drags_the_camera, moves_a_slider, films, resizes):
+                    part(page)
+                    print(f"{part.__name__}: fine", flush=True)
+                if picture:
+                    driver.save_screenshot(picture)
+                wrong = [line for line in driver.get_log("browser") if line["level"] == "SEVERE"]
+                assert not wrong, wrong
+                keeps_strangers_out(driver, view.link)
+                print("keeps_strangers_out: fine", flush=True)
+            saved = sorted(path.suffix for path in (folder / "kept").iterdir())
+            assert saved == [".mp4", ".toml"], saved
+            subprocess.run([program, "run", "shaken.toml", "--duration", "0.2", "--quiet"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+            with View(program, "out/shaken", folder) as view:
+                page.open(view.link)
+                scrubs(page)
+                print("scrubs: fine", flush=True)
+        finally:
+            driver.quit()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,128 @@
+#include "../about.h"
+#include "view/carry_on.h"
+
+#include <cmath>
+#include <doctest/doctest.h>
+#include <numbers>
+
+using namespace tumble;
+using namespace tumble::view;
+using scene::pose_at;
+using test::about;
+
+namespace test_carry_on {
+
+constexpr double step = 1e-5; // s
+constexpr double pi = std::numbers::pi;
+
+scene::Scene with(const scene::WallMotion& motion) {
+    scene::Scene scene;
+    scene.time_step = step;
+    scene.walls.resize(1);
+    scene.walls[0].motion = motion;
+    return scene;
+}
+
+scene::Scene shaken(double amplitude, double frequency, double phase, double start) {
+    scene::Harmonic harmonic;
+    harmonic.active.start = start;
+    harmonic.amplitude = amplitude;
+    harmonic.frequency = frequency;
+    harmonic.phase = phase;
+    scene::WallMotion motion;
+    motion.harmonics.push_back(harmonic);
+    return with(motion);
+}
+
+scene::Scene turned(double speed, double start) {
+    scene::Rotation rotation;
+    rotation.active.start = start;
+    rotation.angular_velocity = speed;
+    rotation.centre = {0.1, 0, 0};
+    scene::WallMotion motion;
+    motion.rotations.push_back(rotation);
+    return with(motion);
+}
+
+/// m or -, how far the wall's pose at `now` differs between two scenes.
+double jump(const scene::Scene& before, const scene::Scene& after, double now) {
+    const scene::WallPose a = pose_at(before.walls[0].motion, now), b = pose_at(after.walls[0].motion, now);
+    return std::max((a.translation - b.translation).norm(), (a.rotation - b.rotation).norm());
+}
+
+TEST_CASE("a harmonic keeps its motion until its period ends and begins the new one there, where it stands at zero") {
+    const scene::Scene running = shaken(2e-3, 25, 0.7, 0.1), wanted = shaken(3e-3, 30, -1.1, 0.1);
+    const double within = 0.1 + 3.4 / 25; // in the fourth period
+    const CarriedOn waits = carry_on(running, wanted, within);
+    REQUIRE(waits.next);
+    CHECK(*waits.next == about(0.1 + 4.0 / 25, 1e-12));
+    CHECK(jump(running, waits.scene, within) == 0);
+    const double end = step * std::ceil(*waits.next / step); // the first step that has passed it
+    const CarriedOn taken = carry_on(waits.scene, wanted, end);
+    CHECK(!taken.next);
+    const scene::Harmonic& now = taken.scene.walls[0].motion.harmonics[0];
+    CHECK(now.amplitude == 3e-3);
+    CHECK(now.frequency == 30);
+    CHECK(now.phase == -1.1);
+    CHECK(now.active.start == about(0.26, 1e-12));
+    // Both curves go through zero at the period's end; a step later they are apart by the difference of their speeds at
+    // most.
+    const double speeds = 2 * pi * (2e-3 * 25 + 3e-3 * 30);
+    CHECK(jump(running, taken.scene, end) <= speeds * step);
+    CHECK(pose_at(taken.scene.walls[0].motion, now.active.start).translation.norm() == 0);
+}
+
+TEST_CASE("before a harmonic begins, and while its amplitude is zero, nothing need be waited for") {
+    const CarriedOn before = carry_on(shaken(2e-3, 25, 0, 0.5), shaken(1e-3, 50, 1, 0.5), 0.2);
+    CHECK(!before.next);
+    CHECK(before.scene.walls[0].motion.harmonics[0].active.start == 0.5);
+    CHECK(before.scene.walls[0].motion.harmonics[0].amplitude == 1e-3);
+    const scene::Scene still = shaken(0, 25, 0, 0);
+    const CarriedOn woken = carry_on(still, shaken(1e-3, 25, 0.3, 0), 0.123);
+    CHECK(!woken.next);
+    CHECK(woken.scene.walls[0].motion.harmonics[0].active.start == 0.123);
+    CHECK(jump(still, woken.scene, 0.123) == 0);
+}
+
+TEST_CASE("a motion that the scene has stopped stays where it stopped") {
+    scene::Scene running = shaken(2e-3, 25, 0, 0);
+    running.walls[0].motion.harmonics[0].active.stop = 0.33;
+    scene::Scene wanted = shaken(5e-3, 25, 0, 0);
+    wanted.walls[0].motion.harmonics[0].active.stop = 0.33;
+    const CarriedOn on = carry_on(running, wanted, 0.5);
+    CHECK(!on.next);
+    CHECK(jump(running, on.scene, 0.5) == 0);
+}
+
+TEST_CASE("a rotation turns on from its angle at any speed, backwards too, rests where it was halted, and goes on") {
+    // 7 rad/s for 1.3 s: 9.1 rad, a full turn and 2.817 rad.
+    scene::Scene running = turned(7, 0.2);
+    double now = 1.5;
+    for (const double speed : {11.0, -4.0, 0.0, 0.0, 2.5, -2.5}) {
+        CAPTURE(speed);
+        const CarriedOn on = carry_on(running, turned(speed, 0.2), now);
+        CHECK(!on.next);
+        CHECK(jump(running, on.scene, now) < 1e-12);
+        const double later = now + 0.37;
+        const double turn = Eigen::AngleAxisd(pose_at(on.scene.walls[0].motion, now).rotation.transpose() *
+                                              pose_at(on.scene.walls[0].motion, later).rotation)
+                                .angle();
+        // The angle of a rotation matrix is between 0 and pi.
+        CHECK(turn == about(std::abs(std::remainder(speed * 0.37, 2 * pi)), 1e-9));
+        CHECK(pose_at(on.scene.walls[0].motion, later).angular_velocity.y() == speed);
+        running = on.scene;
+        now = later;
+    }
+}
+
+TEST_CASE("what is not a motion changes at once") {
+    scene::Scene running = shaken(2e-3, 25, 0, 0);
+    scene::Scene wanted = shaken(4e-3, 25, 0, 0);
+    wanted.gravity = {1, -9, 0};
+    const CarriedOn on = carry_on(running, wanted, 0.01);
+    CHECK(on.next);
+    CHECK(on.scene.gravity == wanted.gravity);
+    CHECK(on.scene.walls[0].motion.harmonics[0].amplitude == 2e-3);
+}
+
+} // namespace test_carry_on

@@ -1,0 +1,95 @@
+#include "../about.h"
+#include "../folder.h"
+#include "../run/scenes.h"
+#include "run/run_scene.h"
+#include "view/plots.h"
+#include "view/recorded_source.h"
+
+#include <doctest/doctest.h>
+#include <thread>
+
+using namespace tumble;
+using namespace tumble::view;
+using test::about;
+
+namespace test_recorded_source {
+
+/// A ball that fell for 0.02 s, a frame every 5 ms: 0, 5, 10, 15, 20 ms.
+struct Recorded {
+    test::Folder folder;
+    scene::Scene scene = test::loaded(test::falling_ball);
+    std::unique_ptr<Source> source;
+
+    Recorded() {
+        run::RunOptions options;
+        options.folder = folder.path / "run";
+        run::RunListener silent;
+        const auto summary = run::run_scene(scene, options, silent);
+        REQUIRE_MESSAGE(summary.ok(), to_string(summary.problems()));
+        auto opened = open_recorded(options.folder, scene.render, [] {});
+        REQUIRE_MESSAGE(opened.ok(), to_string(opened.problems()));
+        source = std::move(*opened);
+    }
+    double time() const { return source->newest()->frame.time; }
+};
+
+TEST_CASE("a run is sought in time by its nearest frame, stepped forth and back, and never left at its ends") {
+    const Recorded recorded;
+    Source& source = *recorded.source;
+    CHECK(source.can_seek());
+    CHECK(!source.can_change());
+    CHECK(recorded.time() == 0);
+    CHECK(source.state().last == recorded.scene.duration);
+    source.seek(0.0124);
+    CHECK(source.newest()->frame.step == 1000);
+    source.seek(0.0126);
+    CHECK(source.newest()->frame.step == 1500);
+    source.step(1);
+    CHECK(source.newest()->frame.step == 2000);
+    CHECK(source.state().ended);
+    source.step(1);
+    CHECK(source.newest()->frame.step == 2000);
+    source.step(-2);
+    CHECK(source.newest()->frame.step == 1000);
+    source.seek(-5);
+    CHECK(recorded.time() == 0);
+    source.seek(5);
+    CHECK(source.newest()->frame.step == 2000);
+}
+
+TEST_CASE("a run plays at the speed of its video to its last frame, and from the start when it is played again") {
+    const Recorded recorded;
+    Source& source = *recorded.source;
+    // A frame every 5 ms at 25 frames/s: 0.125 s of the run per s.
+    CHECK(source.state().speed == about(0.005 * 25, 1e-12));
+    source.set_speed(10);
+    source.play(true);
+    for (int i = 0; i < 6000 && source.newest() && !source.state().ended; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    CHECK(source.newest()->frame.step == 2000);
+    CHECK(!source.state().playing);
+    source.set_speed(1e-6);
+    source.play(true);
+    CHECK(source.newest()->frame.step == 0);
+    CHECK(source.state().playing);
+}
+
+TEST_CASE("a run's film has all of its frames, and its plots are those columns of series.csv that it has") {
+    const Recorded recorded;
+    const std::filesystem::path film = recorded.folder.path / "film.mp4";
+    recorded.source->film(recorded.scene.render, film);
+    for (int i = 0; i < 6000 && recorded.source->state().filmed.empty(); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    CHECK(recorded.source->state().filmed == film.string() + " with 5 pictures");
+    CHECK(std::filesystem::file_size(film) > 500);
+    CHECK(Plots::of_run(recorded.folder.path / "run", recorded.scene).lines().empty());
+    const Plots none = Plots::of_run(recorded.folder.path, recorded.scene);
+    CHECK(none.lines().empty());
+}
+
+TEST_CASE("a folder that holds no run is a problem") {
+    const test::Folder folder;
+    CHECK(!open_recorded(folder.path, scene::Render{}, [] {}).ok());
+}
+
+} // namespace test_recorded_source

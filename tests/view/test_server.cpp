@@ -1,0 +1,199 @@
+#include "client.h"
+#include "view/server.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <doctest/doctest.h>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+using namespace tumble;
+using namespace tumble::view;
+using namespace tumble::view::testing;
+
+namespace test_server {
+
+/// A server with small limits, and what it heard.
+struct Served {
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::vector<Message> heard;
+    std::atomic<int> links{0};
+    std::optional<Server> server;
+
+    explicit Served(Limits limits = {}) {
+        Listener listener;
+        listener.message = [this](const Message& message) {
+            {
+                const std::lock_guard lock(mutex);
+                heard.push_back(message);
+            }
+            changed.notify_all();
+        };
+        listener.new_link = [this](const std::string&) { ++links; };
+        auto opened = Server::open(0, limits, std::move(listener));
+        REQUIRE_MESSAGE(opened.ok(), to_string(opened.problems()));
+        server.emplace(std::move(*opened));
+    }
+    int port() const { return server->port(); }
+    std::string origin() const { return "http://127.0.0.1:" + std::to_string(port()); }
+    std::string cookie() const { return cookie_for(port(), server->link()); }
+
+    std::unique_ptr<Client> watcher(const std::string& cookie) const {
+        auto client = std::make_unique<Client>(port());
+        client->send(upgrade(port(), cookie, origin()));
+        REQUIRE(client->status() == 101);
+        return client;
+    }
+    bool hears(std::size_t count) {
+        std::unique_lock lock(mutex);
+        return changed.wait_for(lock, std::chrono::seconds(60), [&] { return heard.size() >= count; });
+    }
+};
+
+int answer_to(const Served& served, const std::string& bytes) {
+    Client client(served.port());
+    client.send(bytes);
+    return client.status();
+}
+
+TEST_CASE("the page comes for the link's token with a strict policy, and its files for the cookie") {
+    const Served served;
+    const int port = served.port();
+    Client client(port);
+    client.send(request(port, target_of(served.server->link())));
+    const std::string head = client.head();
+    CHECK(head.starts_with("HTTP/1.1 200 "));
+    CHECK(client.body().find("<canvas") != std::string::npos);
+    CHECK(client.body().find("<script>") == std::string::npos); // nothing inline, as the policy demands
+    for (const char* line : {"Content-Security-Policy: default-src 'none'; script-src 'self'", "frame-ancestors 'none'",
+                             "X-Content-Type-Options: nosniff", "Cross-Origin-Resource-Policy: same-origin",
+                             "Referrer-Policy: no-referrer", "Cache-Control: no-store", "HttpOnly; SameSite=Strict"})
+        CHECK_MESSAGE(head.find(line) != std::string::npos, line);
+    CHECK(head.find("Access-Control") == std::string::npos);
+    CHECK(served.links == 1);
+    const std::string cookie = served.cookie();
+    for (const char* path : {"/", "/view.js", "/view.css"})
+        CHECK_MESSAGE(answer_to(served, request(port, path, "Cookie: " + cookie + "\r\n")) == 200, path);
+}
+
+TEST_CASE("each refusal has its status: 400, 403, 404, 405, 413, 426, 431") {
+    const Served served;
+    const int port = served.port();
+    const std::string cookie = "Cookie: " + served.cookie() + "\r\n";
+    CHECK(answer_to(served, "no such thing\r\n\r\n") == 400);
+    CHECK(answer_to(served, "GET / HTTP/1.1\r\n" + cookie + "\r\n") == 400); // no host
+    CHECK(answer_to(served, request(port, "/")) == 403);
+    CHECK(answer_to(served, request(port, "/?token=" + std::string(32, '0'))) == 403);
+    CHECK(answer_to(served, request(port, "/", cookie + "Origin: http://evil.example\r\n")) == 403);
+    CHECK(answer_to(served, "GET / HTTP/1.1\r\nHost: evil.example\r\n" + cookie + "\r\n") == 403);
+    CHECK(answer_to(served, request(port, "/etc/passwd", cookie)) == 404);
+    CHECK(answer_to(served, "POST / HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port) + "\r\n" + cookie +
+                                "Content-Length: 1\r\n\r\nx") == 405);
+    CHECK(answer_to(served, request(port, "/", cookie + "Content-Length: 1000000\r\n")) == 413);
+    CHECK(answer_to(served, request(port, "/frames", cookie)) == 426);
+    CHECK(answer_to(served, request(port, "/", "X: " + std::string(10000, 'x') + "\r\n")) == 431);
+    CHECK(answer_to(served, upgrade(port, "tumble=1", served.origin())) == 403);
+    CHECK(answer_to(served, upgrade(port, served.cookie(), "http://evil.example")) == 403);
+}
+
+TEST_CASE("a watcher gets the newest frame with its number and state, and its messages are heard in order") {
+    Served served;
+    const auto client = served.watcher(served.cookie());
+    served.server->show({0xff, 0xd8, 0x01}, "{\"time\":1}");
+    const auto heard = client->hear();
+    REQUIRE(heard);
+    CHECK(heard->opcode == 2);
+    const std::string expected{"\x01\x00\x00\x00\x0a\x00\x00\x00{\"time\":1}\xff\xd8\x01", 21};
+    CHECK(heard->payload == expected);
+    client->say("seen 1");
+    client->say("move 1 2");
+    client->say("size 0 0 1");
+    REQUIRE(served.hears(2));
+    CHECK(served.heard[0] == Message(PointerMoved{1, 2}));
+    CHECK(served.heard[1] == Message(Resized{0, 0, 1}));
+}
+
+TEST_CASE("who does not say that he saw his frames gets two and no more, while another one gets all") {
+    Served served;
+    const std::string cookie = served.cookie();
+    const auto slow = served.watcher(cookie);
+    const auto quick = served.watcher(cookie);
+    const auto number_of = [](const Client::Heard& heard) {
+        return static_cast<int>(static_cast<unsigned char>(heard.payload[0]));
+    };
+    for (int k = 1; k <= 50; ++k) {
+        served.server->show({0xff}, "");
+        const auto heard = quick->hear();
+        REQUIRE(heard);
+        CHECK(number_of(*heard) == k);
+        quick->say("seen " + std::to_string(k));
+    }
+    const auto first = slow->hear(), second = slow->hear();
+    REQUIRE(second);
+    CHECK(number_of(*first) < number_of(*second));
+    CHECK(number_of(*second) < 50);
+    slow->say("seen 1"); // now there is room for one more: the newest, not those between
+    const auto third = slow->hear();
+    REQUIRE(third);
+    CHECK(number_of(*third) == 50);
+}
+
+TEST_CASE("a watcher that says what is no message, too much or too often is sent away with 1008 or 1009") {
+    Limits limits;
+    limits.messages_per_s = 20;
+    const Served served(limits);
+    const std::string cookie = served.cookie();
+    const auto goodbye = [](Client& client) {
+        auto heard = client.hear();
+        while (heard && heard->opcode != 8)
+            heard = client.hear();
+        REQUIRE(heard);
+        return static_cast<unsigned char>(heard->payload[0]) << 8 | static_cast<unsigned char>(heard->payload[1]);
+    };
+    const auto rude = served.watcher(cookie);
+    rude->say("format c:");
+    CHECK(goodbye(*rude) == 1008);
+    const auto long_winded = served.watcher(cookie);
+    long_winded->say("text " + std::string(5000, 'a'));
+    CHECK(goodbye(*long_winded) == 1009);
+    const auto hasty = served.watcher(cookie);
+    for (int i = 0; i < 2000; ++i)
+        hasty->say("move 1 1");
+    CHECK(goodbye(*hasty) == 1008);
+    const auto liar = served.watcher(cookie);
+    liar->say("seen 1"); // no frame was sent
+    CHECK(goodbye(*liar) == 1008);
+}
+
+TEST_CASE("as many may watch and connect as the limits say, and one more once one has gone") {
+    Limits limits;
+    limits.watchers = 2;
+    limits.connections = 4;
+    const Served served(limits);
+    const std::string cookie = served.cookie();
+    auto first = served.watcher(cookie);
+    const auto second = served.watcher(cookie);
+    CHECK(served.server->watchers() == 2);
+    CHECK(answer_to(served, upgrade(served.port(), cookie, served.origin())) == 503);
+    first.reset();
+    while (served.server->watchers() > 1)
+        std::this_thread::yield();
+    const auto third = served.watcher(cookie);
+    const Client fourth(served.port()), fifth(served.port());
+    Client sixth(served.port());
+    sixth.send(request(served.port(), "/"));
+    CHECK(sixth.is_closed());
+}
+
+TEST_CASE("a port in use is a problem that says what to do") {
+    const Served served;
+    const auto second = Server::open(served.port(), {}, {});
+    REQUIRE(!second.ok());
+    const Problem problem = second.problems().front();
+    CHECK(problem.what.find("port " + std::to_string(served.port()) + " of 127.0.0.1 cannot be opened") == 0);
+    CHECK(problem.fix == "another program has it: leave --port away, or take another");
+}
+
+} // namespace test_server

@@ -1,0 +1,236 @@
+#include "../folder.h"
+#include "../run/scenes.h"
+#include "view/live_source.h"
+#include "view/studio.h"
+
+#include <chrono>
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+using namespace tumble;
+using namespace tumble::view;
+
+namespace test_studio {
+
+/// A studio of a scene at rest, and its last picture.
+struct Opened {
+    test::Folder folder;
+    SceneText text;
+    std::unique_ptr<Studio> studio;
+    render::Picture picture;
+    nlohmann::json state;
+
+    explicit Opened(const std::string& toml, int width = 1000, int height = 500) : text{toml, "shaken.toml", {}} {
+        const auto scene = text.load();
+        REQUIRE(scene.ok());
+        auto source = open_live(text, *scene, 1, [] {});
+        REQUIRE(source.ok());
+        Plots plots = Plots::of_simulation(*scene, *(*source)->layout());
+        auto opened = Studio::open(std::move(*source), text, *scene, std::move(plots), {width, height, folder.path});
+        REQUIRE_MESSAGE(opened.ok(), to_string(opened.problems()));
+        studio = std::move(*opened);
+        draw();
+    }
+    void draw() {
+        auto shown = studio->draw();
+        REQUIRE_MESSAGE(shown.ok(), to_string(shown.problems()));
+        picture = std::move(shown->picture);
+        state = nlohmann::json::parse(shown->state);
+    }
+    /// Waits for the simulation; a minute is only there so that a broken program fails instead of hanging.
+    bool eventually(const std::function<bool()>& holds) {
+        for (int i = 0; i < 6000; ++i) {
+            draw();
+            if (holds())
+                return true;
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        return false;
+    }
+    /// What moved is drawn with smooth edges once it rests.
+    void settle() {
+        REQUIRE(eventually([&] { return state["sketched"] == false; }));
+    }
+    std::array<double, 2> middle_of(const std::string& name) const {
+        REQUIRE_MESSAGE(state["places"].contains(name), name);
+        const auto place = state["places"][name].get<std::array<double, 4>>();
+        return {0.5 * (place[0] + place[2]), 0.5 * (place[1] + place[3])};
+    }
+    /// A press and its release in one go, as quick hands do.
+    void click(const std::string& name) {
+        const auto [x, y] = middle_of(name);
+        studio->take(PointerMoved{x, y});
+        studio->take(PointerPressed{0, x, y});
+        studio->take(PointerReleased{0, x, y});
+        draw();
+    }
+    void drag(double x, double y, double to_x, double to_y, int button = 0) {
+        studio->take(PointerMoved{x, y});
+        studio->take(PointerPressed{button, x, y});
+        studio->take(PointerMoved{to_x, to_y});
+        studio->take(PointerReleased{button, to_x, to_y});
+        draw();
+    }
+};
+
+/// Pixels that differ to the eye, in columns left .. right: by more than 12 of 255.
+std::size_t differences(const render::Picture& a, const render::Picture& b, int left, int right) {
+    REQUIRE(a.width == b.width);
+    REQUIRE(a.height == b.height);
+    std::size_t count = 0;
+    for (int y = 0; y < a.height; ++y)
+        for (int x = left; x < right; ++x) {
+            int most = 0;
+            for (int channel = 0; channel < 3; ++channel) {
+                const auto at = 4 * static_cast<std::size_t>(y * a.width + x) + static_cast<std::size_t>(channel);
+                most = std::max(most, std::abs(a.rgba[at] - b.rgba[at]));
+            }
+            count += most > 12 ? 1 : 0;
+        }
+    return count;
+}
+
+constexpr int panel = 300; // pixels
+
+TEST_CASE(
+    "the picture is panel and scene side by side; a drag in the scene turns the camera and leaves the panel as it is") {
+    Opened opened(test::pouring);
+    CHECK(opened.picture.width == 1000);
+    CHECK(opened.picture.height == 500);
+    CHECK(!opened.studio->is_stale());
+    const render::Picture before = opened.picture;
+    const nlohmann::json eye = opened.state["camera"]["eye"];
+    opened.drag(600, 250, 660, 230);
+    CHECK(opened.state["camera"]["eye"] != eye);
+    CHECK(differences(before, opened.picture, 0, panel) == 0);
+    CHECK(differences(before, opened.picture, panel, 1000) > 500);
+    // Back by the same way: the same picture, up to the roundings of the way.
+    opened.drag(660, 230, 600, 250);
+    opened.settle();
+    CHECK(differences(before, opened.picture, panel, 1000) < 500);
+    // A press in the panel moves no camera, even when it goes on over the scene.
+    const nlohmann::json now = opened.state["camera"];
+    opened.drag(150, 480, 700, 300);
+    CHECK(opened.state["camera"] == now);
+}
+
+TEST_CASE("wheel, right button, two fingers and keys move the camera; R brings the scene's own back") {
+    Opened opened(test::pouring);
+    const nlohmann::json first = opened.state["camera"];
+    nlohmann::json last = first;
+    const auto moved = [&] {
+        opened.draw();
+        const bool is_new = opened.state["camera"] != last;
+        last = opened.state["camera"];
+        return is_new;
+    };
+    opened.studio->take(WheelTurned{700, 200, 2});
+    CHECK(moved());
+    opened.drag(600, 250, 620, 250, 2);
+    CHECK(moved());
+    opened.studio->take(Pinched{600, 250, 5, 5, 1.1});
+    CHECK(moved());
+    for (const char* key : {"ArrowLeft", "ArrowUp", "Equal", "Minus"}) {
+        opened.studio->take(KeyChanged{key, true, false, false});
+        opened.studio->take(KeyChanged{key, false, false, false});
+        CHECK_MESSAGE(moved(), key);
+    }
+    opened.studio->take(KeyChanged{"KeyR", true, false, false});
+    CHECK(moved());
+    CHECK(last == first);
+}
+
+TEST_CASE("a click on play runs the scene to its end, even when press and release come within one frame") {
+    Opened opened(test::pouring);
+    CHECK(opened.state["time"] == 0);
+    opened.click("steps");
+    CHECK(opened.eventually([&] { return opened.state["step"] == 100; }));
+    opened.click("play");
+    CHECK(opened.eventually([&] { return opened.state["ended"] == true; }));
+    CHECK(opened.eventually([&] { return opened.state["step"] == 2000; }));
+    CHECK(opened.state["playing"] == false);
+}
+
+TEST_CASE("a slider that is dragged changes the scene, and the changed scene is saved as one that loads to it") {
+    Opened opened(test::pouring);
+    opened.click("tab Change");
+    const std::string key = "pair.glass-glass.friction";
+    const auto [x, y] = opened.middle_of(key);
+    opened.drag(x, y, x + 160, y); // beyond its right end, in one go
+    const double value = opened.state["values"][key];
+    CHECK(value == 1.5);
+    opened.click("save scene");
+    const std::filesystem::path saved = opened.folder.path / "shaken-001.toml";
+    CHECK(opened.state["notice"] == saved.string());
+    const auto scene = scene::load_scene(saved);
+    REQUIRE_MESSAGE(scene.ok(), to_string(scene.problems()));
+    CHECK(scene->pair(0, 0).friction == value);
+    CHECK(scene->pair(0, 0).restitution == 0.6);
+    opened.click("as in the scene");
+    CHECK(opened.state["values"][key] == 0.4);
+}
+
+TEST_CASE("colours, their range and a section are chosen in the panel and change the picture") {
+    Opened opened(test::pouring);
+    opened.click("tab Look");
+    CHECK(!opened.state["places"].contains("range"));
+    opened.click("fixed range");
+    CHECK(opened.state["places"].contains("range"));
+    const auto changes = [&](const std::string& name) {
+        opened.settle();
+        const render::Picture before = opened.picture;
+        opened.click(name);
+        opened.settle();
+        return differences(before, opened.picture, panel, 1000);
+    };
+    opened.click("color");
+    CHECK(changes("color vy") > 1000); // they fall at 1 m/s: dark blue where zero is grey
+    CHECK(changes("section") == 0);    // from end to end of the domain
+    const auto [x, y] = opened.middle_of("section y to");
+    const render::Picture whole = opened.picture;
+    opened.drag(x, y, x - 200, y);
+    opened.settle();
+    CHECK(differences(whole, opened.picture, panel, 1000) > 1000); // no body is left
+}
+
+TEST_CASE("a window that is hidden or tiny keeps the view alive, a larger one gets a larger picture") {
+    Opened opened(test::pouring);
+    opened.studio->take(Resized{0, 0, 1});
+    opened.draw();
+    CHECK(opened.picture.width == 1000);
+    opened.studio->take(Resized{1, 1, 1});
+    opened.draw();
+    CHECK(opened.picture.width == 320);
+    CHECK(opened.picture.height == 200);
+    opened.studio->take(Resized{1400, 900, 1.25});
+    opened.draw();
+    CHECK(opened.picture.width == 1400);
+    CHECK(opened.picture.height == 900);
+    opened.studio->take(PanelToggled{});
+    opened.draw();
+    CHECK(opened.picture.width == 1400);
+}
+
+TEST_CASE("a picture is kept as PNG and a film as MP4, under names that nothing had") {
+    Opened opened(test::pouring);
+    test::put(opened.folder.path / "shaken-001.png", "not ours");
+    opened.click("tab Keep");
+    opened.click("picture");
+    CHECK(opened.state["notice"] == (opened.folder.path / "shaken-002.png").string());
+    opened.click("film");
+    opened.click("steps");
+    REQUIRE(opened.eventually([&] { return opened.state["step"] == 100; }));
+    opened.click("film");
+    REQUIRE(opened.eventually([&] { return !opened.state["filmed"].get<std::string>().empty(); }));
+    // A picture every 6 ms, 300 steps: the one at 0 alone within 100 steps.
+    const std::filesystem::path film = opened.folder.path / "shaken-003.mp4";
+    CHECK(opened.state["filmed"] == film.string() + " with 1 pictures");
+    CHECK(std::filesystem::file_size(film) > 500);
+    const auto folder = opened.folder.path;
+    opened.studio.reset(); // what still waits is written
+    CHECK(test::content_of(folder / "shaken-001.png") == "not ours");
+    CHECK(test::content_of(folder / "shaken-002.png").substr(1, 3) == "PNG");
+}
+
+} // namespace test_studio

@@ -335,36 +335,44 @@ TEST_CASE(
     const std::array<int, 3> seeds{3, 4, 5};
     for (const int seed : seeds) {
         CAPTURE(seed);
-        const Ran heap(
-            loaded("repose-2d.toml", {"duration_s=2.6", "seed=" + std::to_string(seed)})); // all are in at 2.5 s
+        const Ran heap(loaded("repose-2d.toml", {"duration_s=2.6", "seed=" + std::to_string(seed)})); // at rest by then
         const double left = heap.column("surface_slope_left").back(),
                      right = -heap.column("surface_slope_right").back();
         CHECK(heap.summary.unfilled.empty());
         CHECK(heap.column("kinetic_energy").back() < 1e-9);
         for (const double slope : {left, right}) {
-            CHECK(slope > 11);
-            CHECK(slope < 17);
+            CHECK(slope > 13);
+            CHECK(slope < 19);
         }
         sum += left + right;
         skew += left - right;
     }
-    // Six slopes scatter by 0.9 degrees: their mean by 0.4, the mean difference of two sides by 0.7.
-    CHECK(sum / 6 == about(13.9, 0.08));
-    CHECK(std::abs(skew / 3) < 2);
+    // Six slopes scatter by 1.1 degrees: their mean by 0.45, the mean difference of two sides by 0.9.
+    CHECK(sum / 6 == about(15.9, 0.08));
+    CHECK(std::abs(skew / 3) < 2.7);
 }
 
 TEST_CASE("trough-2d: moved round a circle, the trough makes its flat load circulate clockwise and its surface slope") {
-    const Ran flat(loaded("trough-2d.toml"));
-    CHECK(flat.summary.bodies == 500);
-    CHECK(flat.summary.unfilled.empty());
-    for (const double from : {1.4, 1.8, 2.2, 2.6}) {
-        CAPTURE(from);
-        CHECK(flat.mean("circulation", from, from + 0.4) < -0.25);
-        CHECK(flat.mean("circulation", from, from + 0.4) > -0.9);
+    // Slopes of single seeds scatter by 2.4 degrees about 9, circulations by 0.06 about 0.51 rad/s: means of two seeds
+    // lie within three standard errors, 5 and 0.13.
+    double turns = 0, slope = 0;
+    for (const char* seed : {"seed=7", "seed=12"}) {
+        CAPTURE(seed);
+        const Ran flat(loaded("trough-2d.toml", {seed}));
+        CHECK(flat.summary.bodies == 500);
+        CHECK(flat.summary.unfilled.empty());
+        for (const double from : {1.4, 1.8, 2.2, 2.6}) {
+            CAPTURE(from);
+            CHECK(flat.mean("circulation", from, from + 0.4) < -0.25);
+            CHECK(flat.mean("circulation", from, from + 0.4) > -0.9);
+        }
+        turns += 0.5 * flat.mean("circulation", 2.0, 3.0);
+        slope += 0.5 * flat.mean("surface_slope", 2.0, 3.0);
+        CHECK(std::abs(flat.summary.books.closure) < 0.01 * flat.summary.energy_turnover);
     }
-    CHECK(flat.mean("circulation", 2.0, 3.0) == about(-0.53, 0.25));
-    CHECK(flat.mean("surface_slope", 2.0, 3.0) == about(-9.2, 0.25)); // seeds scatter by 1.1
-    CHECK(std::abs(flat.summary.books.closure) < 0.01 * flat.summary.energy_turnover);
+    CHECK(std::abs(turns + 0.51) < 0.13);
+    CHECK(slope < -4);
+    CHECK(slope > -14);
 }
 
 TEST_CASE("trough-2d: in phase it turns the other way and lies level; with the thesis' amplitude across it turns a "

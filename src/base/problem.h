@@ -25,6 +25,10 @@ std::string to_string(const Problem& problem);
 /// All problems, one after the other, each ended by a newline.
 std::string to_string(const Problems& problems);
 
+inline void append(Problems& all, const Problems& more) {
+    all.insert(all.end(), more.begin(), more.end());
+}
+
 /// A value or the list of everything that kept it from being made.
 template <class T> class [[nodiscard]] Result {
 public:

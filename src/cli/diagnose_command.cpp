@@ -146,10 +146,10 @@ void add_diagnose_command(CLI::App& program, Action& action) {
         ->type_name("FILE");
     command->add_option("--report", arguments->report, "Folder for diagnosis.html, diagnosis.json and residuals.csv")
         ->type_name("DIR")
-        ->check(refuse_dash);
+        ->check(refuse_no_place);
     command->add_option("--write-extended", arguments->extended, "Scene file to write, with the named cause in it")
         ->type_name("FILE")
-        ->check(refuse_dash);
+        ->check(refuse_no_place);
     command->add_flag("--plan", arguments->plan, "Propose experiments also where the answer is not ambiguous");
     command->add_flag("--quiet", arguments->quiet, "No progress, no warnings on stderr");
     command->add_flag("--json", arguments->json, "Print the diagnosis as JSON");

@@ -146,7 +146,7 @@ void add_excitation_command(CLI::App& program, Action& action) {
         ->check(number_from(0.0, 1e6));
     command->add_option("--out", arguments->folder, "Folder for motion.toml and the figures (needs gnuplot)")
         ->type_name("DIR")
-        ->check(refuse_dash);
+        ->check(refuse_no_place);
     command->add_flag("--json", arguments->json, "Print the result as JSON");
     command->callback([arguments, &action] { action = [arguments] { return excite(*arguments); }; });
 }

@@ -65,10 +65,10 @@ void add_export_command(CLI::App& program, Action& action) {
     command->add_option("RUN", arguments->run, "Folder of a run")->required();
     command->add_option("--vtk", arguments->options.paraview, "Folder for ParaView's VTP and PVD files")
         ->type_name("DIR")
-        ->check(refuse_dash);
+        ->check(refuse_no_place);
     command->add_option("--dump", arguments->options.text_dump, "LIGGGHTS-style text file of all spheres")
         ->type_name("FILE")
-        ->check(refuse_dash);
+        ->check(refuse_no_place);
     command->add_option("--time", arguments->time, "Only frames from A to B, s; either may be missing")
         ->type_name("A:B");
     command->add_flag("--force", arguments->options.overwrite, "Replace what is there");

@@ -169,7 +169,7 @@ void add_fit_command(CLI::App& program, Action& action) {
         ->check(number_above_zero());
     command->add_option("--compare", arguments->compare, "Fit nothing; say how far this clump is off")
         ->type_name("CLUMP.csv");
-    command->add_option("--out", arguments->out, "Clump file to write")->type_name("FILE")->check(refuse_dash);
+    command->add_option("--out", arguments->out, "Clump file to write")->type_name("FILE")->check(refuse_no_place);
     command->add_flag("--force", arguments->force, "Replace what is there");
     command->add_flag("--json", arguments->json, "Print the result as JSON");
     command->callback([arguments, &action] { action = [arguments] { return fit_it(*arguments); }; });

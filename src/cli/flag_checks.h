@@ -14,6 +14,6 @@ CLI::Validator one_of(std::vector<std::string> words);
 
 /// For flags that name what will be made: nothing is refused, and "-", which would become a file or folder of that
 /// name.
-std::string refuse_dash(const std::string& name);
+std::string refuse_no_place(const std::string& name);
 
 } // namespace tumble::cli

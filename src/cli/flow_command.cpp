@@ -190,10 +190,10 @@ void add_flow_command(CLI::App& program, Action& action) {
         ->check(whole_number_from(1, 1000));
     command->add_option("--layers", options.grid.layers, "How many layers; 10 without it")
         ->check(whole_number_from(1, 1000));
-    command->add_option("--out", arguments->out, "Folder for tables (CSV)")->type_name("DIR")->check(refuse_dash);
+    command->add_option("--out", arguments->out, "Folder for tables (CSV)")->type_name("DIR")->check(refuse_no_place);
     command->add_option("--picture", arguments->picture, "Picture of the field (needs gnuplot)")
         ->type_name("F.png|F.svg")
-        ->check(refuse_dash);
+        ->check(refuse_no_place);
     command->add_flag("--quiet", arguments->quiet, "No progress, no warnings on stderr");
     command->add_flag("--json", arguments->json, "Print the result as JSON");
     command->callback([arguments, &action] { action = [arguments] { return tell_flow(*arguments); }; });

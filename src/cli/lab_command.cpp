@@ -106,7 +106,7 @@ void add_experiment(CLI::App& all, const Experiment& experiment, Action& action)
         ->add_option("--out", arguments->folder,
                      "Folder for the records as CSV and the figures as PNG and SVG (needs gnuplot)")
         ->type_name("DIR")
-        ->check(refuse_dash);
+        ->check(refuse_no_place);
     command->add_flag("--json", arguments->json, "Print the result as JSON: facts, tables, curves");
     command->callback([arguments, &experiment, &action] {
         action = [arguments, &experiment] { return perform(experiment, *arguments); };

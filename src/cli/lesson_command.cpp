@@ -131,7 +131,7 @@ void add_lesson(CLI::App& all, const Lesson& lesson, Action& action) {
         ->add_option("--out", arguments->folder,
                      "Folder for the figures, as PNG and SVG (needs gnuplot), and videos (ffmpeg)")
         ->type_name("DIR")
-        ->check(refuse_dash);
+        ->check(refuse_no_place);
     command->add_flag("--answer", arguments->answer, "Print the question and its answer instead of the walk");
     command->add_flag("--json", arguments->json, "Print the walk as JSON: facts, tables, curves, question, answer");
     command->callback(

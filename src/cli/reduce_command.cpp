@@ -186,7 +186,7 @@ void add_reduce_command(CLI::App& program, Action& action) {
         ->type_name("A:B");
     command->add_option("--out", options.folder, "Folder; out/NAME-reduce of the scene file without it")
         ->type_name("DIR")
-        ->check(refuse_dash);
+        ->check(refuse_no_place);
     command->add_option("--threads", options.threads, "Threads that step; 1 without it")
         ->type_name("N")
         ->check(whole_number_from(1, 256));

@@ -182,7 +182,7 @@ void add_render_command(CLI::App& program, Action& action) {
     command->add_flag("--frames", arguments->frames, "PNG files; the default without --video");
     command->add_option("--out", arguments->out, "Folder for the PNG files, or for the run of a scene")
         ->type_name("DIR")
-        ->check(refuse_dash);
+        ->check(refuse_no_place);
     command->add_option("--time", arguments->time, "Only frames from A to B, s; either may be missing")
         ->type_name("A:B");
     arguments->scene.add_sets_to(*command);

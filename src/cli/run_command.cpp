@@ -96,7 +96,7 @@ void add_run_command(CLI::App& program, Action& action) {
     arguments->scene.add_to(*command);
     command->add_option("--out", options.folder, "Folder for the run; out/NAME of the scene file without it")
         ->type_name("DIR")
-        ->check(refuse_dash);
+        ->check(refuse_no_place);
     command->add_flag("--frames", options.pictures, "Draw every frame as PNG, in pictures/");
     command->add_flag("--video", options.video, "Make video.mp4 of all frames (needs ffmpeg)");
     command->add_flag("--vtk", options.paraview, "Write VTP and PVD files for ParaView, in paraview/");

@@ -127,7 +127,7 @@ void add_view_command(CLI::App& program, Action& action) {
         ->check(whole_number_from(1, 256));
     command->add_option("--out", arguments->out, "Folder for pictures, films and scenes that are kept")
         ->type_name("DIR")
-        ->check(refuse_dash);
+        ->check(refuse_no_place);
     add_render_settings(*command, arguments->scene.sets);
     arguments->scene.add_sets_to(*command);
     command->add_flag("--quiet", arguments->quiet, "Nothing but the link");

@@ -55,7 +55,7 @@ void add_walls_command(CLI::App& program, Action& action) {
     command->add_option("--at", arguments->time, "Where they stand at this time of the scene, s")->type_name("T");
     command->add_option("--out", arguments->out, "Folder for the files; walls/ without it")
         ->type_name("DIR")
-        ->check(refuse_dash);
+        ->check(refuse_no_place);
     command->add_flag("--force", arguments->force, "Replace what is there");
     command->add_flag("--quiet", arguments->quiet, "Print nothing");
     command->add_flag("--json", arguments->json, "Print the result as JSON");

@@ -26,7 +26,7 @@ struct Site {
 
 /// What the fills that are due at the site's step put in: bodies at random, wholly inside their region, touching no
 /// body and no wall. A fill meant to happen at once that cannot place all is a problem; one spread over time tries
-/// again later, and unfilled() tells what it still owes. Once a stop is wanted fills stay as they are, the one at work
+/// again later, and owed_by() tells what it still owes. Once a stop is wanted fills stay as they are, the one at work
 /// as it was before.
 Result<std::vector<BodyState>> place_due(std::vector<FillState>& fills, const Site& site);
 

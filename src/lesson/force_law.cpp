@@ -162,7 +162,9 @@ void rub(Walk& walk, const Setup& s) {
         "and bears a part of 1/√8, as the normal force does.");
     // Slid over: width - yield on the first way, twice that on each of the two ways across.
     const double lost = 5 * limit * std::max(0.0, s.width - yield);
-    if (lost > 0)
+    if (limit == 0)
+        walk.say("Without friction no shear spring is wound up, and nothing resists.");
+    else if (lost > 0)
         walk.say("Each corner is a change between sticking and sliding. After a reversal the spring must first be "
                  "unloaded, then loaded the other way, so it takes twice as far until the grains slide again: the same "
                  "displacement can belong to two forces. That is why the law needs a memory. The loop's area is heat:");

@@ -214,10 +214,8 @@ Result<Walk> teach(const Values& values) {
     walk.say(fmt::format(
         "Three fills that differ in nothing but where their bodies begin differ by as much as the table's columns "
         "from and to are apart: one heap is a sample of one. A slope does not depend on how many grains there "
-        "are only if the heap is not too small (thesis, section 3.1.1.5){}. Nor is it a number of the material alone: "
-        "`scenes/repose-2d.toml` pours stiffer discs, half as many a second, from higher up and with a friction of "
-        "0.5, and "
-        "gets 14 degrees.",
+        "are only if the heap is not too small (thesis, section 3.1.1.5){}. `scenes/repose-2d.toml` pours discs "
+        "of friction 0.5 that are four times as stiff, faster and from higher up, and gets 15.9 degrees.",
         count > 150 ? ": try `--count 100`, whose heaps are a few rows high" : ""));
     walk.question = "A code has only single discs, and its heap is too flat beside the experiment. What is often added "
                     "to the law in place of the shape?";

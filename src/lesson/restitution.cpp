@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
 #include <numbers>
+#include <set>
 
 namespace tumble::lesson {
 
@@ -82,14 +84,13 @@ std::optional<Problem> loops(Walk& walk, const Setup& s) {
                   .y = {"normal force", "N"},
                   .curves = {}};
     constexpr double dull = 0.3;
-    double pull = 0; // of the last
-    for (const double e : {1.0, s.e, dull}) {
+    double pull = 0; // of the dull one
+    for (const double e : std::set<double, std::greater<>>{1.0, s.e, dull}) {
         const Result<Impact> hit = s.linear(e, s.speed);
         if (!hit)
             return hit.problems().front();
-        pull = -hit->force_min / hit->force_max;
-        if (e == s.e && (e == 1.0 || e == dull)) // has its curve
-            continue;
+        if (e == dull)
+            pull = -hit->force_min / hit->force_max;
         Curve curve{fmt::format("e = {:.3g}", e), Style::line, {}, {}};
         for (std::size_t k = 1; k < hit->force.size(); k += 5)
             if (hit->overlap[k] > 0)

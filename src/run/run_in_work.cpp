@@ -60,10 +60,6 @@ Problems check_options(const scene::Scene& scene, const RunOptions& options) {
     return {};
 }
 
-void append(Problems& all, const Problems& more) {
-    all.insert(all.end(), more.begin(), more.end());
-}
-
 } // namespace
 
 std::filesystem::path folder_for(const scene::Scene& scene, const RunOptions& options) {

@@ -27,8 +27,9 @@ double turned_over(const Books& books) {
 
 std::vector<std::string> verdict(const RunSummary& summary, const scene::Scene& scene) {
     std::vector<std::string> sentences;
-    const bool early = std::any_of(scene.fills.begin(), scene.fills.end(),
-                                   [&](const scene::Fill& fill) { return fill.until > summary.time; });
+    const bool early =
+        !scene.fills.empty() && std::all_of(scene.fills.begin(), scene.fills.end(),
+                                            [&](const scene::Fill& fill) { return fill.until > summary.time; });
     for (const std::string& sentence : summary.unfilled)
         sentences.push_back(
             (early ? "the run ended while bodies were still coming in: " : "not all bodies found room: ") + sentence);

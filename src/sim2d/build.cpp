@@ -111,7 +111,7 @@ Result<WorldPtr> prepare_world(const scene::Scene& scene, int threads, StopFlag 
     world->remembers_more = solver::remember_more(world->pairs);
     world->images = solver::images_of(scene.domain, 2);
     Problems problems = make_shapes(*world);
-    solver::append(problems, solver::faults_of_laws(scene, 2));
+    append(problems, solver::faults_of_laws(scene, 2));
     if (stop_wanted(stop))
         return stopped_before_it_began();
     if (!problems.empty())
@@ -119,9 +119,9 @@ Result<WorldPtr> prepare_world(const scene::Scene& scene, int threads, StopFlag 
     make_walls(*world);
     choose_skins(*world);
     make_drag(*world);
-    solver::append(problems, check_periods(*world));
-    solver::append(problems, solver::faults_of_step(scene, time_step_report(scene, world->plain_shapes), "contacts"));
-    solver::append(problems, prepare_fills(*world));
+    append(problems, check_periods(*world));
+    append(problems, solver::faults_of_step(scene, time_step_report(scene, world->plain_shapes), "contacts"));
+    append(problems, prepare_fills(*world));
     if (!problems.empty())
         return problems;
     return world;

@@ -186,18 +186,18 @@ Result<WorldPtr> prepare_world(const scene::Scene& scene, int threads, StopFlag 
     world->remembers_more = solver::remember_more(world->pairs);
     world->images = solver::images_of(scene.domain, 3);
     Problems problems = make_shapes(*world);
-    solver::append(problems, make_walls(*world));
-    solver::append(problems, solver::faults_of_laws(scene, 3));
+    append(problems, make_walls(*world));
+    append(problems, solver::faults_of_laws(scene, 3));
     if (stop_wanted(stop))
         return stopped_before_it_began();
     if (!problems.empty())
         return problems;
     choose_skins(*world);
     make_drag(*world);
-    solver::append(problems, make_holds(*world));
-    solver::append(problems, check_periods(*world));
-    solver::append(problems, solver::faults_of_step(scene, time_step_report(scene, world->plain_shapes), "materials"));
-    solver::append(problems, prepare_fills(*world));
+    append(problems, make_holds(*world));
+    append(problems, check_periods(*world));
+    append(problems, solver::faults_of_step(scene, time_step_report(scene, world->plain_shapes), "materials"));
+    append(problems, prepare_fills(*world));
     if (!problems.empty())
         return problems;
     return world;

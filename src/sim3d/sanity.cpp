@@ -17,6 +17,7 @@ using solver::stop;
 
 // rad; up to here the sine and cosine in kernels/integrate.cpp are right to 1e-7.
 constexpr double widest_turn = 0.2;
+
 double smallest_radius(const World& world, int slot) {
     const ShapeConstants& shape = world.shape_at(slot);
     double smallest = shape.exposed[3];

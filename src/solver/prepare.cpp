@@ -51,8 +51,4 @@ Problems faults_of_step(const scene::Scene& scene, const scene::TimeStepReport& 
                     0.5 * report.limit, soften))};
 }
 
-void append(Problems& all, const Problems& more) {
-    all.insert(all.end(), more.begin(), more.end());
-}
-
 } // namespace tumble::solver

@@ -28,6 +28,4 @@ Problems faults_of_laws(const scene::Scene& scene, int dimensions);
 /// A step above the stable limit that the scene does not insist on; `soften` names what could be softer.
 Problems faults_of_step(const scene::Scene& scene, const scene::TimeStepReport& report, const char* soften);
 
-void append(Problems& all, const Problems& more);
-
 } // namespace tumble::solver

@@ -64,4 +64,18 @@ TEST_CASE(
     CHECK(walk.fact("voidage_cones_smooth") < 0.34);
 }
 
+TEST_CASE("clumps: a bed without a middle, or one that reaches the sky, is refused with how many bodies would do") {
+    const auto fate = [](const char* bodies, const char* width) {
+        const Lesson& lesson = **find_lesson("clumps");
+        return lesson.teach(*read_values(lesson, {{"packing_bodies", bodies}, {"packing_width_mm", width}})).problems();
+    };
+    // 4 diameters of 17.5 mm on 300 mm squared, six tenths of it 2.806 cm3 each: 4 * 0.0175 * 0.09 * 0.6 / 2.806e-6 =
+    // 1347.
+    const auto flat = fate("60", "300");
+    REQUIRE(flat.size() == 1);
+    CHECK(flat[0].what.starts_with("60 bodies on 300 mm make a bed 0.18 sphere diameters deep"));
+    CHECK(flat[0].fix.starts_with("take 1347 to 10"));
+    CHECK(fate("4000", "50").size() == 1);
+}
+
 } // namespace test_clumps

@@ -69,4 +69,18 @@ TEST_CASE("restitution: a spring too soft for the impact is refused in the lesso
     CHECK((*lesson)->teach(*stiff).ok());
 }
 
+TEST_CASE("restitution: each loop is drawn once, with its own name") {
+    const auto loops = [](const char* e) {
+        std::vector<std::string> labels;
+        for (const tumble::sheet::Figure* figure : taught("restitution", {{"restitution", e}}).figures())
+            if (figure->name == "loops")
+                for (const Curve& curve : figure->curves)
+                    labels.push_back(curve.label);
+        return labels;
+    };
+    CHECK(loops("0.667") == std::vector<std::string>{"e = 1", "e = 0.667", "e = 0.3"});
+    CHECK(loops("1") == std::vector<std::string>{"e = 1", "e = 0.3"});
+    CHECK(loops("0.3") == std::vector<std::string>{"e = 1", "e = 0.3"});
+}
+
 } // namespace test_restitution

@@ -26,6 +26,7 @@ TEST_CASE(
     "rolling-resistance: at rest the constant torque shakes the ball by what it gives in a step, the spring's fades") {
     const Walk walk = taught("rolling-resistance");
     CHECK(walk.fact("kicks_at_rest_cdt") == about(0.5, 0.02)); // a kick to and fro: half of it either way
+    CHECK(std::abs(walk.fact("creep_at_rest_cdt")) < 0.5 * 0.05 * 9.81 * 2e-5 / (0.4 * 0.02)); // or it would be braked
     CHECK(walk.fact("kicks_at_rest_epsd") < 1e-3);
     CHECK(walk.fact("worst_acceleration") < 0.02); // of mu_r g
 }

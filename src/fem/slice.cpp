@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 
 namespace tumble::fem {
 
@@ -11,6 +12,12 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double across_axis = 0.9; // cosine between a facet's normal and the axis from which on it is an end's
+
+/// Of a side at one of its nodes.
+struct Surface {
+    Vector3d outward = Vector3d::Zero(); // m2, along the normal
+    double area = 0;                     // m2
+};
 
 std::string names_of(const std::map<std::string, std::vector<int>>& sets) {
     std::string names;
@@ -35,20 +42,32 @@ Result<Slice> slice_of(const solid::HexMesh& mesh, const solid::Locator& locator
     if (found == mesh.facet_sets.end())
         return Problem{.what = fmt::format("the part has no side '{}'", side),
                        .fix = "it has " + names_of(mesh.facet_sets)};
-    Slice slice{side, depth, {}};
+    std::map<int, Surface> nodes;
     for (const int facet : found->second) {
-        const Vector3d area = mesh.area_of(facet), normal = area.normalized();
-        const int element =
-            mesh.hex_numbers[static_cast<std::size_t>(mesh.facets[static_cast<std::size_t>(facet)].hex)];
-        if (std::abs(normal.dot(axis)) > across_axis)
-            return Problem{.what = fmt::format("side '{}' lies across the axis at element {}", side, element),
+        const Vector3d area = mesh.area_of(facet);
+        const solid::Facet& of = mesh.facets[static_cast<std::size_t>(facet)];
+        if (std::abs(area.dot(axis)) > across_axis * area.norm())
+            return Problem{.what = fmt::format("side '{}' lies across the axis at element {}", side,
+                                               mesh.hex_numbers[static_cast<std::size_t>(of.hex)]),
                            .fix = "slices lie beneath sides along the axis"};
-        SlicePoint point{facet, area.norm(), mesh.centre_of(facet) - depth * normal, {}, directions_of(normal, axis)};
+        for (const int node : of.corners) {
+            nodes[node].outward += area;
+            nodes[node].area += area.norm() / 4;
+        }
+    }
+    Slice slice{side, depth, {}};
+    for (const auto& [node, surface] : nodes) {
+        const Vector3d normal = surface.outward.normalized();
+        SlicePoint point{node,
+                         surface.area,
+                         mesh.nodes[static_cast<std::size_t>(node)] - depth * normal,
+                         {},
+                         directions_of(normal, axis)};
         const auto inside = locator.find(point.place);
         if (!inside)
-            return Problem{
-                .what = fmt::format("{:.4g} m beneath side '{}' at element {} the part ends", depth, side, element),
-                .fix = "take a smaller depth"};
+            return Problem{.what = fmt::format("{:.4g} m beneath side '{}' at node {} the part ends", depth, side,
+                                               mesh.node_numbers[static_cast<std::size_t>(node)]),
+                           .fix = "take a smaller depth"};
         point.inside = *inside;
         slice.points.push_back(point);
     }

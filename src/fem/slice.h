@@ -12,12 +12,13 @@
 /// Stresses beneath a part's surface, thesis 7.5.3 and 7.6.1.
 namespace tumble::fem {
 
+/// A place straight beneath a node of the surface.
 struct SlicePoint {
-    int facet = 0;                                   // the point lies straight beneath its centre
-    double area = 0;                                 // m2, the facet's
+    int node = 0;
+    double area = 0;                                 // m2, the node's share of the facets that meet there
     Eigen::Vector3d place = Eigen::Vector3d::Zero(); // m
     solid::Inside inside;
-    Directions directions;
+    Directions directions; // normal: the mean of those facets'
 };
 
 struct Slice {
@@ -26,8 +27,8 @@ struct Slice {
     std::vector<SlicePoint> points;
 };
 
-/// Beneath every facet of a set. Problems: no such set; a point that lies outside of the part (too deep) or a facet
-/// across the axis, with its element.
+/// Beneath every node of a facet set. Problems: no such set; a facet across the axis, a point that lies outside of the
+/// part (too deep), with the element or node.
 Result<Slice> slice_of(const solid::HexMesh& mesh, const solid::Locator& locator, const std::string& side,
                        const Eigen::Vector3d& axis, double depth);
 

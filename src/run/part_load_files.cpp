@@ -53,20 +53,26 @@ std::string contacts_csv(const PartLoads& loads) {
     return text;
 }
 
-/// Force over area of every facet that is touched, as the thesis plots it.
+/// Force over area of every facet that is touched, as the thesis plots it; along and across the contacts' normals,
+/// which at an edge are not the facet's.
 std::string facets_csv(const PartLoads& loads, const solid::HexMesh& mesh) {
     std::string text = "time_s,element,face,area_m2,normal_Pa,shear_Pa\n";
     for (const LoadInstant& instant : loads.instants) {
-        std::map<int, Vector3d> forces;
-        for (const observe::WallPush& push : instant.pushes)
-            forces.try_emplace(push.triangle / 2, Vector3d::Zero()).first->second += push.force;
-        for (const auto& [facet, force] : forces) {
+        struct OnFacet {
+            double pressing = 0;                  // N
+            Vector3d shearing = Vector3d::Zero(); // N
+        };
+        std::map<int, OnFacet> facets;
+        for (const observe::WallPush& push : instant.pushes) {
+            facets[push.triangle / 2].pressing += push.pressing();
+            facets[push.triangle / 2].shearing += push.shearing();
+        }
+        for (const auto& [facet, sum] : facets) {
             const solid::Facet& of = mesh.facets[static_cast<std::size_t>(facet)];
-            const Vector3d area = mesh.area_of(facet), normal = area.normalized();
-            const double pressing = -force.dot(normal);
-            text += csv_line(Row{instant.time, static_cast<double>(mesh.hex_numbers[static_cast<std::size_t>(of.hex)]),
-                                 static_cast<double>(of.face + 1), area.norm(), pressing / area.norm(),
-                                 (force + pressing * normal).norm() / area.norm()});
+            const double area = mesh.area_of(facet).norm();
+            text +=
+                csv_line(Row{instant.time, static_cast<double>(mesh.hex_numbers[static_cast<std::size_t>(of.hex)]),
+                             static_cast<double>(of.face + 1), area, sum.pressing / area, sum.shearing.norm() / area});
         }
     }
     return text;

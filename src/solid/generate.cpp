@@ -69,15 +69,15 @@ template <class Name> void name_facets(HexMesh& mesh, Name name) {
 Result<HexMesh> mesh_of(const BoredCylinder& part, const Place& place) {
     Problems problems;
     if (!(part.bore_radius > 0) || !(part.bore_radius < part.radius))
-        problems.push_back(fault(
-            "bore_radius_m",
-            fmt::format("a bore of radius {} m leaves nothing of a cylinder of {} m", part.bore_radius, part.radius),
-            "make it smaller than radius_m"));
+        problems.push_back(fault("bore_radius_m",
+                                 fmt::format("a bore of radius {:.6g} m leaves nothing of a cylinder of {:.6g} m",
+                                             part.bore_radius, part.radius),
+                                 "make it smaller than radius_m"));
     else if (!(part.shell > 0) || !(part.shell < part.radius - part.bore_radius))
-        problems.push_back(fault(
-            "shell_m",
-            fmt::format("a shell of {} m does not fit into a wall of {} m", part.shell, part.radius - part.bore_radius),
-            "make it thinner than the wall between bore and outside"));
+        problems.push_back(fault("shell_m",
+                                 fmt::format("a shell of {:.6g} m does not fit into a wall of {:.6g} m", part.shell,
+                                             part.radius - part.bore_radius),
+                                 "make it thinner than the wall between bore and outside"));
     need_one(problems, "around", part.around, 3);
     need_one(problems, "along", part.along, 1);
     need_one(problems, "shell_rings", part.shell_rings, 1);
@@ -124,7 +124,8 @@ Result<HexMesh> mesh_of(const Prism& part, const Place& place) {
     Problems problems;
     if (!(part.corner > 0) || !(2 * part.corner < part.side))
         problems.push_back(
-            fault("corner_m", fmt::format("corners of {} m leave no middle of a side of {} m", part.corner, part.side),
+            fault("corner_m",
+                  fmt::format("corners of {:.6g} m leave no middle of a side of {:.6g} m", part.corner, part.side),
                   "make them shorter than half of side_m"));
     need_one(problems, "corner_cells", part.corner_cells, 1);
     need_one(problems, "middle_cells", part.middle_cells, 1);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <map>
 
 namespace tumble::stress {
 
@@ -43,23 +44,25 @@ std::vector<std::string> outward_sides(const scene::SpecimenShape& specimen) {
 
 /// What an instant's contacts say of a case by themselves.
 void look_at(const run::LoadInstant& instant, const solid::HexMesh& mesh, Case& now) {
-    std::vector<Vector3d> on_facet(mesh.facets.size(), Vector3d::Zero());
+    struct OnFacet {
+        double pressing = 0;                  // N
+        Vector3d shearing = Vector3d::Zero(); // N
+    };
+    std::map<int, OnFacet> facets;
     now.contacts = static_cast<int>(instant.pushes.size());
     for (const observe::WallPush& push : instant.pushes) {
         const int facet = push.triangle / 2;
-        on_facet[static_cast<std::size_t>(facet)] += push.force;
+        facets[facet].pressing += push.pressing();
+        facets[facet].shearing += push.shearing();
         const Strongest here{push.body, facet, push.foot, push.pressing(), push.shearing().norm()};
         if (!now.strongest ||
             std::hypot(here.normal, here.shear) > std::hypot(now.strongest->normal, now.strongest->shear))
             now.strongest = here;
     }
-    for (std::size_t f = 0; f < on_facet.size(); ++f) {
-        if (on_facet[f].isZero(0))
-            continue;
-        const Vector3d area = mesh.area_of(static_cast<int>(f)), normal = area.normalized();
-        const double pressing = -on_facet[f].dot(normal);
-        now.facet_normal = std::max(now.facet_normal, pressing / area.norm());
-        now.facet_shear = std::max(now.facet_shear, (on_facet[f] + pressing * normal).norm() / area.norm());
+    for (const auto& [facet, sum] : facets) {
+        const double area = mesh.area_of(facet).norm();
+        now.facet_normal = std::max(now.facet_normal, sum.pressing / area);
+        now.facet_shear = std::max(now.facet_shear, sum.shearing.norm() / area);
     }
 }
 

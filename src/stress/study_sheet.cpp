@@ -110,11 +110,11 @@ sheet::Grid signs(const Study& study, sheet::Sheet& sheet) {
 
 sheet::Figure over_time(const Study& study) {
     sheet::Figure figure{
-        "normal-stress", "Largest normal stress of each slice", {"time", "s"}, {"normal stress", "Pa"}};
+        "normal-stress", "Largest normal stress of each slice", {"time", "s"}, {"normal stress", "kPa"}};
     for (std::size_t s = 0; s < study.slices.size(); ++s) {
         sheet::Curve curve{fmt::format("{}, {}", study.slices[s].side, depth_name(study.slices[s]))};
         for (const Case& now : study.cases)
-            curve.add(now.time, now.slices[s].normal);
+            curve.add(now.time, 1e-3 * now.slices[s].normal);
         figure.curves.push_back(std::move(curve));
     }
     return figure;

@@ -72,15 +72,14 @@ TEST_CASE("a ball's weight goes through the part into its support, and the books
 
 TEST_CASE("a part squeezed from all sides is compressed throughout, as much as it is squeezed") {
     // Far from the held end a pressure p on all sides is sigma_x = sigma_z = -p inside, whatever the depth, and no
-    // shear. At the held end the part cannot shrink sideways, so points within a side of it count less than half here:
-    // the figures are means over 10 layers, of which 3 lie there.
+    // shear. At the held end, one of 11 rings of nodes, the part cannot shrink sideways and is stretched there.
     const scene::Scene scene = loaded();
     const Study study = studied(scene, squeezed(specimen_of(scene), 1e6, 2));
     REQUIRE(study.slices.size() == 12); // four sides, three depths
     for (const fem::SliceFigures& figures : study.cases[1].slices) {
         CHECK(figures.mean_compression == about(-1e6, 0.05));
-        CHECK(figures.compressive_share() == 1);
-        CHECK(figures.stretched == 0);
+        CHECK(figures.stretched <= 9); // those of the held ring of nodes, 9 to a side
+        CHECK(figures.compressive_share() > 0.9);
         CHECK(figures.contour < 0.1e6);
     }
     const sheet::Sheet sheet = sheet_of(study, {});

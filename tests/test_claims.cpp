@@ -430,12 +430,18 @@ TEST_CASE("trough-2d: in phase it turns the other way and lies level; with the t
 }
 
 TEST_CASE("drum-2d: the surface of a slowly turning drum keeps its dynamic angle") {
-    const Ran drum(loaded("drum-2d.toml"));
-    CHECK(drum.summary.unfilled.empty());
-    CHECK(drum.mean("surface_slope", 2.0, 5.0) == about(23.3, 0.05)); // another seed: 23.5
-    for (double from = 2.2; from < 4.5; from += 0.4) {
-        CAPTURE(from);
-        CHECK(drum.mean("surface_slope", from, from + 0.4) > 18);
-        CHECK(drum.mean("surface_slope", from, from + 0.4) < 27);
+    // The mean of two seeds, whose single ones scatter by 0.54 degrees about 22.6: three standard errors to either
+    // side.
+    double mean = 0;
+    for (const char* seed : {"seed=2", "seed=5"}) {
+        const Ran drum(loaded("drum-2d.toml", {seed}));
+        CHECK(drum.summary.unfilled.empty());
+        mean += 0.5 * drum.mean("surface_slope", 2.0, 5.0);
+        for (double from = 2.2; from < 4.5; from += 0.4) {
+            CAPTURE(from);
+            CHECK(drum.mean("surface_slope", from, from + 0.4) > 18);
+            CHECK(drum.mean("surface_slope", from, from + 0.4) < 27.5);
+        }
     }
+    CHECK(std::abs(mean - 22.6) < 1.2);
 }

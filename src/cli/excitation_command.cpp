@@ -145,7 +145,8 @@ void add_excitation_command(CLI::App& program, Action& action) {
     command->add_option("--start_s", arguments->start_s, "When the motion begins in the scene (0 without it)")
         ->check(number_from(0.0, 1e6));
     command->add_option("--out", arguments->folder, "Folder for motion.toml and the figures (needs gnuplot)")
-        ->type_name("DIR");
+        ->type_name("DIR")
+        ->check(refuse_dash);
     command->add_flag("--json", arguments->json, "Print the result as JSON");
     command->callback([arguments, &action] { action = [arguments] { return excite(*arguments); }; });
 }

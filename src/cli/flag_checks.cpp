@@ -63,6 +63,8 @@ CLI::Validator one_of(std::vector<std::string> words) {
 }
 
 std::string refuse_dash(const std::string& name) {
+    if (name.empty())
+        return "an empty name is not a place to write to: give the name of a file or folder";
     return name == "-" ? "'-' is not a place to write to: give the name of a file or folder" : "";
 }
 

@@ -12,7 +12,8 @@ CLI::Validator number_above_zero();
 CLI::Validator whole_number_from(long long lo, long long hi);
 CLI::Validator one_of(std::vector<std::string> words);
 
-/// For flags that name what will be made: "-" is refused, which would become a file or folder of that name.
+/// For flags that name what will be made: nothing is refused, and "-", which would become a file or folder of that
+/// name.
 std::string refuse_dash(const std::string& name);
 
 } // namespace tumble::cli

@@ -1,6 +1,7 @@
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "cli/flag_checks.h"
 #include "cli/sheet_flags.h"
 #include "lab/experiment.h"
 #include "observe/whole_file.h"
@@ -104,7 +105,8 @@ void add_experiment(CLI::App& all, const Experiment& experiment, Action& action)
     command
         ->add_option("--out", arguments->folder,
                      "Folder for the records as CSV and the figures as PNG and SVG (needs gnuplot)")
-        ->type_name("DIR");
+        ->type_name("DIR")
+        ->check(refuse_dash);
     command->add_flag("--json", arguments->json, "Print the result as JSON: facts, tables, curves");
     command->callback([arguments, &experiment, &action] {
         action = [arguments, &experiment] { return perform(experiment, *arguments); };

@@ -1,6 +1,8 @@
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "cli/flag_checks.h"
+#include "cli/progress_line.h"
 #include "cli/sheet_flags.h"
 #include "lesson/film.h"
 #include "lesson/show.h"
@@ -46,6 +48,8 @@ int film_and_note(const lesson::Walk& walk, const fs::path& folder, bool json) {
     const auto posters = draw_posters(walk, folder);
     if (!posters)
         return refuse(posters.problems(), json, failed);
+    for (const fs::path& poster : *posters)
+        note("figure: " + poster.string());
     for (const lesson::Film& film : walk.films) {
         const fs::path file = folder / (film.name + ".mp4");
         const Result<Done> shot = lesson::shoot(film, file);
@@ -58,7 +62,10 @@ int walk_through(const Lesson& lesson, const WalkArguments& arguments) {
     const Result<lesson::Values> values = lesson::read_values(lesson, arguments.typed);
     if (!values)
         return refuse(values.problems(), arguments.json, wrong);
+    ProgressLine line(arguments.json);
+    line.working("computing, up to half a minute");
     const Result<lesson::Walk> walk = lesson.teach(*values);
+    line.end();
     if (!walk)
         return refuse(walk.problems(), arguments.json, wrong);
     if (!arguments.folder.empty()) {
@@ -123,7 +130,8 @@ void add_lesson(CLI::App& all, const Lesson& lesson, Action& action) {
     command
         ->add_option("--out", arguments->folder,
                      "Folder for the figures, as PNG and SVG (needs gnuplot), and videos (ffmpeg)")
-        ->type_name("DIR");
+        ->type_name("DIR")
+        ->check(refuse_dash);
     command->add_flag("--answer", arguments->answer, "Print the question and its answer instead of the walk");
     command->add_flag("--json", arguments->json, "Print the walk as JSON: facts, tables, curves, question, answer");
     command->callback(

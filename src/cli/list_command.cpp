@@ -128,7 +128,7 @@ int list_measures(const ListArguments& arguments) {
                          {"unit", measure.unit},
                          {"column", measure.column()},
                          {"sentence", measure.sentence}});
-    return show(items, {"column", "group", "sentence"}, arguments.json);
+    return show(items, {"name", "unit", "group", "sentence"}, arguments.json);
 }
 
 int list_keys(const ListArguments& arguments) {

@@ -70,8 +70,13 @@ int refuse_extras(const CLI::App& program) {
         if (!word.starts_with("-"))
             continue;
         const std::string flag = word.substr(0, word.find('='));
-        return refuse_word(fmt::format("`{}` has no flag '{}'", chosen.words, flag),
-                           did_you_mean(flag, flags_of(*chosen.command)), chosen.help());
+        const std::vector<std::string> own = flags_of(*chosen.command);
+        if (std::find(own.begin(), own.end(), flag) != own.end()) // `tumble lesson --answer friction`
+            return refuse({{.what = fmt::format("{} stands before the name that it belongs to", flag),
+                            .fix = fmt::format("write it behind: {} {}", chosen.words, word)}},
+                          false, wrong);
+        return refuse_word(fmt::format("`{}` has no flag '{}'", chosen.words, flag), did_you_mean(flag, own),
+                           chosen.help());
     }
     const std::vector<std::string> rest = program.remaining(true);
     return refuse_word(fmt::format("'{}' is one word too many", rest.empty() ? "" : rest.front()), "", chosen.help());

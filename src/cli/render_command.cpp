@@ -49,9 +49,10 @@ int tell_replayed(const run::Replayed& done, const run::PictureTargets& targets,
                                         {"video", targets.video.string()},
                                         {"warnings", done.warnings}});
     else if (!arguments.quiet)
-        say(fmt::format("{}: {} from t = {:.4g} to {:.4g} s{}",
+        say(fmt::format("{}: {} from t = {:.4g} to {:.4g} s{}{}",
                         targets.folder.empty() ? targets.video.string() : targets.folder.string(),
                         counted(done.frames, "picture", "pictures"), done.first, done.last,
+                        done.stopped ? ", where it was stopped before its end" : "",
                         targets.video.empty() ? "" : "; the video " + video_pace(settings.slowdown())));
     return done.stopped ? stop_code() : static_cast<int>(fine);
 }

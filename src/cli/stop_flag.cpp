@@ -18,10 +18,17 @@ extern "C" void remember_signal(int signal) {
     stop.store(true, std::memory_order_relaxed);
 }
 
+bool is_ignored(int signal) {
+    struct sigaction now {};
+    return sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
+}
+
 } // namespace
 
 const std::atomic<bool>& watch_for_stop() {
-    for (const int signal : {SIGINT, SIGTERM}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        if (signal == SIGHUP && is_ignored(signal)) // of nohup
+            continue;
         struct sigaction action {};
         action.sa_handler = remember_signal;
         action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
@@ -32,7 +39,8 @@ const std::atomic<bool>& watch_for_stop() {
 }
 
 int stop_code() {
-    return by_signal.load(std::memory_order_relaxed) == SIGTERM ? terminated : interrupted;
+    const int signal = by_signal.load(std::memory_order_relaxed);
+    return signal == SIGTERM ? terminated : (signal == SIGHUP ? hung_up : interrupted);
 }
 
 } // namespace tumble::cli

@@ -49,7 +49,7 @@ public:
         if (rubs_)
             rub(touch, memory, root_mass, friction, share, half_kick, dt, push);
         else
-            push.shear = push.memory.shear = push.memory.energy = push.shear_viscous = push.lost_shear_damping =
+            push.shear = push.memory.kept = push.memory.energy = push.shear_viscous = push.lost_shear_damping =
                 push.lost_sliding = Real(0.0);
         push.lost_normal_damping = push.lost_normal_damping * dt;
         push.lost_history = Real(0.0);
@@ -87,7 +87,7 @@ private:
     TUMBLE_INLINE void rub(const DiscTouch<Real>& touch, const DiscMemory<Real>& memory, Real root_mass, Real friction,
                            Real share, Real half_kick, Real dt, DiscPush<Real>& push) const {
         const Real k = shear_.stiffness(touch.mass);
-        const Real trial = memory.shear + k * touch.shear_rate * dt;
+        const Real trial = memory.force() + k * touch.shear_rate * dt;
         const Real size = larger(trial, -trial);
         const Real limit = larger(friction * push.normal + Real(cohesion_), Real(0.0));
         const auto slides = size > limit;
@@ -97,11 +97,10 @@ private:
         const Real viscous = c * touch.shear_rate;
         push.shear = held + viscous;
         push.shear_viscous = viscous;
-        push.memory.shear = held;
         const Real compliance = Real(1.0) / k;
-        push.memory.energy = Real(0.5) * held * held * compliance;
+        push.memory = DiscMemory<Real>::of_force(held, Real(0.5) * held * held * compliance);
         // What is cut off slid under the mean of the forces before and after: second order also where the limit moves.
-        push.lost_sliding = Real(0.5) * (memory.shear + held) * (trial - held) * compliance;
+        push.lost_sliding = Real(0.5) * (memory.force() + held) * (trial - held) * compliance;
         push.lost_shear_damping = viscous * (touch.shear_rate - Real(3.0) * half_kick * push.shear) * dt;
     }
 

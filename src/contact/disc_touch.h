@@ -14,11 +14,17 @@ template <class Real> struct DiscTouch {
     Real mass;        // kg, m* of the two bodies; a wall leaves X's
 };
 
-/// What a contact remembers from step to step. The tangent turns with the contact, so a number is enough, and it is the
-/// same seen from X and from Y.
+/// What a contact remembers from step to step: how its shear spring stands. The tangent turns with the contact, so a
+/// number is enough, and it is the same seen from X and from Y. CundallStrack keeps the spring's force, HertzDiscs how
+/// far it is stretched; each writes and reads it by that name, and whoever only keeps it need not know which it is.
 template <class Real> struct DiscMemory {
-    Real shear;  // N for the linear law: F_s without its dashpot; m for Mindlin's: the spring
+    Real kept;   // by the law, in its own unit
     Real energy; // J, stored in the shear spring
+
+    TUMBLE_INLINE static DiscMemory of_force(Real force, Real energy) { return {force, energy}; }
+    TUMBLE_INLINE static DiscMemory of_stretch(Real stretch, Real energy) { return {stretch, energy}; }
+    TUMBLE_INLINE Real force() const { return kept; }   // N, F_s without its dashpot
+    TUMBLE_INLINE Real stretch() const { return kept; } // m
 };
 
 /// Forces on Y; X gets the opposite. Both get the moment shear * (distance from their centre to the contact).

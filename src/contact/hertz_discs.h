@@ -33,9 +33,9 @@ public:
         const Real limit = friction * larger(push.normal, -push.normal);
         const TangentialPush<Real> shear =
             Tangential::push(seen, Vec3<Real>{touch.shear_rate, none, none}, limit, normal.stiffness, pair_,
-                             Memory<Real>{{memory.shear, none, none}, memory.energy}, dt);
+                             Memory<Real>{{memory.stretch(), none, none}, memory.energy}, dt);
         push.shear = -shear.force.x;
-        push.memory = {shear.memory.spring.x, shear.memory.energy};
+        push.memory = DiscMemory<Real>::of_stretch(shear.memory.spring.x, shear.memory.energy);
         push.normal_viscous = push.normal - normal.elastic;
         push.shear_viscous = -shear.viscous.x;
         push.stored_normal = normal.stored;

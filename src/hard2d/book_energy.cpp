@@ -31,17 +31,6 @@ void look_at_contacts(const World& world, Books& books) {
     }
 }
 
-void look_at_bodies(const World& world, Books& books) {
-    for (const BodyState& body : bodies_of(world)) {
-        const BodyShape& shape = world.shape_of(static_cast<std::size_t>(body.id));
-        books.kinetic_translation += 0.5 * shape.mass * body.velocity.squaredNorm();
-        books.kinetic_rotation += 0.5 * shape.inertia * body.angular_velocity * body.angular_velocity;
-        books.gravity -= shape.mass * world.scene.gravity.head<2>().dot(body.position);
-        books.speed_max = std::max(books.speed_max, body.velocity.norm());
-        books.angular_speed_max = std::max(books.angular_speed_max, std::abs(body.angular_velocity));
-    }
-}
-
 } // namespace
 
 Books account_of(const World& world) {
@@ -49,7 +38,7 @@ Books account_of(const World& world) {
     books.time = world.time();
     books.step = world.step;
     books.bodies = static_cast<std::int64_t>(world.bodies.size());
-    look_at_bodies(world, books);
+    discs::book_motion(bodies_of(world), world.plain_shapes, world.scene.gravity, books);
     look_at_contacts(world, books);
     books.overlap_ratio_peak = std::max(world.overlap_ratio_peak, books.overlap_ratio_max);
     books.inserted = world.inserted;

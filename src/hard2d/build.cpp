@@ -1,5 +1,6 @@
 #include "hard2d/step.h"
 #include "scene/written.h"
+#include "solver/advance.h"
 
 #include <box2d/b2_circle_shape.h>
 #include <box2d/b2_fixture.h>
@@ -49,44 +50,19 @@ Problems check_walls(const World& world) {
     return {};
 }
 
-sim2d::Site site_of(const World& world) {
-    sim2d::Site site{world.scene, world.shapes, {}, {}, world.step, world.dt, world.stop};
+discs::Site site_of(const World& world) {
+    discs::Site site{world.scene, world.shapes, {}, {}, world.step, world.dt, world.stop};
     for (const Wall& wall : world.walls)
-        site.walls.push_back({&wall.line(), sim2d::WallFrame(scene::pose_at(wall.motion(), world.time()))});
+        site.walls.push_back({&wall.line(), discs::WallFrame(scene::pose_at(wall.motion(), world.time()))});
     for (const BodyState& body : bodies_of(world))
         site.bodies.push_back({body.shape, body.position, body.angle});
     return site;
 }
 
-std::optional<Problem> insert_due_fills(World& world) {
-    const Result<std::vector<BodyState>> placed = sim2d::place_due(world.fills, site_of(world));
-    if (!placed)
-        return placed.problems().front();
-    world.next_fill_step = sim2d::next_due(world.fills);
-    return insert(world, *placed);
-}
-
-std::optional<Problem> refuse(const World& world, const BodyState& state, std::size_t number) {
-    const auto problem = [&](const std::string& what, const std::string& fix) {
-        return scene::problem_about(world.scene, "", fmt::format("body {} to insert {}", number + 1, what), fix);
-    };
-    if (state.shape < 0 || state.shape >= static_cast<int>(world.shapes.size()))
-        return problem(fmt::format("names shape {}, of {}", state.shape, world.shapes.size()), "give an index from 0");
-    if (!state.position.allFinite() || !state.velocity.allFinite() || !std::isfinite(state.angular_velocity) ||
-        !std::isfinite(state.angle))
-        return problem("has a number that is not finite", "check where the state comes from");
-    const scene::Box& box = world.scene.domain.box;
-    for (int k = 0; k < 2; ++k)
-        if (state.position[k] < box.lo[k] || state.position[k] > box.hi[k])
-            return problem(fmt::format("stands at {} = {:.6g} m, outside the domain", "xy"[k], state.position[k]),
-                           "enlarge the domain or move the body");
-    return std::nullopt;
-}
-
 /// A body of circles with the mass and inertia of their union.
 b2Body* put(World& world, const BodyState& state) {
     const Units& units = world.units;
-    const sim2d::ShapeData& data = world.shapes[static_cast<std::size_t>(state.shape)];
+    const discs::ShapeData& data = world.shapes[static_cast<std::size_t>(state.shape)];
     b2BodyDef definition;
     definition.type = b2_dynamicBody;
     definition.position = units.place(state.position);
@@ -113,17 +89,18 @@ b2Body* put(World& world, const BodyState& state) {
     return body;
 }
 
-double energy_of(const World& world, const BodyState& state) {
-    const BodyShape& shape = world.plain_shapes[static_cast<std::size_t>(state.shape)];
-    return 0.5 * shape.mass * state.velocity.squaredNorm() +
-           0.5 * shape.inertia * state.angular_velocity * state.angular_velocity -
-           shape.mass * world.scene.gravity.head<2>().dot(state.position);
-}
-
 } // namespace
 
 void WorldDeleter::operator()(World* world) const {
     delete world;
+}
+
+std::optional<Problem> insert_due_fills(World& world) {
+    const Result<std::vector<BodyState>> placed = discs::place_due(world.fills, site_of(world));
+    if (!placed)
+        return placed.problems().front();
+    world.next_fill_step = solver::next_due(world.fills);
+    return insert(world, *placed);
 }
 
 Result<WorldPtr> build_world(const scene::Scene& scene, StopFlag stop) {
@@ -133,11 +110,11 @@ Result<WorldPtr> build_world(const scene::Scene& scene, StopFlag stop) {
     world->scene = scene;
     world->dt = scene.box2d.time_step;
     world->stop = stop;
-    Result<std::vector<sim2d::ShapeData>> shapes = sim2d::shapes_for(scene);
+    Result<std::vector<discs::ShapeData>> shapes = discs::shapes_for(scene);
     if (!shapes)
         return shapes.problems();
     world->shapes = std::move(*shapes);
-    for (const sim2d::ShapeData& data : world->shapes) {
+    for (const discs::ShapeData& data : world->shapes) {
         world->plain_shapes.push_back(data.shape);
         world->parts.push_back({data.material, nullptr, 0});
     }
@@ -145,7 +122,8 @@ Result<WorldPtr> build_world(const scene::Scene& scene, StopFlag stop) {
     if (Problems problems = check_walls(*world); !problems.empty())
         return problems;
     open_box(*world);
-    Result<std::vector<sim2d::FillState>> fills = sim2d::begin_fills(scene, world->shapes, world->dt);
+    Result<std::vector<solver::FillState>> fills =
+        solver::begin_fills(scene, solver::masses_of(world->plain_shapes), world->dt);
     if (!fills)
         return fills.problems();
     world->fills = std::move(*fills);
@@ -157,31 +135,20 @@ Result<WorldPtr> build_world(const scene::Scene& scene, StopFlag stop) {
 }
 
 std::optional<Problem> insert(World& world, const std::vector<BodyState>& bodies) {
-    for (std::size_t k = 0; k < bodies.size(); ++k)
-        if (auto problem = refuse(world, bodies[k], k))
-            return problem;
+    if (auto problem = discs::refusal_of(bodies, world.scene))
+        return problem;
     for (const BodyState& state : bodies) {
         world.bodies.push_back(put(world, state));
         world.shape.push_back(state.shape);
-        world.inserted += energy_of(world, state);
+        world.inserted +=
+            discs::energy_of(state, world.plain_shapes[static_cast<std::size_t>(state.shape)], world.scene.gravity);
     }
     world.books = account_of(world);
     return std::nullopt;
 }
 
 std::optional<Problem> advance(World& world, std::int64_t steps) {
-    for (std::int64_t k = 0; k < steps; ++k) {
-        if (world.step >= world.next_fill_step) {
-            if (auto problem = insert_due_fills(world))
-                return problem;
-            if (stop_wanted(world.stop))
-                return std::nullopt;
-        }
-        step(world);
-        if (auto problem = insanity(world))
-            return problem;
-    }
-    return std::nullopt;
+    return solver::advance(world, steps);
 }
 
 } // namespace tumble::hard2d

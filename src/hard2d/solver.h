@@ -4,10 +4,10 @@
 #include "base/phases.h"
 #include "base/problem.h"
 #include "base/stop.h"
+#include "discs/bodies.h"
 #include "scene/motion.h"
 #include "scene/scene.h"
 #include "scene/time_step.h"
-#include "sim2d/solver.h"
 
 #include <cstdint>
 #include <memory>
@@ -15,13 +15,13 @@
 #include <string>
 #include <vector>
 
-/// Discs with hard contacts: sim2d's bodies, walls and fills, moved by Box2D's impulses in place of springs. The same
-/// functions as src/sim2d/solver.h, for the scenes with solver = "box2d"; docs/hard-contacts.md says what it is good
-/// for.
+/// Discs with hard contacts: the bodies, walls and fills of src/discs, moved by Box2D's impulses in place of springs.
+/// The same functions as the soft solver has, for the scenes with solver = "box2d"; docs/hard-contacts.md says what it
+/// is good for.
 namespace tumble::hard2d {
 
-using sim2d::BodyShape;
-using sim2d::BodyState;
+using discs::BodyShape;
+using discs::BodyState;
 
 struct World;
 
@@ -35,11 +35,11 @@ using WorldPtr = std::unique_ptr<World, WorldDeleter>;
 Result<WorldPtr> build_world(const scene::Scene& scene, StopFlag stop = nullptr);
 
 /// Takes `steps` steps, inserting fills when they are due. A state that stopped being sane ends it early with a
-/// problem. A stop that is wanted ends a search for room as in sim2d.
+/// problem. A stop that is wanted ends a search for room as if it had not begun.
 std::optional<Problem> advance(World& world, std::int64_t steps);
 
-/// Puts bodies exactly where they are said to be (ids are given anew, in order), whatever they overlap. Problems: as
-/// those of sim2d::insert.
+/// Puts bodies exactly where they are said to be (ids are given anew, in order), whatever they overlap. Problems:
+/// those of discs::refusal_of.
 std::optional<Problem> insert(World& world, const std::vector<BodyState>& bodies);
 
 double time_of(const World& world); // s

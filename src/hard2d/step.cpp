@@ -1,15 +1,10 @@
 #include "hard2d/step.h"
 
+#include "solver/verbs.h"
+
 namespace tumble::hard2d {
 
-namespace {
-
-template <class Verb> void timed(Phase phase, Verb verb, World& world) {
-    const Stopwatch watch(world.seconds[static_cast<std::size_t>(phase)]);
-    verb(world);
-}
-
-} // namespace
+using solver::timed;
 
 void step(World& world) {
     timed(Phase::move_walls, move_walls, world);

@@ -17,6 +17,9 @@ void book_energy(World& world);
 /// What is there now.
 Books account_of(const World& world);
 
+/// Places what fills have due at the world's step.
+std::optional<Problem> insert_due_fills(World& world);
+
 /// What is not sane about the state after a step, if anything: a number that is not finite, a body faster than Box2D
 /// moves any, one that left the domain, discs that overlap by more than a radius.
 std::optional<Problem> insanity(const World& world);

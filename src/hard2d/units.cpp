@@ -6,9 +6,9 @@
 
 namespace tumble::hard2d {
 
-Units Units::of(const scene::Scene& scene, const std::vector<sim2d::ShapeData>& shapes) {
+Units Units::of(const scene::Scene& scene, const std::vector<discs::ShapeData>& shapes) {
     double radius = std::numeric_limits<double>::infinity(), mass = radius;
-    for (const sim2d::ShapeData& data : shapes) {
+    for (const discs::ShapeData& data : shapes) {
         mass = std::min(mass, data.shape.mass);
         for (std::size_t k = 2; k < data.exposed.size(); k += 3)
             radius = std::min(radius, data.exposed[k]);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim2d/body_shape.h"
+#include "discs/body_shape.h"
 
 #include <Eigen/Core>
 #include <box2d/b2_math.h>
@@ -17,7 +17,7 @@ struct Units {
     double mass = 1;                                  // of Box2D per kg
     Eigen::Vector2d origin = Eigen::Vector2d::Zero(); // m
 
-    static Units of(const scene::Scene& scene, const std::vector<sim2d::ShapeData>& shapes);
+    static Units of(const scene::Scene& scene, const std::vector<discs::ShapeData>& shapes);
 
     /// A length, a velocity or an acceleration.
     [[nodiscard]] b2Vec2 rate(const Eigen::Vector2d& si) const {

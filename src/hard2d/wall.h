@@ -1,9 +1,9 @@
 #pragma once
 
+#include "discs/wall_line.h"
 #include "hard2d/units.h"
 #include "scene/motion.h"
 #include "scene/scene.h"
-#include "sim2d/wall_line.h"
 
 #include <array>
 #include <box2d/b2_world.h>
@@ -27,7 +27,7 @@ public:
     Wall& operator=(const Wall&) = delete;
 
     [[nodiscard]] const scene::WallMotion& motion() const { return motion_; }
-    [[nodiscard]] const sim2d::WallLine& line() const { return line_; }
+    [[nodiscard]] const discs::WallLine& line() const { return line_; }
 
     /// Sets the velocity that takes the wall to that pose in one step of `dt` (s).
     void send_to(const scene::WallPose& pose, const Units& units, double dt);
@@ -45,7 +45,7 @@ private:
     int joint_at(const b2Vec2& end);
 
     scene::WallMotion motion_;
-    sim2d::WallLine line_;                             // for fills
+    discs::WallLine line_;                             // for fills
     Eigen::Vector2d middle_ = Eigen::Vector2d::Zero(); // m, of the unmoved wall: the body's origin
     std::vector<Chord> chords_;
     std::vector<b2Vec2> joints_;

@@ -1,6 +1,7 @@
 #include "hard2d/world.h"
 
 #include "hard2d/step.h"
+#include "solver/sanity.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -10,17 +11,9 @@ namespace tumble::hard2d {
 
 namespace {
 
-constexpr double deepest_overlap_ratio = 1.0; // as in sim2d
-constexpr double nearly = 0.999;              // Box2D cuts velocities down to its limit
+using solver::stop;
 
-Problem stop(const World& world, const std::string& what, const std::string& fix) {
-    return {world.scene.file.string(),
-            0,
-            0,
-            "",
-            fmt::format("stopped at t = {:.6g} s, step {}: {}", world.time(), world.step, what),
-            fix};
-}
+constexpr double nearly = 0.999; // Box2D cuts velocities down to its limit
 
 std::string name_of(const World& world, std::size_t id) {
     return fmt::format("body {} ({})", id, world.shape_of(id).name);
@@ -64,7 +57,7 @@ std::vector<scene::WallPose> walls_of(const World& world) {
 }
 
 std::vector<std::string> unfilled(const World& world) {
-    return sim2d::owed_by(world.fills, world.shapes);
+    return discs::owed_by(world.fills, world.shapes);
 }
 
 std::vector<PhaseTime> phase_times(const World& world) {
@@ -98,18 +91,17 @@ std::optional<Problem> insanity(const World& world) {
                     fmt::format("a body turns at {:.4g} rad/s, and Box2D turns none by more than a quarter in a step",
                                 books.angular_speed_max),
                     "shorten box2d.time_step_s");
-    if (books.overlap_ratio_max > deepest_overlap_ratio)
+    if (books.overlap_ratio_max > solver::deepest_overlap_ratio)
         return stop(world,
                     fmt::format("two bodies overlap by {:.3g} of the smaller disc's radius", books.overlap_ratio_max),
                     "shorten box2d.time_step_s, or raise box2d.velocity_iterations and position_iterations");
-    const scene::Box& box = world.scene.domain.box;
     for (std::size_t id = 0; id < world.bodies.size(); ++id) {
-        const Eigen::Vector2d at = world.units.place(world.bodies[id]->GetPosition());
-        for (int k = 0; k < 2; ++k)
-            if (at[k] < box.lo[k] || at[k] > box.hi[k])
-                return stop(world,
-                            fmt::format("{} left the domain at {} = {:.4g} m", name_of(world, id), "xy"[k], at[k]),
-                            "enlarge the domain, close the walls, or shorten box2d.time_step_s");
+        const Eigen::Vector2d place = world.units.place(world.bodies[id]->GetPosition());
+        const double at[] = {place.x(), place.y()};
+        if (const auto axis = solver::axis_outside(world.scene.domain, at))
+            return stop(world,
+                        fmt::format("{} left the domain at {} = {:.4g} m", name_of(world, id), "xy"[*axis], at[*axis]),
+                        "enlarge the domain, close the walls, or shorten box2d.time_step_s");
     }
     return std::nullopt;
 }

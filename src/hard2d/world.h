@@ -1,10 +1,10 @@
 #pragma once
 
+#include "discs/fill.h"
 #include "hard2d/contacts.h"
 #include "hard2d/solver.h"
 #include "hard2d/units.h"
 #include "hard2d/wall.h"
-#include "sim2d/placing.h"
 
 #include <array>
 #include <box2d/b2_body.h>
@@ -23,14 +23,14 @@ struct World {
     scene::Scene scene;
     double dt = 0; // s
     std::int64_t step = 0;
-    std::vector<sim2d::ShapeData> shapes;
+    std::vector<discs::ShapeData> shapes;
     std::vector<BodyShape> plain_shapes;
     Units units;
     Contacts contacts; // before the box, which calls it until its end
     std::unique_ptr<b2World> box;
     std::deque<Wall> walls;
     std::vector<Touchable> parts; // one per shape, what fixtures of its bodies say they are
-    std::vector<sim2d::FillState> fills;
+    std::vector<solver::FillState> fills;
     std::int64_t next_fill_step = 0;
 
     // Per id.

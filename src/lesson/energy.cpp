@@ -132,9 +132,9 @@ Result<Drop> fall(const Setup& s, int steps) {
     return drop;
 }
 
-Figure balance(const Drop& drop, const std::string& name, double from, double to) {
+Figure balance(const Drop& drop, const std::string& name, const std::string& title, double from, double to) {
     Figure figure{.name = name,
-                  .title = "Where the energy is",
+                  .title = title,
                   .x = {"time", "ms"},
                   .y = {"energy", "mJ"},
                   .curves = {{"kinetic", Style::line, {}, {}},
@@ -207,14 +207,17 @@ Result<Walk> teach(const Values& values) {
     walk.say(fmt::format(
         "A ball of {:.4g} g falls {:.4g} mm onto a plate and bounces. The solver keeps books: in every step it says "
         "how much energy moves, how much is height, how much the contact has stored, and what the dashpot has taken so "
-        "far. The thesis draws these in figure 4.14b for two bounces; here they are again.",
-        1e3 * s.mass, 1e3 * s.height));
-    walk.parts.emplace_back(balance(*drop, "bounces", 0, drop->course.back().time));
+        "far. The thesis draws these in figure 4.14b for two bounces; here they are again, with ball and plate softer "
+        "than its plastic (E = {:.3g} Pa, ν = {:.3g}), so that an impact can be seen.",
+        1e3 * s.mass, 1e3 * s.height, media.youngs_modulus, media.poisson_ratio));
+    walk.parts.emplace_back(
+        balance(*drop, "bounces", "Where the energy is, bounce after bounce", 0, drop->course.back().time));
     walk.say("Falling, height turns into motion, along two parabolas that mirror each other. The impact looks like a "
              "jump. The sum is a straight line: nothing comes from nowhere. Now the first impact alone, for what looks "
              "like a jump takes its time:");
     const double width = at.leave.time - at.touch.time;
-    walk.parts.emplace_back(balance(*drop, "impact", at.touch.time - 0.3 * width, at.leave.time + 0.3 * width));
+    walk.parts.emplace_back(balance(*drop, "impact", "Where the energy is in the first impact",
+                                    at.touch.time - 0.3 * width, at.leave.time + 0.3 * width));
     const auto row = [&](const char* name, const Instant& now) -> std::vector<Cell> {
         return {name,
                 1e3 * now.time,
@@ -231,7 +234,7 @@ Result<Walk> teach(const Values& values) {
                                   {"elastic", "mJ", 3},
                                   {"lost", "mJ", 3},
                                   {"sum", "mJ", 6}},
-                                 {row("released", drop->course.front()), row("first touch", at.touch),
+                                 {row("released", drop->course.front()), row("last step before the touch", at.touch),
                                   row("deepest", at.deepest), row("leaves", at.leave)}});
     walk.say(
         "At the deepest point almost nothing moves; what the ball had is in the contact, less what the dashpot has "
@@ -242,14 +245,23 @@ Result<Walk> teach(const Values& values) {
         fmt::format("energy lost in one bounce: (1 − e²) m g h = {:.5g} mJ", milli * (1 - s.e * s.e) * touched));
     walk.formula("height after n bounces: h e^(2n),   n = 1: thesis (4.7)");
     show_heights(walk, *drop, s);
-    walk.say(fmt::format(
-        "The solver lost {:.5g} mJ in the first bounce. Two things part it from the closed form. e is the restitution "
-        "of a free impact, and here gravity goes on pulling while the ball is in touch: with steps so short that "
-        "nothing else is left, that changes what an impact gives back by {:+.2f} %. And the steps are {} in a contact: "
-        "without gravity they change it by {:+.2f} to {:+.2f} %, by where between two steps the surfaces meet. At no "
-        "step do the books miss more than {:.1g} of the energy, which is the error of sums taken in steps.",
-        milli * taken, 100 * departs->gravity, steps_per_contact, 100 * departs->least, 100 * departs->most,
-        drop->closure / s.energy()));
+    if (s.e == 1)
+        walk.say(
+            fmt::format("Without a dashpot nothing is lost in a bounce, here {:.2g} mJ. At no step do the books miss "
+                        "more than {:.1g} of the energy, which is the error of sums taken in steps.",
+                        milli * taken, drop->closure / s.energy()));
+    else
+        walk.say(fmt::format(
+            "The solver lost {:.5g} mJ in the first bounce. Two things part it from the closed form. e is the "
+            "restitution "
+            "of a free impact, and here gravity goes on pulling while the ball is in touch: with steps so short that "
+            "nothing else is left, that changes what an impact gives back by {:+.2f} %. And the steps are {} in a "
+            "contact: "
+            "without gravity they change it by {:+.2f} to {:+.2f} %, by where between two steps the surfaces meet. At "
+            "no "
+            "step do the books miss more than {:.1g} of the energy, which is the error of sums taken in steps.",
+            milli * taken, 100 * departs->gravity, steps_per_contact, 100 * departs->least, 100 * departs->most,
+            drop->closure / s.energy()));
     walk.fact("energy", s.energy(), "J");
     walk.fact("lost_first", taken, "J");
     walk.fact("closure", drop->closure / s.energy());

@@ -88,6 +88,10 @@ void press(Walk& walk, const Setup& s) {
     walk.say(fmt::format("Let go, the grains come out on the line on which they went in; the rig gets back its work to "
                          "better than {}. Without a dashpot a normal contact is a spring and nothing else.",
                          at_most(std::abs(both_ways.work_normal) / hertz.work_normal)));
+    walk.say(fmt::format(
+        "Hertz takes the circle of contact to be small against the grains. Its radius is √(R* δ), here {:.2g} "
+        "% of R.",
+        50 * std::sqrt(s.depth / s.radius)));
     walk.fact("hertz_force", hertz.normal.back(), "N");
     walk.fact("hertz_work", hertz.work_normal, "J");
     walk.fact("linear_work", linear.work_normal, "J");
@@ -158,14 +162,21 @@ void rub(Walk& walk, const Setup& s) {
         "and bears a part of 1/√8, as the normal force does.");
     // Slid over: width - yield on the first way, twice that on each of the two ways across.
     const double lost = 5 * limit * std::max(0.0, s.width - yield);
-    walk.say("Each corner is a change between sticking and sliding. After a reversal the spring must first be "
-             "unloaded, then loaded the other way, so it takes twice as far until the grains slide again: the same "
-             "displacement can belong to two forces. That is why the law needs a memory. The loop's area is heat:");
-    walk.parts.emplace_back(Grid{{{"over the whole path"}, {"uJ"}},
-                                 {{"work of the rig along the shear", hertz.work_shear * micro_J},
-                                  {"lost to sliding, the law's account", hertz.lost_sliding * micro_J},
-                                  {"still in the shear spring", hertz.stored_shear * micro_J},
-                                  {"closed form of the loss, 5 μ F_n (s − μ F_n / κ_s)", lost * micro_J}}});
+    if (lost > 0)
+        walk.say("Each corner is a change between sticking and sliding. After a reversal the spring must first be "
+                 "unloaded, then loaded the other way, so it takes twice as far until the grains slide again: the same "
+                 "displacement can belong to two forces. That is why the law needs a memory. The loop's area is heat:");
+    else
+        walk.say(
+            "Drawn so little the grains never slide at the full overlap: the spring goes out and back on one line, and "
+            "gives back what it took.");
+    walk.parts.emplace_back(
+        Grid{{{"over the whole path"}, {"uJ"}},
+             {{"work of the rig along the shear", hertz.work_shear * micro_J},
+              {"lost to sliding, the law's account", hertz.lost_sliding * micro_J},
+              {"still in the shear spring", hertz.stored_shear * micro_J},
+              {lost > 0 ? "closed form of the loss, 5 μ F_n (s − μ F_n / κ_s)" : "closed form of the loss",
+               lost * micro_J}}});
     walk.fact("loop_loss", hertz.lost_sliding, "J");
     walk.fact("loop_work", hertz.work_shear - hertz.stored_shear, "J");
 }

@@ -15,7 +15,7 @@ constexpr int longest = 200000; // steps
 /// Body 0, moving down at `speed`, touches a plane through y = 0 from height `radius` on.
 template <class World> Result<Impact> follow(World& world, double radius, double mass, double speed, double dt) {
     Impact seen;
-    double before = -speed, height = radius;
+    double before = -speed, height = bodies_of(world)[0].position.y();
     for (int k = 1; k <= longest; ++k) {
         if (const auto problem = advance(world, 1))
             return *problem;
@@ -43,15 +43,15 @@ template <class World> Result<Impact> follow(World& world, double radius, double
 
 } // namespace
 
-Result<Impact> strike_disc(const contact::PairProperties& pair, double mass, double speed, double dt,
-                           bool limit_force) {
+Result<Impact> strike_disc(const contact::PairProperties& pair, double mass, double speed, double dt, bool limit_force,
+                           double ahead) {
     const double radius = struck_radius;
     scene::Scene scene = plane_stage(pair, dt);
     scene.contact.limit_force = limit_force;
     add_round(scene, radius, mass);
     add_wall(scene, scene::Outline(scene::SegmentShape{{-1, 0}, {1, 0}}));
     sim2d::BodyState disc;
-    disc.position = {0, radius};
+    disc.position = {0, radius + ahead};
     disc.velocity = {0, -speed};
     const Result<sim2d::WorldPtr> world = start(scene, {disc});
     if (!world)

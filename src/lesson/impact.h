@@ -21,9 +21,9 @@ struct Impact {
 constexpr double struck_radius = 0.1; // m, of the disc that strikes
 
 /// A disc of that mass (kg) strikes a wall at `speed` (m/s) under the linear law. Problems: those of the solver.
-/// `limit_force` true: the contact never pulls.
+/// `limit_force` true: the contact never pulls. `ahead`: m before the touch where it begins, less than a step's way.
 Result<Impact> strike_disc(const contact::PairProperties& pair, double mass, double speed, double dt,
-                           bool limit_force = false);
+                           bool limit_force = false, double ahead = 0);
 
 /// A sphere of that radius (m) strikes a plane of the same material under Hertz' law.
 Result<Impact> strike_sphere(const contact::Material& material, const contact::PairProperties& pair, double radius,

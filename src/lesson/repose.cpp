@@ -63,6 +63,11 @@ struct Kind {
     double friction = 0;
 };
 
+/// s, until the last bodies come in.
+double poured(double count) {
+    return batch * std::ceil(count / bodies_a_batch);
+}
+
 scene::Scene pouring(const Kind& kind, double count, int seed) {
     scene::Scene scene = plane_stage(linear_pair(stiffness, 0.8, 0.5, kind.friction), dt);
     scene.seed = static_cast<std::uint64_t>(seed);
@@ -73,7 +78,6 @@ scene::Scene pouring(const Kind& kind, double count, int seed) {
     add_wall(scene, scene::Outline(scene::toothed_floor(half, radii[1])));
     for (const double side : {-half, half})
         add_wall(scene, scene::Outline(scene::SegmentShape{{side, -0.02}, {side, 0.5}}));
-    const double poured = batch * std::ceil(count / bodies_a_batch);
     for (const std::size_t size : {0, 1}) {
         scene::Fill fill;
         fill.body = add_body(scene, kind.bodies[size]);
@@ -82,11 +86,11 @@ scene::Scene pouring(const Kind& kind, double count, int seed) {
         const double low = size == 0 ? 0.16 : 0.20; // m, a region for each size, so that both come at once
         fill.region = {{-0.025, low, -0.005}, {0.025, low + 0.04, 0.005}};
         fill.velocity = {0, -0.5, 0};
-        fill.until = poured;
+        fill.until = poured(count);
         fill.every = batch;
         scene.fills.push_back(fill);
     }
-    scene.duration = poured + settling;
+    scene.duration = poured(count) + settling;
     return scene;
 }
 
@@ -116,6 +120,8 @@ void draw(const Heap& heap, const Kind& kind, std::size_t color, Figure& figure)
     for (const Eigen::Vector2d& point : heap.surface.points)
         curve.add(1e3 * point.x(), 1e3 * point.y());
     figure.curves.push_back(std::move(curve));
+    if (kind.friction == 0)
+        return; // no heap, as the page says
     for (const auto& [from, to] : heap.flanks())
         figure.curves.push_back(
             {"", Style::dashes, {1e3 * from.x(), 1e3 * to.x()}, {1e3 * from.y(), 1e3 * to.y()}, color});
@@ -150,7 +156,8 @@ Result<Walk> teach(const Values& values) {
               .every = picture,
               .color = "vy",
               .range = {-1, 1},
-              .view = scene::Box{{-0.8 * half, -2 * radii[1], -0.005}, {0.8 * half, 0.16, 0.005}}};
+              .view = scene::Box{{-0.8 * half, -2 * radii[1], -0.005}, {0.8 * half, 0.16, 0.005}},
+              .poster = static_cast<std::size_t>(0.8 * poured(count) / picture)};
     Grid grid{{{"heap"},
                {"angle, mean of 3", "deg", 3},
                {"from", "deg", 3},
@@ -185,21 +192,33 @@ Result<Walk> teach(const Values& values) {
     walk.parts.emplace_back(figure);
     walk.show(std::move(film));
     const double slides_at = std::atan(mu) * 180 / std::numbers::pi;
+    const double scatter = std::max(walk.fact("angle_discs_scatter"), walk.fact("angle_wedges_scatter"));
+    const bool apart = walk.fact("angle_wedges") - walk.fact("angle_discs") > scatter;
     walk.say(fmt::format(
-        "The dashed lines are the flanks whose slopes the table has. Without friction a heap is low, yet not "
-        "flat: what lies in a hollow has to climb before it runs. {} Three discs bound together do "
-        "not roll so easily; here their heap stands {:.2g} times as steep. Friction and shape both raise "
-        "it: a measured angle of repose alone does not tell one from the other.",
+        "The dashed lines are the flanks whose slopes the table has. Without friction there is no heap: what lies in a "
+        "hollow has to climb before it runs, so that the bodies do not lie flat, but how steep depends on how many "
+        "they "
+        "are and on the room they have. {} {}",
         walk.fact("angle_discs") < slides_at
             ? "With it discs still roll, so their heap stays below arctan μ, at which a block would begin to slide "
               "(`tumble lesson friction`)."
             : "So little friction leaves the discs' heap steeper than arctan μ, at which a block would begin to slide "
               "(`tumble lesson friction`): hollows hold more than friction does, and arctan μ bounds nothing.",
-        walk.fact("angle_wedges") / walk.fact("angle_discs")));
-    walk.say("Three fills that differ in nothing but where their bodies begin differ by as much as the table's columns "
-             "from and to are apart: one heap is a sample of one. A slope does not depend on how many grains there "
-             "are only if the heap is not too small (thesis, section 3.1.1.5): try `--count 100`, whose heaps are a "
-             "few rows high.");
+        apart ? fmt::format(
+                    "Three discs bound together do not roll so easily; here their heap stands {:.2g} times as steep. "
+                    "Friction and shape both raise it: a measured angle of repose alone does not tell one from the "
+                    "other.",
+                    walk.fact("angle_wedges") / walk.fact("angle_discs"))
+              : "Three discs bound together do not roll so easily, but between fills the heaps differ by as much as "
+                "discs and wedges do: so few heaps, or so few bodies, do not show it."));
+    walk.say(fmt::format(
+        "Three fills that differ in nothing but where their bodies begin differ by as much as the table's columns "
+        "from and to are apart: one heap is a sample of one. A slope does not depend on how many grains there "
+        "are only if the heap is not too small (thesis, section 3.1.1.5){}. Nor is it a number of the material alone: "
+        "`scenes/repose-2d.toml` pours stiffer discs, half as many a second, from higher up and with a friction of "
+        "0.5, and "
+        "gets 14 degrees.",
+        count > 150 ? ": try `--count 100`, whose heaps are a few rows high" : ""));
     walk.question = "A code has only single discs, and its heap is too flat beside the experiment. What is often added "
                     "to the law in place of the shape?";
     walk.answer = "A moment that resists rolling. It stands for the corners that a disc does not have, and must be "
@@ -214,7 +233,7 @@ Lesson repose() {
     return {.name = "repose",
             .title = "The angle of repose: what nobody typed in",
             .parameters = {{"friction", "", 0.5, {.lo = 0.05, .hi = 1}, "Coulomb's coefficient μ of all contacts"},
-                           {"count", "", 500, {.lo = 60, .hi = 800}, "Bodies in a heap"}},
+                           {"count", "", 500, {.lo = 60, .hi = 800}, "Bodies in a heap", true}},
             .teach = teach};
 }
 

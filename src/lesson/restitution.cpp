@@ -87,12 +87,14 @@ std::optional<Problem> loops(Walk& walk, const Setup& s) {
         const Result<Impact> hit = s.linear(e, s.speed);
         if (!hit)
             return hit.problems().front();
+        pull = -hit->force_min / hit->force_max;
+        if (e == s.e && (e == 1.0 || e == dull)) // has its curve
+            continue;
         Curve curve{fmt::format("e = {:.3g}", e), Style::line, {}, {}};
         for (std::size_t k = 1; k < hit->force.size(); k += 5)
             if (hit->overlap[k] > 0)
                 curve.add(1e6 * hit->overlap[k], hit->force[k]);
         figure.curves.push_back(std::move(curve));
-        pull = -hit->force_min / hit->force_max;
     }
     const Result<Impact> limited = s.linear(dull, s.speed, true);
     if (!limited)
@@ -132,9 +134,14 @@ std::optional<Problem> in_and_out(Walk& walk, const Setup& s) {
 
 std::optional<Problem> speeds(Walk& walk, const Setup& s) {
     walk.head("Fast and slow");
-    walk.say("A linear contact lasts equally long at every speed. Hertz' contact is stiffer the deeper it goes, so a "
-             "fast impact is shorter:");
+    walk.say(fmt::format(
+        "A linear contact lasts equally long at every speed. Hertz' contact is stiffer the deeper it goes, so a "
+        "fast impact is shorter. A sphere of glass, {:.3g} mm in radius (E = {:.3g} Pa, ν = {:.3g}, {:.0f} kg/m3), "
+        "strikes a wall of glass at 0.01 to {:.0f} times the speed above, beside the disc with its spring of {:.3g} "
+        "N/m:",
+        1e3 * s.radius, glass.youngs_modulus, glass.poisson_ratio, glass.density, fastest, s.k));
     walk.formula("δ_max = (15 m v² / (16 E* √R))^(2/5),   T = 2.9433 δ_max / v ~ v^(−1/5)", "Johnson 1985");
+    walk.formula("1/E* = 2 (1 − ν²) / E");
     Grid grid{{{"speed", "m/s"},
                {"linear, time", "us"},
                {"Hertz, time", "us"},
@@ -183,9 +190,10 @@ std::optional<Problem> refuse(const Setup& s) {
         return std::nullopt;
     return Problem{
         .key = "--normal_stiffness_N_per_m",
-        .what = fmt::format("a disc of {:.4g} kg on a spring of {:.4g} N/m sinks {:.3g} m into the wall at {:.3g} "
-                            "m/s, the fastest impact of this lesson, and its radius is {:.3g} m",
-                            s.mass, s.k, deepest, speed, struck_radius),
+        .what = fmt::format(
+            "a disc of {:.4g} kg on a spring of {:.4g} N/m sinks {:.3g} m into the wall at {:.3g} "
+            "m/s, the fastest impact of this lesson; it is a disc {:.3g} m in radius (--radius_mm is the sphere's)",
+            s.mass, s.k, deepest, speed, struck_radius),
         .fix = fmt::format("give a spring of at least {:.3g} N/m, less mass or less speed",
                            s.mass * std::pow(speed / most, 2))};
 }
@@ -227,7 +235,11 @@ Lesson restitution() {
                         "Coefficient of restitution e (thesis, table 4.4: media on media)"},
                        {"speed_m_s", "m/s", 1, {.lo = 1e-3, .hi = 2}, "Speed of the impact, v"},
                        {"normal_stiffness_N_per_m", "N/m", 1e7, {.lo = 1e4, .hi = 1e9}, "Spring of the linear law, κ"},
-                       {"mass_kg", "kg", 1.466e-3, {.lo = 1e-6, .hi = 10}, "Mass of the disc, m"},
+                       {"mass_kg",
+                        "kg",
+                        1.466e-3,
+                        {.lo = 1e-6, .hi = 10},
+                        "Mass of the disc, m; the sphere's follows from its radius"},
                        {"radius_mm", "mm", 5, {.lo = 0.1, .hi = 100}, "Radius of the sphere, R"}},
         .teach = teach};
 }

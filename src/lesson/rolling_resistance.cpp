@@ -35,7 +35,8 @@ double sunk(double force, double radius) {
 }
 
 struct Ride {
-    std::vector<double> time, place, speed, spin; // s, m, m/s downhill, rad/s
+    std::vector<double> time, place, speed; // s, m, m/s downhill
+    std::vector<double> spin;               // rad/s about z, mean since the look before
     /// When and where it first stands still; the end, if it never does.
     [[nodiscard]] std::size_t stop() const {
         const auto still = std::find_if(speed.begin(), speed.end(), [](double v) { return v <= 0; });
@@ -47,6 +48,12 @@ struct Ride {
         return (speed.back() - speed[middle]) / (time.back() - time[middle]);
     }
 };
+
+/// rad about z, small.
+double turned(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
+    const Eigen::Quaterniond way = to * from.conjugate();
+    return 2 * std::atan2(way.z(), way.w());
+}
 
 /// A ball that rolls at `speed` on a plane inclined by `slope` (rad), x downhill: gravity is turned instead. Looked at
 /// every `look` steps.
@@ -69,13 +76,16 @@ Result<Ride> ride(const Resistance& resistance, double radius, double slope, dou
     if (!world)
         return world.problems();
     Ride seen;
+    Eigen::Quaterniond before = Eigen::Quaterniond::Identity();
     const auto looks = static_cast<int>(std::lround(duration / dt / look));
     for (int k = 0; k <= looks; ++k) {
         const sim3d::BodyState now = sim3d::bodies_of(**world)[0];
         seen.time.push_back(sim3d::time_of(**world));
         seen.place.push_back(now.position.x());
         seen.speed.push_back(now.velocity.x());
-        seen.spin.push_back(now.angular_velocity.z());
+        // What the solver tells of a spin at a step is reckoned ahead from the last torque, which may jump.
+        seen.spin.push_back(k == 0 ? now.angular_velocity.z() : turned(before, now.orientation) / (look * dt));
+        before = now.orientation;
         if (const auto problem = k < looks ? sim3d::advance(**world, look) : std::nullopt)
             return *problem;
     }
@@ -105,14 +115,17 @@ std::optional<Problem> never_stops(Walk& walk, double speed, double duration) {
     if (!free)
         return free.problems().front();
     walk.head("A ball that never stops");
+    const double overlap = sunk(mass_of(usual_radius) * g, usual_radius);
     walk.say(fmt::format(
         "A ball rolls over a level plane at {:.4g} m/s. Its lowest point stands still, so nothing slips; and as "
         "nothing "
         "speeds it up or slows it down, friction has nothing to hold either: the shear spring of the contact lies "
         "slack. "
         "Coulomb's law, however rough the floor, takes no energy from a ball that rolls. After {:.3g} s it still has "
-        "{:.5g} m/s.",
-        speed, free->time.back(), free->speed.back()));
+        "{:.5g} m/s. (What is missing went in the first moments: the ball lies {:.2g} um deep in the plane, and rolls "
+        "about "
+        "the middle of the overlap, a little nearer than R: 2/7 δ / (2 R) = {:.2g} % of its speed.)",
+        speed, free->time.back(), free->speed.back(), 1e6 * overlap, 100 * overlap / (7 * usual_radius)));
     walk.say(
         "A real ball stops. The floor gives way under it and comes back late, or it is a little rough: what bears "
         "the ball stands a little ahead of its middle, and so turns against the rolling. The ratio of that lead to "
@@ -141,6 +154,7 @@ std::optional<Problem> stopping(Walk& walk, const Resistance& cdt, const Resista
                   .x = {"time", "s"},
                   .y = {"speed", "m/s"},
                   .curves = {{"no resistance", Style::dashes}, {"cdt"}, {"epsd"}}};
+    double worst = 0; // of the distances
     for (const auto& [name, resistance, curve] :
          {std::tuple("none", Resistance{}, 0), std::tuple("cdt", cdt, 1), std::tuple("epsd", epsd, 2)}) {
         const Result<Ride> seen = ride(resistance, usual_radius, 0, speed, duration, 20);
@@ -154,16 +168,18 @@ std::optional<Problem> stopping(Walk& walk, const Resistance& cdt, const Resista
         const bool winds = resistance.law == RollingLaw::epsd;
         grid.rows.push_back({name, seen->place[stop], winds ? wound : stop_distance(mu, speed), seen->time[stop],
                              stop_time(mu, speed) * (winds ? std::sqrt(std::max(0.0, 1 - taken)) : 1)});
+        worst = std::max(worst, std::abs(seen->place[stop] / (winds ? wound : stop_distance(mu, speed)) - 1));
         walk.fact(fmt::format("stop_distance_{}", name), seen->place[stop], "m");
     }
     walk.parts.emplace_back(grid);
     walk.parts.emplace_back(figure);
     walk.formula("k_r = 9/4 k_n (μ_r R*)²   →   gives way at θ = δ / (9/4 μ_r R*)", "Ai et al. 2011");
     walk.say(
-        fmt::format("Both stop it where they should. The spring of epsd is wound up within {:.2g} mm; meanwhile its "
+        fmt::format("Both stop it within {:.2g} % of where they should. The spring of epsd is wound up within {:.2g} "
+                    "mm; meanwhile its "
                     "dashpot brakes as well, and no limit holds that: it takes 4 η_r θ ω_r R / v = {:.2g} % of the "
                     "energy before the torque is what it should be.",
-                    1e3 * spring.yield * usual_radius, 100 * taken));
+                    100 * worst, 1e3 * spring.yield * usual_radius, 100 * taken));
     walk.fact("stop_distance_theory_epsd", wound, "m");
     walk.fact("stop_distance_theory", stop_distance(mu, speed), "m");
     return std::nullopt;
@@ -197,31 +213,38 @@ std::optional<Problem> at_rest(Walk& walk, const Resistance& cdt, const Resistan
     Figure shaking{.name = "spin-at-rest",
                    .title = "A ball that has come to rest",
                    .x = {"step"},
-                   .y = {"spin", "rad/s"},
+                   .y = {"spin, from the angle", "rad/s"},
                    .curves = {{"cdt", Style::points}, {"epsd", Style::points}}};
-    double most[2] = {0, 0};
+    double swing_of[2] = {0, 0}, creep[2] = {0, 0}; // rad/s, about the creep
     for (std::size_t k = 0; const Resistance& resistance : {cdt, epsd}) {
         const Result<Ride> seen = ride(resistance, usual_radius, 0, speed, 12 * period, 1);
         if (!seen)
             return seen.problems().front();
-        for (std::size_t i = 0; i < 40; ++i) {
-            const double now = seen->spin[seen->spin.size() - 40 + i];
-            shaking.curves[k].add(static_cast<double>(i + 1), now);
-            most[k] = std::max(most[k], std::abs(now));
-        }
+        const std::vector<double> last(seen->spin.end() - 40, seen->spin.end());
+        for (std::size_t i = 0; i < last.size(); ++i)
+            shaking.curves[k].add(static_cast<double>(i + 1), last[i]);
+        const auto [least, most] = std::minmax_element(last.begin(), last.end());
+        swing_of[k] = 0.5 * (*most - *least);
+        creep[k] = 0.5 * (*most + *least);
         ++k;
     }
     walk.parts.emplace_back(swing);
     walk.parts.emplace_back(shaking);
-    const double turned = mu * g * dt / (0.4 * usual_radius);
+    const double given = mu * g * dt / (0.4 * usual_radius);
     walk.say(fmt::format(
-        "After twelve periods the constant torque still turns the ball to and fro with {:.2g} rad/s; in one step it "
-        "gives M dt / (2/5 m R²) = {:.2g} rad/s. The spring leaves {:.1g} rad/s. The constant torque is enough for "
-        "what "
-        "rolls all the time; for heaps, which are to stand, it is not.",
-        most[0], turned, most[1]));
-    walk.fact("spin_at_rest_cdt", most[0] / turned);
-    walk.fact("spin_at_rest_epsd", most[1] / turned);
+        "After twelve periods the constant torque still gives the ball M Δt / (2/5 m R²) = {:.2g} rad/s in one step "
+        "and "
+        "takes it back in the next: it spins with half of that to and fro, {:.2g} rad/s, about a mean of {:.1g} rad/s. "
+        "That mean is a rolling which a torque of changing sense no longer brakes: the ball creeps by {:.1g} mm a "
+        "second. With the spring the spin has faded to at most {} rad/s. The constant torque is enough for what rolls "
+        "all "
+        "the "
+        "time; for heaps, which are to stand, it is not.",
+        given, swing_of[0], std::abs(creep[0]), 1e3 * std::abs(creep[0]) * usual_radius,
+        at_most(std::max(1e-10, std::abs(creep[1]) + swing_of[1]))));
+    walk.fact("kicks_at_rest_cdt", swing_of[0] / given);
+    walk.fact("creep_at_rest_cdt", creep[0], "rad/s");
+    walk.fact("kicks_at_rest_epsd", (std::abs(creep[1]) + swing_of[1]) / given);
     walk.fact("period", period, "s");
     return std::nullopt;
 }
@@ -292,7 +315,7 @@ Lesson rolling_resistance() {
         .name = "rolling-resistance",
         .title = "Rolling resistance: what stops a ball",
         .parameters = {{"rolling_friction", "", 0.05, {.lo = 0.02, .hi = 0.3}, "Coefficient of rolling friction μ_r"},
-                       {"rolling_damping", "", 0.3, {.lo = 0, .hi = 1}, "Share of critical damping η_r of epsd"},
+                       {"rolling_damping", "", 0.3, {.lo = 0.1, .hi = 1}, "Share of critical damping η_r of epsd"},
                        {"speed_m_s", "m/s", 0.3, {.lo = 0.1, .hi = 0.6}, "First speed of the ball"}},
         .teach = teach};
 }

@@ -9,11 +9,26 @@ using sheet::prose;
 using sheet::text_width;
 using sheet::wrapped;
 
+namespace {
+
+/// " --e 0.5" for each value that is not the usual one.
+std::string flags_for(const Lesson& lesson, const Values& values) {
+    std::string flags;
+    for (const Parameter& parameter : lesson.parameters)
+        if (values[parameter.name] != parameter.standard)
+            flags += fmt::format(" --{} {}", parameter.name, scene::plain(values[parameter.name]));
+    return flags;
+}
+
+} // namespace
+
 std::string to_text(const Lesson& lesson, const Values& values, const Walk& walk) {
     sheet::Sheet all = walk;
     all.parts.insert(all.parts.begin(), sheet::grid_of(lesson.parameters, values));
     return sheet::to_text(lesson.title, all) + "\n" + wrapped("Question: " + walk.question, text_width) +
-           wrapped(fmt::format("(`tumble lesson {} --answer` tells the answer.)", lesson.name), text_width);
+           wrapped(fmt::format("(`tumble lesson {}{} --answer` computes it once more and tells the answer.)",
+                               lesson.name, flags_for(lesson, values)),
+                   text_width);
 }
 
 std::string to_page(const Lesson& lesson, const Values& values, const Walk& walk) {

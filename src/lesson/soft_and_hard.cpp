@@ -83,9 +83,12 @@ std::optional<Problem> one_impact(Walk& walk, const Setup& s) {
         .y = {"force", "N"},
         .curves = {stairs("soft", *soft), stairs("hard, step 1 ms", *whole), stairs("hard, step 0.5 ms", *half)}};
     walk.parts.emplace_back(figure);
-    walk.say("All three leave with the same speed, and the area under all three curves is the same J. But the hard "
-             "force is J over the step: halve the step and it doubles. It says nothing about the contact. What the "
-             "soft one says, contact time, overlap and peak force, is as true as its stiffness.");
+    walk.say(
+        "All three leave with the same speed, and the area under all three curves is the same J. But the hard "
+        "force is J over the step: halve the step and it doubles. It acts over the whole of the step in which Box2D "
+        "finds the touch, the part before it included (here the touch falls into the middle of a step of 1 ms). It "
+        "says nothing about the contact. What the "
+        "soft one says, contact time, overlap and peak force, is as true as its stiffness.");
     walk.fact("soft_restitution", soft->restitution);
     walk.fact("hard_restitution", whole->restitution);
     walk.fact("soft_contact_time", soft->lasted, "s");
@@ -129,7 +132,11 @@ std::optional<Problem> in_a_row(Walk& walk, const Setup& s) {
         "speed back, the second only that nothing closes in. With a gap of a millionth of a radius, which no "
         "eye would see, they act one after the other, and the last disc takes it all:");
     walk.formula("touching:  v₂ − v₁ = v,   v₃ = v₂,   v₁ + v₂ + v₃ = v   →   −1/3, 2/3, 2/3");
-    Grid grid{{{"speed after / before"}, {"striker", "", 3}, {"first", "", 3}, {"second", "", 3}, {"energy", "", 4}},
+    Grid grid{{{"speed after / before"},
+               {"striker", "", 3, 1},
+               {"first", "", 3, 1},
+               {"second", "", 3, 1},
+               {"energy", "", 4, 1}},
               {}};
     for (const bool springs : {true, false})
         for (const double gap : {0.0, 1e-6 * radius}) {
@@ -248,8 +255,9 @@ Result<Walk> teach(const Values& values) {
     walk.answer = fmt::format(
         "Only the soft one, if its stiffness is the material's. The hard one has J = {:.4g} N s and divides it by the "
         "step: "
-        "{:.4g} m/s2 at 1 ms, {:.4g} at 0.1 ms, without end. What both can predict are speeds after an impact, and how "
-        "far things slide.",
+        "{:.4g} m/s2 at 1 ms, {:.4g} at 0.1 ms, without end. What both can predict are the speeds after an impact of "
+        "two bodies, and "
+        "how far things slide.",
         impulse, impulse / mass / hard_step, impulse / mass / (0.1 * hard_step));
     return walk;
 }

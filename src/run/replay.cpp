@@ -147,6 +147,10 @@ Replayed replay(const Recording& recording, const ReplayOptions& options, const 
     Shot shot;
     shot.plot = plot_line(recording.folder, options.plot_measure);
     shot.plot.until = options.duration;
+    if (shot.plot.times.empty() && !options.plot_measure.empty())
+        replayed.warnings.push_back(fmt::format("there is no small plot: the series of this run has no {}; "
+                                                "`--plot` takes what observe.measures had it keep",
+                                                options.plot_measure));
     Problems& problems = replayed.reason;
     const auto all = static_cast<std::int64_t>(recording.frames.size());
     for (const std::filesystem::path& file : recording.frames) {

@@ -33,8 +33,11 @@ public:
         densities();
         gravity();
         fills();
+        crowd();
         if (scene_.solver == scene::Solver::box2d)
             keys_without_springs();
+        else
+            keys_of_box2d();
         for (const scene::Wall& wall : scene_.walls) {
             size_of(wall);
             motion_of(wall);
@@ -88,6 +91,29 @@ private:
                                 bodies_[static_cast<std::size_t>(fill.body)].name, fill.start, scene_.duration),
                     "lengthen duration_s, or give an earlier start_s");
         }
+    }
+
+    /// More than the domain holds; what leaves it ends the run.
+    void crowd() {
+        const std::vector<std::int64_t> wanted = bodies_wanted(scene_, bodies_);
+        double solids = 0;
+        for (std::size_t f = 0; f < scene_.fills.size(); ++f)
+            solids += static_cast<double>(wanted[f]) * bodies_[static_cast<std::size_t>(scene_.fills[f].body)].volume;
+        const Vector3d size = scene_.domain.box.hi - scene_.domain.box.lo;
+        const double room = scene_.dimension == 2 ? size.x() * size.y() * scene_.depth : size.prod();
+        if (solids > room)
+            say("fill",
+                fmt::format("the bodies have {:.3g} times the volume of the domain, and cannot all be in it",
+                            solids / room),
+                "fewer or smaller bodies, or a larger domain");
+    }
+
+    /// What was written for Box2D, which does not solve this.
+    void keys_of_box2d() {
+        for (const auto& [path, place] : scene_.written)
+            if (path.starts_with("box2d."))
+                return say(path, "solver = \"soft\" reads nothing of [box2d]",
+                           "write solver = \"box2d\", or leave it away");
     }
 
     /// What was written for springs and dashpots, and Box2D has no use for.

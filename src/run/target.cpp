@@ -21,7 +21,7 @@ std::optional<Problem> Target::claim(bool overwrite, const std::string& extensio
         if (!overwrite)
             return Problem{.file = place_.string(),
                            .what = "is there already, and nothing is overwritten",
-                           .fix = "--force replaces it"};
+                           .fix = "--force replaces it; or name another place"};
         remove_old(extension);
     }
     fresh_ = !there;

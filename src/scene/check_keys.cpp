@@ -238,8 +238,27 @@ std::string name_of_table(const KeyTable& table, const std::string& path) {
     return numbered ? table.head : fmt::format("{} '{}'", table.head, excerpt(last));
 }
 
+namespace {
+
+/// A whole number that is no dimension: what belongs into the scene cannot be told then.
+const Entry* impossible_dimension(const Node& root) {
+    const Table* entries = root.as<Table>();
+    const Entry* entry = entries ? entries->find("dimension") : nullptr;
+    const auto* number = entry ? entry->node.as<std::int64_t>() : nullptr;
+    return number && *number != 2 && *number != 3 ? entry : nullptr;
+}
+
+} // namespace
+
 void check_keys(const Node& root, Report& report) {
     report.dimension = dimension_of(root);
+    if (const Entry* entry = impossible_dimension(root)) {
+        report.add(entry->place, "dimension",
+                   fmt::format("a scene of {} dimensions cannot be simulated", *entry->node.as<std::int64_t>()),
+                   "write dimension = 2 or dimension = 3; the other keys are checked then");
+        report.distrust(entry->node);
+        return;
+    }
     KeyCheck(report).table(root, *find_table(""), "");
 }
 

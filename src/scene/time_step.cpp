@@ -86,7 +86,7 @@ double stable_step(const Contact& contact, const ContactLaws& laws, double perio
 }
 
 /// The same for EPSD's spring: k_r R*^-2 on bodies that turn about themselves, of which a sphere that rolls has 7/2 of
-/// the inertia.
+/// the inertia and a disc 3: taken for both as 7/2, which shortens a disc's step by less than 8 % of zeta.
 double stable_step_of_rolling(const Contact& contact, double stiffness) {
     const double omega = std::sqrt(contact.pair.rolling_stiffness * stiffness * contact.turn_mobility);
     const double zeta = contact.pair.rolling_damping * std::sqrt(3.5 * contacts_at_once);

@@ -3,6 +3,7 @@
 #include "base/text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace tumble::sheet {
@@ -30,6 +31,10 @@ Result<double> read_value(const std::string& owner, const std::vector<Parameter>
         return Problem{.key = "--" + name,
                        .what = fmt::format("--{} is {}, out of its range", name, scene::plain(*value)),
                        .fix = describe(*parameter)};
+    if (parameter->whole && *value != std::floor(*value))
+        return Problem{.key = "--" + name,
+                       .what = fmt::format("--{} is {}, and counts something", name, scene::plain(*value)),
+                       .fix = "a whole number, " + describe(*parameter)};
     return *value;
 }
 

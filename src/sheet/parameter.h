@@ -20,6 +20,7 @@ struct Parameter {
     double standard = 0;
     scene::Limits limits;
     std::string sentence;
+    bool whole = false; // counts something
 };
 
 /// A value for every parameter, by name and in the parameter's unit.

@@ -27,6 +27,7 @@ struct Column {
     std::string head;
     std::string unit{}; // empty: none
     int digits = 4;     // significant, of numbers
+    double of = 0;      // what its numbers are parts of: below 1e-12 of it they are rounding, and read 0
 };
 using Cell = std::variant<double, std::string>; // numbers in the column's unit
 struct Grid {

@@ -2,6 +2,7 @@
 #include "sheet/show.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace tumble::sheet {
@@ -18,7 +19,10 @@ std::string padded(const std::string& text, std::size_t to) {
 
 std::string shown(const Cell& cell, const Column& column) {
     const auto* number = std::get_if<double>(&cell);
-    return number ? fmt::format("{:.{}g}", *number + 0.0, column.digits) : std::get<std::string>(cell);
+    if (!number)
+        return std::get<std::string>(cell);
+    const bool rounding = std::abs(*number) < 1e-12 * column.of;
+    return fmt::format("{:.{}g}", rounding ? 0.0 : *number + 0.0, column.digits);
 }
 
 std::string text_of(const Heading& heading) {

@@ -1,11 +1,11 @@
-#include "scene/faults.h"
+#include "discs/body_shape.h"
 #include "scene/written.h"
-#include "sim2d/body_shape.h"
 #include "sim2d/fill.h"
-#include "sim2d/pair_list.h"
 #include "sim2d/state.h"
 #include "sim2d/time_step.h"
 #include "sim2d/world.h"
+#include "solver/leashes.h"
+#include "solver/prepare.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +42,7 @@ ShapeConstants constants_of(const ShapeData& data) {
 }
 
 Problems make_shapes(World& world) {
-    Result<std::vector<ShapeData>> shapes = shapes_for(world.scene);
+    Result<std::vector<ShapeData>> shapes = discs::shapes_for(world.scene);
     if (!shapes)
         return shapes.problems();
     world.shapes = std::move(*shapes);
@@ -60,31 +60,12 @@ void make_walls(World& world) {
                                WallFrame(scene::pose_at(wall.motion, -0.5 * world.dt)), 0});
 }
 
-void make_pairs(World& world) {
-    world.materials = static_cast<int>(world.scene.materials.size());
-    for (int a = 0; a < world.materials; ++a)
-        for (int b = 0; b < world.materials; ++b)
-            world.pairs.push_back(world.scene.constants(a, b));
-    world.remembers_more =
-        std::any_of(world.pairs.begin(), world.pairs.end(), [](const auto& pair) { return !pair.plain(); });
-}
-
 /// Of the disc of the body's area.
 void make_drag(World& world) {
     if (world.scene.air.there())
         for (const BodyShape& shape : world.plain_shapes)
             world.drag.push_back(contact::drag_of_disc(world.scene.air, 2 * std::sqrt(shape.area / std::numbers::pi),
                                                        world.scene.depth));
-}
-
-void make_images(World& world) {
-    const scene::Domain& domain = world.scene.domain;
-    const Eigen::Vector3d length = domain.box.hi - domain.box.lo;
-    world.images.resize(9);
-    for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x)
-            world.images[static_cast<std::size_t>(image_index(x, y))] = {
-                {domain.periodic[0] ? x * length.x() : 0.0, domain.periodic[1] ? y * length.y() : 0.0, 0.0, 0.0}};
 }
 
 void choose_skins(World& world) {
@@ -97,7 +78,7 @@ void choose_skins(World& world) {
     world.skin = world.scene.skin > 0 ? world.scene.skin : skin_per_radius * world.largest_radius;
     world.near_skin = near_skin_per_skin * world.skin;
     world.wall_skin = wall_skin_per_skin * world.skin;
-    world.reach = 2 * world.largest_radius + longest_leash * world.skin;
+    world.reach = 2 * world.largest_radius + solver::longest_leash * world.skin;
 }
 
 /// Two discs must never meet through two images, nor a body its own: kept_memory.h counts on it.
@@ -118,29 +99,6 @@ Problems check_periods(const World& world) {
     return problems;
 }
 
-Problems check_laws(const World& world) {
-    Problems problems;
-    for (const Problem& fault : scene::faults_of(world.scene.contact, 2))
-        problems.push_back(scene::problem_about(world.scene, "contact." + fault.key, fault.what, fault.fix));
-    return problems;
-}
-
-Problems check_step(const World& world) {
-    const scene::TimeStepReport report = time_step_report(world.scene, world.plain_shapes);
-    if (report.stable() || world.scene.allow_large_step)
-        return {};
-    return {scene::problem_about(
-        world.scene, "time_step_s",
-        fmt::format("a time step of {:.4g} s is above the stable limit of {:.4g} s", report.step, report.limit),
-        fmt::format("use at most {:.3g} s, or soften the contacts; allow_large_step = true runs it "
-                    "all the same",
-                    0.5 * report.limit))};
-}
-
-void append(Problems& all, const Problems& more) {
-    all.insert(all.end(), more.begin(), more.end());
-}
-
 /// All of the world but its bodies.
 Result<WorldPtr> prepare_world(const scene::Scene& scene, int threads, StopFlag stop) {
     WorldPtr world(new World(std::max(threads, 1)));
@@ -148,9 +106,12 @@ Result<WorldPtr> prepare_world(const scene::Scene& scene, int threads, StopFlag 
     world->dt = scene.time_step;
     world->stop = stop;
     world->kernels = &choose_kernels();
-    make_pairs(*world);
+    world->materials = static_cast<int>(scene.materials.size());
+    world->pairs = solver::pairs_of(scene);
+    world->remembers_more = solver::remember_more(world->pairs);
+    world->images = solver::images_of(scene.domain, 2);
     Problems problems = make_shapes(*world);
-    append(problems, check_laws(*world));
+    solver::append(problems, solver::faults_of_laws(scene, 2));
     if (stop_wanted(stop))
         return stopped_before_it_began();
     if (!problems.empty())
@@ -158,10 +119,9 @@ Result<WorldPtr> prepare_world(const scene::Scene& scene, int threads, StopFlag 
     make_walls(*world);
     choose_skins(*world);
     make_drag(*world);
-    make_images(*world);
-    append(problems, check_periods(*world));
-    append(problems, check_step(*world));
-    append(problems, prepare_fills(*world));
+    solver::append(problems, check_periods(*world));
+    solver::append(problems, solver::faults_of_step(scene, time_step_report(scene, world->plain_shapes), "contacts"));
+    solver::append(problems, prepare_fills(*world));
     if (!problems.empty())
         return problems;
     return world;

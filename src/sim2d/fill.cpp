@@ -1,11 +1,13 @@
 #include "sim2d/fill.h"
 
+#include "discs/fill.h"
+
 namespace tumble::sim2d {
 
 namespace {
 
-Site site_of(const World& world) {
-    Site site{world.scene, world.shapes, {}, {}, world.step, world.dt, world.stop};
+discs::Site site_of(const World& world) {
+    discs::Site site{world.scene, world.shapes, {}, {}, world.step, world.dt, world.stop};
     for (const WallState& wall : world.walls)
         site.walls.push_back({&wall.line, wall.frame});
     for (int slot = 0; slot < world.bodies(); ++slot)
@@ -18,24 +20,25 @@ Site site_of(const World& world) {
 } // namespace
 
 Problems prepare_fills(World& world) {
-    Result<std::vector<FillState>> fills = begin_fills(world.scene, world.shapes, world.dt);
+    Result<std::vector<FillState>> fills =
+        solver::begin_fills(world.scene, solver::masses_of(world.plain_shapes), world.dt);
     if (!fills)
         return fills.problems();
     world.fills = std::move(*fills);
-    world.next_fill_step = next_due(world.fills);
+    world.next_fill_step = solver::next_due(world.fills);
     return {};
 }
 
 std::optional<Problem> insert_due_fills(World& world) {
-    const Result<std::vector<BodyState>> placed = place_due(world.fills, site_of(world));
+    const Result<std::vector<BodyState>> placed = discs::place_due(world.fills, site_of(world));
     if (!placed)
         return placed.problems().front();
-    world.next_fill_step = next_due(world.fills);
+    world.next_fill_step = solver::next_due(world.fills);
     return insert(world, *placed);
 }
 
 std::vector<std::string> unfilled(const World& world) {
-    return owed_by(world.fills, world.shapes);
+    return discs::owed_by(world.fills, world.shapes);
 }
 
 } // namespace tumble::sim2d

@@ -2,39 +2,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <span>
-#include <utility>
-#include <vector>
 
 namespace tumble::sim2d {
 
 namespace {
-
-/// Of the pairs found, in order, makes the near lists; what a pair remembers it keeps.
-void list_near(const World& world, Chunk& chunk, std::span<const int> found) {
-    thread_local std::vector<NearDiscs> old;
-    thread_local std::vector<std::size_t> seen; // per material pair, how many of old
-    old.resize(chunk.near_discs.size());
-    std::swap(old, chunk.near_discs);
-    seen.assign(old.size(), 0);
-    for (NearDiscs& near : chunk.near_discs)
-        near.clear();
-    for (const int listed : found) {
-        const DiscPair& pair = chunk.pairs[static_cast<std::size_t>(listed)];
-        const auto kind = static_cast<std::size_t>(pair.kind);
-        const NearDiscs& before = old[kind];
-        std::size_t& k = seen[kind];
-        while (k < before.pairs.size() && before.pairs[k].listed < listed)
-            ++k;
-        const bool known = k < before.pairs.size() && before.pairs[k].listed == listed;
-        const FurtherMemory nothing{};
-        chunk.near_discs[kind].add({pair.a, pair.b, pair.image, listed}, known ? before.touching[k] : std::uint8_t{0},
-                                   known ? before.memory[k] : Memory{},
-                                   !world.remembers_more ? nullptr
-                                   : known               ? &before.further[k]
-                                                         : &nothing);
-    }
-}
 
 void find_near_discs(const World& world, Chunk& chunk) {
     chunk.found.resize(chunk.pairs.size() + 1);
@@ -43,7 +14,8 @@ void find_near_discs(const World& world, Chunk& chunk) {
     const int count =
         world.kernels->near_discs(world.rows.data(), chunk.pairs.data(), static_cast<int>(chunk.pairs.size()),
                                   world.images.data(), skin, chunk.found.data());
-    list_near(world, chunk, {chunk.found.data(), static_cast<std::size_t>(count)});
+    solver::list_near(chunk.near_discs, chunk.pairs, {chunk.found.data(), static_cast<std::size_t>(count)},
+                      world.remembers_more);
     chunk.near_until = world.rush + skin;
 }
 

@@ -2,7 +2,8 @@
 
 #include "base/carried.h"
 #include "sim2d/kernels.h"
-#include "sim2d/wall_line.h"
+#include "solver/grouped.h"
+#include "solver/wall_memory.h"
 
 #include <span>
 #include <vector>
@@ -10,6 +11,7 @@
 namespace tumble::sim2d {
 
 struct World;
+using WallMemory = solver::WallMemory<2, Memory>;
 
 /// What one touching pair remembers, named by the tags of its discs, so that it outlives lists, slots and rows. Two
 /// discs meet through one image of the periodic box at most (build.cpp asks for periods that long), and both sides
@@ -42,21 +44,15 @@ public:
         return index < 0 ? FurtherMemory{} : further_[static_cast<std::size_t>(index)];
     }
 
-    /// Of one that was read: whether each disc's part lies inside the whole.
+    /// Of one that was read: whether it leads nowhere outside of itself.
     [[nodiscard]] bool sound() const;
     template <class Archive, As<KeptMemory> K> friend void carry(Archive& archive, K& kept) {
-        archive(kept.pairs_, kept.pairs_begin_, kept.walls_, kept.walls_begin_,
-                kept.further_); // the others are room for take()
+        archive(kept.pairs_, kept.walls_, kept.further_);
     }
 
 private:
-    std::vector<KeptPair> unsorted_pairs_;
-    std::vector<KeptPair> pairs_;
-    std::vector<int> pairs_begin_; // per tag, one more at the end
-    std::vector<KeptWall> unsorted_walls_;
-    std::vector<KeptWall> walls_;
-    std::vector<int> walls_begin_;
-    std::vector<int> next_;
+    solver::Grouped<KeptPair> pairs_; // by tag of the first
+    solver::Grouped<KeptWall> walls_; // by tag
     std::vector<FurtherMemory> further_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/material.h"
+#include "solver/kernels.h"
 
 #include <cstdint>
 #include <string_view>
@@ -8,6 +9,12 @@
 /// The loops that take the time. kernels/*.cpp are built once per instruction set; everything they see is a plain
 /// pointer or number, so that no template of the standard library is built for a set the machine may lack.
 namespace tumble::sim2d {
+
+using solver::ContactSums;
+using solver::MotionSums;
+using solver::NearPair;
+using solver::Shift;
+using solver::TouchCounts;
 
 /// What moves: a body, or one disc of a clump. A body of a single disc is both. Velocities are those of half a step
 /// ago.
@@ -27,7 +34,7 @@ struct alignas(32) Load {
 };
 
 struct alignas(16) Memory {
-    double shear;  // N or m; contact::DiscMemory
+    double kept;   // contact::DiscMemory: how the shear spring stands, in its law's unit
     double energy; // J
 };
 
@@ -45,14 +52,6 @@ struct DiscPair {
     std::int16_t kind;  // material pair
 };
 
-/// A pair that touches or soon may.
-struct NearPair {
-    int a;
-    int b;
-    int image;
-    int listed; // index of its DiscPair
-};
-
 struct alignas(32) WallContact {
     double normal[2];   // from wall to disc
     double overlap;     // m
@@ -66,39 +65,6 @@ struct alignas(32) WallContact {
 };
 
 constexpr int max_wall_touches = 3;
-
-/// A shift of the periodic box, m; two are unused.
-struct alignas(32) Shift {
-    double along[4];
-};
-
-struct ContactSums {
-    double stored_normal = 0;
-    double stored_tangential = 0;
-    double stored_rolling = 0;
-    double lost_normal_damping = 0;
-    double lost_tangential_damping = 0;
-    double lost_sliding = 0;
-    double lost_rolling_damping = 0; // by power
-    double lost_rolling_sliding = 0; // exact
-    double lost_history = 0;
-    double wall_work = 0; // J in this step
-    double overlap_max = 0;
-    double overlap_ratio_max = 0;
-    std::int64_t contacts = 0;
-};
-
-struct MotionSums {
-    double kinetic_translation = 0;
-    double kinetic_rotation = 0;
-    double gravity = 0;
-    double lost_global_damping = 0; // J in this step
-    double travel_max = -1e300;
-    double way_max = 0; // m, the longest that any odometer advanced
-    double speed_squared_max = 0;
-    double spin_squared_max = 0;
-    bool finite = true;
-};
 
 /// A force for a row that another chunk owns.
 struct ForeignPush {
@@ -162,11 +128,6 @@ struct IntegrateContext {
     double flow_velocity[2]; // m/s, of the mean flow at the origin
     double flow_gradient[4]; // 1/s, row-major
     double strain_way;       // m, a row's half share of the flow's strain in one step
-};
-
-struct TouchCounts {
-    int contacts;
-    int ended;
 };
 
 struct Kernels {

@@ -46,7 +46,7 @@ void push_contacts(World& world, Chunk& chunk) {
         const bool plain = context.pair.plain();
         if (NearDiscs& near = chunk.near_discs[kind]; near.contact_count > 0) {
             context.further = plain ? nullptr : near.further.data();
-            push_with_letters(chunk, context, near.contact_count, [&] {
+            solver::push_with_letters(chunk, context, near.contact_count, [&] {
                 world.kernels->push_discs(context, near.pairs.data(), near.contacts.data(), near.contact_count,
                                           near.memory.data());
             });
@@ -63,7 +63,7 @@ void push_contacts(World& world, Chunk& chunk) {
 }
 
 void collect_pushes(World& world, Chunk& chunk) {
-    read_letters(world.chunks, chunk, [&](const ForeignPush& push) {
+    solver::read_letters(world.chunks, chunk, [&](const ForeignPush& push) {
         if (!owns(chunk.owned, push.row))
             return;
         Load& load = world.loads[static_cast<std::size_t>(push.row)];

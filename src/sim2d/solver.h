@@ -4,10 +4,10 @@
 #include "base/phases.h"
 #include "base/problem.h"
 #include "base/stop.h"
+#include "discs/bodies.h"
 #include "scene/motion.h"
 #include "scene/scene.h"
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -17,6 +17,10 @@
 
 /// The 2D solver as the layers above see it; src/sim2d/step.cpp is what it does. The twin of src/sim3d.
 namespace tumble::sim2d {
+
+using discs::BodyShape;
+using discs::BodyState;
+using discs::Disc;
 
 struct World;
 
@@ -46,7 +50,7 @@ std::optional<Problem> advance(World& world, std::int64_t steps);
 /// booked as inserted, that of overlaps among them only before the first step. For states measured elsewhere and for
 /// tests; fills are the usual way. Problems: a shape index that does not exist, a position outside the domain, a number
 /// that is not finite.
-std::optional<Problem> insert(World& world, const std::vector<struct BodyState>& bodies);
+std::optional<Problem> insert(World& world, const std::vector<BodyState>& bodies);
 
 double time_of(const World& world); // s
 std::int64_t steps_of(const World& world);
@@ -55,31 +59,8 @@ std::int64_t steps_of(const World& world);
 /// (a fill leaves none).
 Books books_of(const World& world);
 
-struct Disc {
-    Eigen::Vector2d centre = Eigen::Vector2d::Zero(); // m, from the body's centre of mass
-    double radius = 0;                                // m
-};
-
-/// A template as the solver uses it: centred on its centre of mass, turned as written.
-struct BodyShape {
-    std::string name;
-    double mass = 0;                                          // kg
-    double area = 0;                                          // m2, of the union
-    double inertia = 0;                                       // kg m2
-    std::vector<Disc> discs;                                  // all of them, also wholly covered ones
-    double bounding_radius = 0;                               // m, about the centre of mass
-    Eigen::Vector2d written_centre = Eigen::Vector2d::Zero(); // m, centre of mass in the template's frame
-};
 const std::vector<BodyShape>& shapes_of(const World& world);
 
-struct BodyState {
-    std::int64_t id = 0; // constant over the run, in order of insertion
-    int shape = 0;
-    Eigen::Vector2d position = Eigen::Vector2d::Zero(); // m, centre of mass
-    double angle = 0;                                   // rad, counter-clockwise, whole turns included
-    Eigen::Vector2d velocity = Eigen::Vector2d::Zero(); // m/s, at the same instant as the position
-    double angular_velocity = 0;                        // rad/s, counter-clockwise
-};
 /// Ordered by id.
 std::vector<BodyState> bodies_of(const World& world);
 /// Poses of scene.walls at the world's time.

@@ -1,8 +1,8 @@
 #include "sim2d/state.h"
 
-#include "base/archive.h"
 #include "sim2d/state_flaw.h"
 #include "sim2d/state_members.h"
+#include "solver/state.h"
 
 namespace tumble::sim2d {
 
@@ -22,29 +22,15 @@ void complete(World& world) {
     }
 }
 
-Problem unusable(const World& world, const std::string& what) {
-    return {.file = world.scene.file.string(), .what = what, .fix = "go on from another state, or run the scene again"};
-}
-
 } // namespace
 
 std::string state_of(const World& world) {
-    ArchiveWriter writer;
-    writer(archive_layout_of(world), world);
-    return writer.take();
+    return solver::state_of(world);
 }
 
 std::optional<Problem> restore(World& world, std::string_view state) {
-    std::uint64_t layout = 0;
-    ArchiveReader reader(state);
-    reader(layout);
-    if (layout != archive_layout_of(world))
-        return unusable(world, "the state was saved by another version of the program or by the other solver");
-    reader(world);
-    if (!reader.whole())
-        return unusable(world, "the saved state does not fit the scene: it has other walls or fills, or is damaged");
-    if (const std::string flaw = flaw_of(world); !flaw.empty())
-        return unusable(world, "the saved state does not fit the scene: " + flaw);
+    if (auto problem = solver::read_state(world, state, flaw_of))
+        return problem;
     complete(world);
     return std::nullopt;
 }

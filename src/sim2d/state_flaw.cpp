@@ -1,5 +1,7 @@
 #include "sim2d/state_flaw.h"
 
+#include "solver/state.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,36 +9,16 @@ namespace tumble::sim2d {
 
 namespace {
 
-bool below(int index, std::size_t end) {
-    return index >= 0 && static_cast<std::size_t>(index) < end;
-}
-
-/// begin .. begin + count lies in 0 .. end.
-bool range_in(int begin, int count, std::size_t end) {
-    return begin >= 0 && count >= 0 &&
-           static_cast<std::size_t>(begin) + static_cast<std::size_t>(count) <= end; // of ints: no overflow
-}
-
-bool every_id_once(const World& world) {
-    std::vector<bool> seen(world.id.size(), false);
-    for (const std::int64_t id : world.id) {
-        if (id < 0 || static_cast<std::size_t>(id) >= seen.size() || seen[static_cast<std::size_t>(id)])
-            return false;
-        seen[static_cast<std::size_t>(id)] = true;
-    }
-    return true;
-}
+using solver::below;
+using solver::range_in;
 
 std::string flaw_of_bodies(const World& world) {
     const std::size_t bodies = world.id.size();
     if (world.shape.size() != bodies || world.angle.size() != bodies || world.rows.size() < bodies ||
         world.loads.size() != world.rows.size())
         return "its arrays have different lengths";
-    if (!every_id_once(world))
-        return "two bodies have one number";
-    for (const int shape : world.shape)
-        if (!below(shape, world.shape_constants.size()))
-            return "a body has a shape that the scene lacks";
+    if (std::string flaw = solver::flaw_of_bodies(world.id, world.shape, world.shape_constants.size()); !flaw.empty())
+        return flaw;
     for (const Row& row : world.rows)
         if (!std::isfinite(row.x) || !std::isfinite(row.y) || !std::isfinite(row.vx) || !std::isfinite(row.vy) ||
             !std::isfinite(row.spin) || !(row.mass > 0))
@@ -121,7 +103,7 @@ bool chunks_fit(const World& world) {
 std::string flaw_of(const World& world) {
     if (const std::string flaw = flaw_of_bodies(world); !flaw.empty())
         return flaw;
-    if (world.chunks.size() > static_cast<std::size_t>(most_chunks))
+    if (world.chunks.size() > static_cast<std::size_t>(solver::most_chunks))
         return "its chunks are too many";
     if (!world.kept.sound())
         return "what contacts remember leads nowhere";

@@ -1,7 +1,5 @@
 #include "sim2d/step.h"
 
-#include "sim2d/phase.h"
-
 namespace tumble::sim2d {
 
 void step(World& world) {

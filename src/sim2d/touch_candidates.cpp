@@ -1,8 +1,8 @@
 #include "sim2d/step.h"
+#include "solver/arrays.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <span>
 
 namespace tumble::sim2d {
@@ -21,14 +21,9 @@ void forget(Chunk& chunk, FurtherMemory& further) {
     further = {};
 }
 
-void make_room(std::vector<int>& list, std::size_t entries) {
-    if (list.size() < entries)
-        list.resize(2 * entries);
-}
-
 void touch_discs(const World& world, Chunk& chunk, NearDiscs& near) {
-    make_room(near.contacts, near.pairs.size() + 1);
-    make_room(chunk.found, near.pairs.size() + 1);
+    solver::make_room(near.contacts, near.pairs.size() + 1);
+    solver::make_room(chunk.found, near.pairs.size() + 1);
     const TouchCounts counts =
         world.kernels->touch_discs(world.rows.data(), near.pairs.data(), static_cast<int>(near.pairs.size()),
                                    world.images.data(), near.touching.data(), near.contacts.data(), chunk.found.data());
@@ -39,50 +34,6 @@ void touch_discs(const World& world, Chunk& chunk, NearDiscs& near) {
         if (world.remembers_more)
             forget(chunk, near.further[ended]);
     }
-}
-
-// Pieces that meet at less than this stand for one curved line.
-const double cos_smooth_joint = std::cos(30 * std::numbers::pi / 180);
-
-/// The touch that goes on with what `old` remembers: the one with the same feature, else, over a joint, one that was
-/// not there before and faces nearly the same way. Null if there is none.
-WallMemory* heir_of(const WallMemory& old, std::span<WallMemory> now, std::span<const WallMemory> before) {
-    for (WallMemory& memory : now)
-        if (memory.feature == old.feature)
-            return &memory;
-    for (WallMemory& memory : now) {
-        const bool fresh = std::none_of(before.begin(), before.end(),
-                                        [&](const WallMemory& other) { return other.feature == memory.feature; });
-        if (fresh && memory.memory.energy == 0 && memory.normal.dot(old.normal) > cos_smooth_joint)
-            return &memory;
-    }
-    return nullptr;
-}
-
-/// Hands the memory of the touches a step ago to those of now; what finds no heir is forgotten, and what is new starts
-/// at rest. `further` holds what the touches remember beside it, or is null.
-void match_features(Chunk& chunk, WallNear& near, FurtherMemory* further, std::span<const WallTouch> touches) {
-    std::array<WallMemory, max_wall_touches> now;
-    std::array<FurtherMemory, max_wall_touches> further_now{};
-    for (std::size_t t = 0; t < touches.size(); ++t)
-        now[t] = {touches[t].feature, touches[t].normal, {}};
-    const std::span before(near.memory.data(), static_cast<std::size_t>(near.touches));
-    for (std::size_t t = 0; t < before.size(); ++t) {
-        WallMemory& old = before[t];
-        WallMemory* heir = heir_of(old, {now.data(), touches.size()}, before);
-        if (heir)
-            heir->memory = old.memory;
-        else
-            forget(chunk, old.memory);
-        if (further && heir)
-            further_now[static_cast<std::size_t>(heir - now.data())] = further[t];
-        else if (further)
-            forget(chunk, further[t]);
-    }
-    if (further)
-        std::copy(further_now.begin(), further_now.end(), further);
-    near.memory = now;
-    near.touches = static_cast<int>(touches.size());
 }
 
 /// Whether the disc's centre has passed through the line in the last step, as the wall saw it: the way from where it
@@ -126,9 +77,10 @@ void touch_wall(const World& world, Chunk& chunk, int which) {
         chunk.crossed_row = near.row;
         chunk.crossed_wall = near.wall;
     }
-    match_features(
-        chunk, near,
-        world.remembers_more ? &chunk.wall_further[static_cast<std::size_t>(max_wall_touches * which)] : nullptr, now);
+    solver::match_features(
+        near.memory, near.touches,
+        world.remembers_more ? &chunk.wall_further[static_cast<std::size_t>(max_wall_touches * which)] : nullptr, now,
+        [&](auto& lost) { forget(chunk, lost); });
     const int kind = world.kind_of(near.row, wall.wall.material);
     for (int t = 0; t < count; ++t) {
         WallContact contact = wall_contact(wall, row, touches[static_cast<std::size_t>(t)]);

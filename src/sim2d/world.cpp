@@ -3,9 +3,7 @@
 #include "sim2d/fill.h"
 #include "sim2d/sanity.h"
 #include "sim2d/step.h"
-
-#include <cmath>
-#include <fmt/format.h>
+#include "solver/advance.h"
 
 namespace tumble::sim2d {
 
@@ -24,30 +22,6 @@ Row row_of(const ShapeConstants& shape, const BodyState& state) {
             0.5};
 }
 
-double energy_of(const World& world, const ShapeConstants& shape, const BodyState& state) {
-    return 0.5 * shape.mass * state.velocity.squaredNorm() +
-           0.5 * shape.inertia * state.angular_velocity * state.angular_velocity -
-           shape.mass * world.scene.gravity.head<2>().dot(state.position);
-}
-
-std::optional<Problem> refuse(const World& world, const BodyState& state, std::size_t number) {
-    const auto problem = [&](const std::string& what, const std::string& fix) {
-        return Problem{world.scene.file.string(), 0, 0, "", fmt::format("body {} to insert {}", number + 1, what), fix};
-    };
-    if (state.shape < 0 || state.shape >= static_cast<int>(world.shapes.size()))
-        return problem(fmt::format("names shape {}, of {}", state.shape, world.shapes.size()), "give an index from 0");
-    if (!state.position.allFinite() || !state.velocity.allFinite() || !std::isfinite(state.angular_velocity) ||
-        !std::isfinite(state.angle))
-        return problem("has a number that is not finite", "check where the state comes from");
-    const scene::Domain& domain = world.scene.domain;
-    for (int k = 0; k < 2; ++k)
-        if (!domain.periodic[static_cast<std::size_t>(k)] &&
-            (state.position[k] < domain.box.lo[k] || state.position[k] > domain.box.hi[k]))
-            return problem(fmt::format("stands at {} = {:.6g} m, outside the domain", "xy"[k], state.position[k]),
-                           "enlarge the domain or move the body");
-    return std::nullopt;
-}
-
 } // namespace
 
 void WorldDeleter::operator()(World* world) const {
@@ -55,9 +29,8 @@ void WorldDeleter::operator()(World* world) const {
 }
 
 std::optional<Problem> insert(World& world, const std::vector<BodyState>& bodies) {
-    for (std::size_t k = 0; k < bodies.size(); ++k)
-        if (auto problem = refuse(world, bodies[k], k))
-            return problem;
+    if (auto problem = discs::refusal_of(bodies, world.scene))
+        return problem;
     if (bodies.empty())
         return std::nullopt;
     // Rows of clumps' discs make room for the new bodies; what contacts remember is taken while the rows still stand.
@@ -75,24 +48,14 @@ std::optional<Problem> insert(World& world, const std::vector<BodyState>& bodies
         world.loads.push_back({});
         world.first_tag.push_back(world.tags);
         world.tags += shape.exposed_count;
-        world.ledger.inserted += energy_of(world, shape, state);
+        world.ledger.inserted +=
+            discs::energy_of(state, world.plain_shapes[static_cast<std::size_t>(state.shape)], world.scene.gravity);
     }
     return std::nullopt;
 }
 
 std::optional<Problem> advance(World& world, std::int64_t steps) {
-    for (std::int64_t k = 0; k < steps; ++k) {
-        if (world.step >= world.next_fill_step) {
-            if (auto problem = insert_due_fills(world))
-                return problem;
-            if (stop_wanted(world.stop))
-                return std::nullopt;
-        }
-        step(world);
-        if (auto problem = insanity(world))
-            return problem;
-    }
-    return std::nullopt;
+    return solver::advance(world, steps);
 }
 
 double time_of(const World& world) {
@@ -139,14 +102,7 @@ std::vector<scene::WallPose> walls_of(const World& world) {
 }
 
 std::vector<PhaseTime> phase_times(const World& world) {
-    std::vector<PhaseTime> phases;
-    for (std::size_t k = 0; k < phase_names.size(); ++k) {
-        double seconds = world.seconds[k];
-        for (const Chunk& chunk : world.chunks)
-            seconds += chunk.seconds[k];
-        phases.push_back({phase_names[k], seconds});
-    }
-    return phases;
+    return solver::phase_times(world);
 }
 
 } // namespace tumble::sim2d

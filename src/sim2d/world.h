@@ -1,19 +1,22 @@
 #pragma once
 
-#include "base/books.h"
 #include "base/lines.h"
 #include "base/parallel_for.h"
-#include "base/phases.h"
 #include "base/stop.h"
 #include "contact/air_drag.h"
 #include "contact/material.h"
+#include "discs/body_shape.h"
+#include "discs/wall_line.h"
 #include "scene/scene.h"
 #include "sim2d/cells.h"
 #include "sim2d/kept_memory.h"
 #include "sim2d/kernels.h"
-#include "sim2d/placing.h"
 #include "sim2d/solver.h"
-#include "sim2d/wall_line.h"
+#include "solver/books.h"
+#include "solver/chunks.h"
+#include "solver/fill_state.h"
+#include "solver/near_list.h"
+#include "solver/verbs.h"
 
 #include <Eigen/Core>
 #include <array>
@@ -27,6 +30,16 @@
 /// number of threads; whatever a chunk does, it does in one fixed order, and each takes the forces that others have for
 /// its rows in a fixed order. That is why one thread and two give the same bits.
 namespace tumble::sim2d {
+
+using discs::ShapeData;
+using discs::WallFrame;
+using discs::WallLine;
+using discs::WallTouch;
+using solver::ChunkSet;
+using solver::FillState;
+using solver::for_chunks;
+using solver::Phase;
+using solver::timed;
 
 /// The smooth velocity field that neighbours share. Lists wear by what rows do beside it, so a bed that shakes as one
 /// or shears evenly keeps its lists for long.
@@ -55,56 +68,7 @@ struct WallNear {
     std::array<WallMemory, max_wall_touches> memory{}; // the first `touches`
 };
 
-/// Sums of one chunk, J and extremes; added up in chunk order.
-struct Sums {
-    ContactSums contacts;
-    double lost_air_drag = 0;
-    MotionSums motion;
-};
-
-/// The step's verbs, for the account of where the time goes.
-enum class Phase {
-    move_walls,
-    list_neighbours,
-    find_candidates,
-    push_gravity,
-    push_air,
-    touch_candidates,
-    push_contacts,
-    collect_pushes,
-    integrate,
-    book_energy
-};
-constexpr std::array<const char*, 10> phase_names{"move_walls", "list_neighbours",  "find_candidates", "push_gravity",
-                                                  "push_air",   "touch_candidates", "push_contacts",   "collect_pushes",
-                                                  "integrate",  "book_energy"};
-using PhaseSeconds = std::array<double, phase_names.size()>;
-
-/// Those of a chunk's pairs that may touch before World::rush reaches Chunk::near_until.
-struct NearDiscs {
-    std::vector<NearPair> pairs; // in the order of Chunk::pairs
-    std::vector<Memory> memory;
-    std::vector<FurtherMemory> further; // parallel to them where World::remembers_more, else empty
-    std::vector<std::uint8_t> touching; // 1 or 0
-    std::vector<int> contacts;          // the first contact_count entries: those of pairs that touch now
-    int contact_count = 0;
-
-    void clear() {
-        pairs.clear();
-        memory.clear();
-        further.clear();
-        touching.clear();
-        contact_count = 0;
-    }
-    /// `more` is null unless World::remembers_more.
-    void add(const NearPair& pair, std::uint8_t touches, const Memory& remembered, const FurtherMemory* more) {
-        if (more)
-            further.push_back(*more);
-        pairs.push_back(pair);
-        memory.push_back(remembered);
-        touching.push_back(touches);
-    }
-};
+using NearDiscs = solver::NearList<Memory, FurtherMemory>;
 
 /// Contiguous ranges of slots and of discs, and everything that they own.
 struct Chunk {
@@ -127,8 +91,8 @@ struct Chunk {
     double dropped_history = 0; // J forgotten by contacts that ended in this step
     int crossed_row = -1;       // row whose centre has passed through a wall, ...
     int crossed_wall = -1;      // ... and the wall
-    Sums sums;
-    PhaseSeconds seconds{};
+    solver::Sums sums;
+    solver::PhaseSeconds seconds{};
 };
 
 struct WallState {
@@ -138,20 +102,6 @@ struct WallState {
     WallFrame half_frame; // half a step earlier, where leapfrog's velocities live
     double travel = 0;    // m, odometer: way beside the mean flow since the last rebuild
     double leap = 0;      // m, how far it went in the last step where bodies are
-};
-
-/// Running sums, J. Losses are sums of force * velocity * dt at the steps; the books take the last one half.
-struct Ledger {
-    double lost_normal_damping = 0;
-    double lost_tangential_damping = 0;
-    double lost_sliding = 0;
-    double lost_rolling = 0;
-    double lost_air_drag = 0;
-    double lost_history = 0;
-    double lost_global_damping = 0;
-    double wall_work = 0;
-    double inserted = 0;
-    double overlap_ratio_peak = 0; // -
 };
 
 struct World {
@@ -207,12 +157,12 @@ struct World {
     std::vector<int> periods;             // per row, how many it stands past the box: y times 3 + x, as in an image
     std::int64_t rebuilds = 0;
 
-    Ledger ledger;
+    solver::Ledger ledger;
     Books books;
     const Kernels* kernels = nullptr;
     StopFlag stop = nullptr;
     Crew crew;
-    PhaseSeconds seconds{};
+    solver::PhaseSeconds seconds{};
 
     explicit World(int threads) : crew(threads) {}
     [[nodiscard]] int bodies() const { return static_cast<int>(id.size()); }

@@ -1,12 +1,12 @@
 #include "contact/jkr.h"
-#include "scene/faults.h"
 #include "scene/written.h"
-#include "sim3d/body_list.h"
 #include "sim3d/body_shape.h"
 #include "sim3d/fill.h"
 #include "sim3d/state.h"
 #include "sim3d/time_step.h"
 #include "sim3d/world.h"
+#include "solver/leashes.h"
+#include "solver/prepare.h"
 
 #include <algorithm>
 #include <cmath>
@@ -113,15 +113,6 @@ Problems make_walls(World& world) {
     return problems;
 }
 
-void make_pairs(World& world) {
-    world.materials = static_cast<int>(world.scene.materials.size());
-    for (int a = 0; a < world.materials; ++a)
-        for (int b = 0; b < world.materials; ++b)
-            world.pairs.push_back(world.scene.constants(a, b));
-    world.remembers_more =
-        std::any_of(world.pairs.begin(), world.pairs.end(), [](const auto& pair) { return !pair.plain(); });
-}
-
 /// Of the sphere of the body's volume.
 void make_drag(World& world) {
     if (world.scene.air.there())
@@ -148,18 +139,6 @@ Problems make_holds(World& world) {
         "a material so soft and sticky is beyond JKR; use a larger Young's modulus or a smaller work of adhesion")};
 }
 
-void make_images(World& world) {
-    const scene::Domain& domain = world.scene.domain;
-    const Vector3d length = domain.box.hi - domain.box.lo;
-    world.images.resize(27);
-    for (int z = -1; z <= 1; ++z)
-        for (int y = -1; y <= 1; ++y)
-            for (int x = -1; x <= 1; ++x)
-                world.images[static_cast<std::size_t>(image_index(x, y, z))] = {
-                    {domain.periodic[0] ? x * length.x() : 0.0, domain.periodic[1] ? y * length.y() : 0.0,
-                     domain.periodic[2] ? z * length.z() : 0.0, 0.0}};
-}
-
 void choose_skins(World& world) {
     double largest = 0;
     double smallest_sphere = std::numeric_limits<double>::infinity();
@@ -174,7 +153,7 @@ void choose_skins(World& world) {
     world.wall_skin = wall_skin_per_skin * world.skin;
     world.sphere_skin = std::min(sphere_skin_per_radius * smallest_sphere, world.skin);
     for (const BodyShape& shape : world.plain_shapes)
-        world.reach = std::max(world.reach, 2 * shape.bounding_radius + longest_leash * world.skin);
+        world.reach = std::max(world.reach, 2 * shape.bounding_radius + solver::longest_leash * world.skin);
 }
 
 Problems check_periods(const World& world) {
@@ -183,7 +162,7 @@ Problems check_periods(const World& world) {
     double reach = 0;
     for (const ShapeConstants& shape : world.shape_constants)
         reach = std::max(reach, 2 * shape.bounding_radius + Vector3d(shape.bounding_centre).norm() +
-                                    longest_leash * world.skin);
+                                    solver::longest_leash * world.skin);
     for (int k = 0; k < 3; ++k)
         if (domain.periodic[static_cast<std::size_t>(k)] && domain.box.hi[k] - domain.box.lo[k] < reach)
             problems.push_back(scene::problem_about(
@@ -195,29 +174,6 @@ Problems check_periods(const World& world) {
     return problems;
 }
 
-Problems check_laws(const World& world) {
-    Problems problems;
-    for (const Problem& fault : scene::faults_of(world.scene.contact, 3))
-        problems.push_back(scene::problem_about(world.scene, "contact." + fault.key, fault.what, fault.fix));
-    return problems;
-}
-
-Problems check_step(const World& world) {
-    const scene::TimeStepReport report = time_step_report(world.scene, world.plain_shapes);
-    if (report.stable() || world.scene.allow_large_step)
-        return {};
-    return {scene::problem_about(
-        world.scene, "time_step_s",
-        fmt::format("a time step of {:.4g} s is above the stable limit of {:.4g} s", report.step, report.limit),
-        fmt::format("use at most {:.3g} s, or soften the materials; allow_large_step = true runs it "
-                    "all the same",
-                    0.5 * report.limit))};
-}
-
-void append(Problems& all, const Problems& more) {
-    all.insert(all.end(), more.begin(), more.end());
-}
-
 /// All of the world but its bodies.
 Result<WorldPtr> prepare_world(const scene::Scene& scene, int threads, StopFlag stop) {
     WorldPtr world(new World(std::max(threads, 1)));
@@ -225,21 +181,23 @@ Result<WorldPtr> prepare_world(const scene::Scene& scene, int threads, StopFlag 
     world->dt = scene.time_step;
     world->stop = stop;
     world->kernels = &choose_kernels();
-    make_pairs(*world);
+    world->materials = static_cast<int>(scene.materials.size());
+    world->pairs = solver::pairs_of(scene);
+    world->remembers_more = solver::remember_more(world->pairs);
+    world->images = solver::images_of(scene.domain, 3);
     Problems problems = make_shapes(*world);
-    append(problems, make_walls(*world));
-    append(problems, check_laws(*world));
+    solver::append(problems, make_walls(*world));
+    solver::append(problems, solver::faults_of_laws(scene, 3));
     if (stop_wanted(stop))
         return stopped_before_it_began();
     if (!problems.empty())
         return problems;
     choose_skins(*world);
     make_drag(*world);
-    make_images(*world);
-    append(problems, make_holds(*world));
-    append(problems, check_periods(*world));
-    append(problems, check_step(*world));
-    append(problems, prepare_fills(*world));
+    solver::append(problems, make_holds(*world));
+    solver::append(problems, check_periods(*world));
+    solver::append(problems, solver::faults_of_step(scene, time_step_report(scene, world->plain_shapes), "materials"));
+    solver::append(problems, prepare_fills(*world));
     if (!problems.empty())
         return problems;
     return world;

@@ -1,12 +1,10 @@
 #include "sim3d/fill.h"
 
-#include "base/cell_width.h"
 #include "scene/period.h"
 #include "scene/written.h"
-#include "sim3d/placement.h"
+#include "sim3d/crowd.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
@@ -17,9 +15,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A region counts as full after this many misses in a row.
-constexpr int misses_until_full = 3000;
-
 /// Uniform over all rotations (Shoemake 1992).
 Eigen::Quaterniond random_orientation(Rng& rng) {
     const double u = rng.uniform();
@@ -28,104 +23,6 @@ Eigen::Quaterniond random_orientation(Rng& rng) {
     return {std::sqrt(1 - u) * std::sin(a), std::sqrt(1 - u) * std::cos(a), std::sqrt(u) * std::sin(b),
             std::sqrt(u) * std::cos(b)};
 }
-
-/// Bodies by the cell of their bounding sphere, growing as bodies are placed. Between rebuilds a body may stand beyond
-/// a periodic side; here all stand in the box.
-class Crowd {
-public:
-    /// Room for the world's bodies and `more`.
-    Crowd(const World& world, std::int64_t more) : world_(world) {
-        double largest = 0;
-        for (const ShapeConstants& shape : world.shape_constants)
-            largest = std::max(largest, 2 * shape.bounding_radius);
-        const Vector3d length = world.scene.domain.box.hi - world.scene.domain.box.lo;
-        const double width =
-            cell_width_for(length, largest, cells_per_body * (static_cast<double>(more) + world.bodies()) + 64);
-        for (int k = 0; k < 3; ++k)
-            size_[static_cast<std::size_t>(k)] = std::max(static_cast<int>(length[k] / width), 1);
-        first_.assign(static_cast<std::size_t>(size_[0] * size_[1] * size_[2]), -1);
-        for (int slot = 0; slot < world.bodies(); ++slot)
-            add(placement_of(world, slot));
-    }
-
-    void add(const Placement& body) {
-        const Placement inside = into_box(body);
-        int& first = first_[index(place(bounding_centre(world_, inside)))];
-        next_.push_back(first);
-        first = static_cast<int>(bodies_.size());
-        bodies_.push_back(inside);
-    }
-
-    [[nodiscard]] bool leaves_room_for(const Placement& body) const {
-        const Placement inside = into_box(body);
-        const Vector3d centre = bounding_centre(world_, inside);
-        const std::array<int, 3> home = place(centre);
-        std::array<int, 3> at{};
-        for (at[0] = home[0] - 1; at[0] <= home[0] + 1; ++at[0])
-            for (at[1] = home[1] - 1; at[1] <= home[1] + 1; ++at[1])
-                for (at[2] = home[2] - 1; at[2] <= home[2] + 1; ++at[2])
-                    if (!cell_leaves_room(inside, centre, at))
-                        return false;
-        return true;
-    }
-
-private:
-    /// With its bounding centre in the box along periodic axes, wherever its centre of mass may be then.
-    [[nodiscard]] Placement into_box(Placement body) const {
-        const scene::Domain& domain = world_.scene.domain;
-        const Vector3d centre = bounding_centre(world_, body);
-        for (int axis = 0; axis < 3; ++axis)
-            body.position[axis] -=
-                scene::periods_past(domain, axis, centre[axis]) * (domain.box.hi[axis] - domain.box.lo[axis]);
-        return body;
-    }
-
-    [[nodiscard]] bool cell_leaves_room(const Placement& body, const Vector3d& centre, std::array<int, 3> at) const {
-        const scene::Domain& domain = world_.scene.domain;
-        Vector3d shift = Vector3d::Zero();
-        for (std::size_t k = 0; k < 3; ++k) {
-            if (at[k] >= 0 && at[k] < size_[k])
-                continue;
-            if (!domain.periodic[k])
-                return true;
-            const auto axis = static_cast<Eigen::Index>(k);
-            const int turn = at[k] < 0 ? -1 : 1;
-            shift[axis] = turn * (domain.box.hi[axis] - domain.box.lo[axis]);
-            at[k] -= turn * size_[k];
-        }
-        const double own = world_.shape_constants[static_cast<std::size_t>(body.shape)].bounding_radius;
-        for (int other = first_[index(at)]; other >= 0; other = next_[static_cast<std::size_t>(other)]) {
-            const Placement& neighbour = bodies_[static_cast<std::size_t>(other)];
-            const double reach =
-                own + world_.shape_constants[static_cast<std::size_t>(neighbour.shape)].bounding_radius;
-            if ((bounding_centre(world_, neighbour) + shift - centre).squaredNorm() < reach * reach &&
-                overlap(world_, body, neighbour, shift))
-                return false;
-        }
-        return true;
-    }
-
-    [[nodiscard]] std::array<int, 3> place(const Vector3d& centre) const {
-        const scene::Box& box = world_.scene.domain.box;
-        std::array<int, 3> at{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto axis = static_cast<Eigen::Index>(k);
-            const double part = (centre[axis] - box.lo[axis]) / (box.hi[axis] - box.lo[axis]);
-            at[k] = std::clamp(static_cast<int>(std::floor(part * size_[k])), 0, size_[k] - 1);
-        }
-        return at;
-    }
-
-    [[nodiscard]] std::size_t index(const std::array<int, 3>& at) const {
-        return static_cast<std::size_t>((at[0] * size_[1] + at[1]) * size_[2] + at[2]);
-    }
-
-    const World& world_;
-    std::array<int, 3> size_{1, 1, 1};
-    std::vector<int> first_; // per cell, of its bodies; -1: none
-    std::vector<int> next_;  // per body, in its cell
-    std::vector<Placement> bodies_;
-};
 
 bool inside_region(const World& world, const scene::Box& region, const Placement& body) {
     const ShapeConstants& shape = world.shape_constants[static_cast<std::size_t>(body.shape)];
@@ -164,7 +61,7 @@ std::vector<BodyState> place_at_random(const World& world, FillState& fill, Crow
     const Eigen::Quaterniond as_written = shape_of(world, fill).written_from_principal;
     std::vector<BodyState> placed;
     int misses = 0;
-    while (fill.placed + static_cast<std::int64_t>(placed.size()) < fill.asked && misses < misses_until_full &&
+    while (fill.placed + static_cast<std::int64_t>(placed.size()) < fill.asked && misses < solver::misses_until_full &&
            !stop_wanted(world.stop)) {
         Vector3d position;
         for (int axis = 0; axis < 3; ++axis)
@@ -201,13 +98,6 @@ Problem does_not_fit(const World& world, const FillState& fill) {
                   : "enlarge the region, ask for fewer, or give until_s so that bodies come in over time");
 }
 
-void schedule(World& world) {
-    world.next_fill_step = std::numeric_limits<std::int64_t>::max();
-    for (const FillState& fill : world.fills)
-        if (!fill.over)
-            world.next_fill_step = std::min(world.next_fill_step, fill.next_step);
-}
-
 Problem no_room_at(const World& world, const FillState& fill, const std::string& what_is_there) {
     const Vector3d& at = *fill.fill.position;
     return scene::problem_about(world.scene, key_of(world, fill, "position_m"),
@@ -239,14 +129,10 @@ std::optional<Problem> insert_fill(World& world, FillState& fill) {
             return std::nullopt;
         }
     }
-    fill.begun = true;
-    fill.placed += static_cast<std::int64_t>(placed.size());
-    const double again = world.time() + fill.fill.every;
-    fill.next_step = static_cast<std::int64_t>(std::ceil(again / world.dt));
-    fill.over = fill.placed >= fill.asked || again > fill.fill.until;
+    fill.note(static_cast<std::int64_t>(placed.size()), world.step, world.dt);
     if (auto problem = insert(world, placed))
         return problem;
-    if (fill.placed >= fill.asked || fill.fill.until > fill.fill.start)
+    if (!fill.failed())
         return std::nullopt;
     return does_not_fit(world, fill);
 }
@@ -254,37 +140,28 @@ std::optional<Problem> insert_fill(World& world, FillState& fill) {
 } // namespace
 
 Problems prepare_fills(World& world) {
-    Problems problems;
-    for (const scene::Fill& fill : world.scene.fills) {
-        FillState state{fill, Rng(world.scene.seed * 0x9e3779b97f4a7c15ULL + world.fills.size()), 0, 0, 0, false,
-                        false};
-        const double mass = world.shapes[static_cast<std::size_t>(fill.body)].shape.mass;
-        state.asked = fill.count ? *fill.count : std::llround(fill.mass.value_or(0) / mass);
-        state.next_step = static_cast<std::int64_t>(std::ceil(fill.start / world.dt - 1e-9));
-        if (state.asked < 1)
-            problems.push_back(
-                scene::problem_about(world.scene, fmt::format("fill.{}.mass_kg", world.fills.size()),
-                                     fmt::format("a fill asks for less than one body of {:.4g} kg", mass),
-                                     "ask for more mass, or give a count"));
-        world.fills.push_back(std::move(state));
-    }
-    schedule(world);
-    return problems;
+    Result<std::vector<FillState>> fills =
+        solver::begin_fills(world.scene, solver::masses_of(world.plain_shapes), world.dt);
+    if (!fills)
+        return fills.problems();
+    world.fills = std::move(*fills);
+    world.next_fill_step = solver::next_due(world.fills);
+    return {};
 }
 
 std::optional<Problem> insert_due_fills(World& world) {
     for (FillState& fill : world.fills)
-        if (!fill.over && fill.next_step <= world.step && !stop_wanted(world.stop))
+        if (fill.due(world.step) && !stop_wanted(world.stop))
             if (auto problem = insert_fill(world, fill))
                 return problem;
-    schedule(world);
+    world.next_fill_step = solver::next_due(world.fills);
     return std::nullopt;
 }
 
 std::vector<std::string> unfilled(const World& world) {
     std::vector<std::string> reports;
     for (const FillState& fill : world.fills)
-        if (fill.begun && fill.placed < fill.asked)
+        if (fill.owes())
             reports.push_back(owed(world, fill));
     return reports;
 }

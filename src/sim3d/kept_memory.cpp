@@ -2,26 +2,9 @@
 
 #include "sim3d/world.h"
 
-#include <algorithm>
-
 namespace tumble::sim3d {
 
 namespace {
-
-// Counting sort by key, stable, so that the order inside a body is the order in which the contacts stood.
-template <class Entry, class Key>
-void group(const std::vector<Entry>& entries, std::vector<Entry>& sorted, std::vector<int>& begin,
-           std::vector<int>& next, std::size_t keys, Key&& key) {
-    begin.assign(keys + 1, 0);
-    for (const Entry& entry : entries)
-        ++begin[static_cast<std::size_t>(key(entry)) + 1];
-    for (std::size_t k = 0; k < keys; ++k)
-        begin[k + 1] += begin[k];
-    next = begin;
-    sorted.resize(entries.size());
-    for (const Entry& entry : entries)
-        sorted[static_cast<std::size_t>(next[static_cast<std::size_t>(key(entry))]++)] = entry;
-}
 
 KeptPair canonical(std::int64_t a, std::int64_t b, int sphere_a, int sphere_b, int image, const MemoryLanes& memory) {
     if (a < b)
@@ -48,13 +31,14 @@ void KeptMemory::take(const World& world, const std::vector<std::array<int, 3>>&
     const auto keep = [&](int a, int b, int sphere_a, int sphere_b, int image, const MemoryLanes& memory,
                           const FurtherLanes* further) {
         const auto id_a = world.id[static_cast<std::size_t>(a)], id_b = world.id[static_cast<std::size_t>(b)];
-        unsorted_pairs_.push_back(canonical(id_a, id_b, sphere_a, sphere_b, image_after(image, a, b, wraps), memory));
+        KeptPair kept = canonical(id_a, id_b, sphere_a, sphere_b, image_after(image, a, b, wraps), memory);
         if (further)
-            unsorted_pairs_.back().further = keep_further(id_a < id_b ? *further : mirrored(*further));
+            kept.further = keep_further(id_a < id_b ? *further : mirrored(*further));
+        pairs_.add(kept);
     };
     further_.clear();
-    unsorted_pairs_.clear();
-    unsorted_walls_.clear();
+    pairs_.begin_anew();
+    walls_.begin_anew();
     for (const Chunk& chunk : world.chunks) {
         for (const NearSpheres& near : chunk.near_spheres)
             for (std::size_t k = 0; k < near.pairs.size(); ++k)
@@ -71,7 +55,7 @@ void KeptMemory::take(const World& world, const std::vector<std::array<int, 3>>&
             for (int k = near.begin; k < near.begin + near.count; ++k) {
                 const WallCandidate& candidate = chunk.wall_candidates[static_cast<std::size_t>(k)];
                 for (int t = 0; t < candidate.touches; ++t)
-                    unsorted_walls_.push_back(
+                    walls_.add(
                         {world.id[static_cast<std::size_t>(near.body)], near.wall, candidate.sphere,
                          world.remembers_more
                              ? keep_further(chunk.wall_further[static_cast<std::size_t>(max_wall_touches * k + t)])
@@ -80,18 +64,12 @@ void KeptMemory::take(const World& world, const std::vector<std::array<int, 3>>&
             }
     }
     const std::size_t ids = world.slot_of.size();
-    group(unsorted_pairs_, pairs_, pairs_begin_, next_, ids, [](const KeptPair& kept) { return kept.first; });
-    group(unsorted_walls_, walls_, walls_begin_, next_, ids, [](const KeptWall& kept) { return kept.body; });
-}
-
-std::span<const KeptPair> KeptMemory::of_first(std::int64_t first) const {
-    const auto k = static_cast<std::size_t>(first);
-    return {pairs_.data() + pairs_begin_[k], static_cast<std::size_t>(pairs_begin_[k + 1] - pairs_begin_[k])};
+    pairs_.group(ids, [](const KeptPair& kept) { return kept.first; });
+    walls_.group(ids, [](const KeptWall& kept) { return kept.body; });
 }
 
 std::span<const KeptWall> KeptMemory::of_wall(std::int64_t body) const {
-    const auto k = static_cast<std::size_t>(body);
-    return {walls_.data() + walls_begin_[k], static_cast<std::size_t>(walls_begin_[k + 1] - walls_begin_[k])};
+    return walls_.of(static_cast<std::size_t>(body));
 }
 
 } // namespace tumble::sim3d

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "sim3d/kernels.h"
-#include "sim3d/wall_memory.h"
+#include "solver/grouped.h"
+#include "solver/wall_memory.h"
 
 #include <array>
 #include <cstdint>
@@ -11,6 +12,7 @@
 namespace tumble::sim3d {
 
 struct World;
+using WallMemory = solver::WallMemory<3, MemoryLanes>;
 
 /// What one touching contact remembers, named by body ids, so that it outlives lists and slots.
 struct KeptPair {
@@ -47,7 +49,7 @@ public:
     template <class Each> void of_pair(std::int64_t a, std::int64_t b, int image, Each&& each) const {
         const bool straight = a < b;
         const int seen = straight ? image : mirrored(image);
-        for (const KeptPair& old : of_first(straight ? a : b))
+        for (const KeptPair& old : pairs_.of(static_cast<std::size_t>(straight ? a : b)))
             if (old.second == (straight ? b : a) && old.image == seen)
                 each(old, straight);
     }
@@ -58,15 +60,8 @@ public:
     }
 
 private:
-    [[nodiscard]] std::span<const KeptPair> of_first(std::int64_t first) const;
-
-    std::vector<KeptPair> unsorted_pairs_;
-    std::vector<KeptPair> pairs_;
-    std::vector<int> pairs_begin_; // per id, one more at the end
-    std::vector<KeptWall> unsorted_walls_;
-    std::vector<KeptWall> walls_;
-    std::vector<int> walls_begin_;
-    std::vector<int> next_;
+    solver::Grouped<KeptPair> pairs_; // by id of the first
+    solver::Grouped<KeptWall> walls_; // by id
     std::vector<FurtherLanes> further_;
 };
 

@@ -2,6 +2,7 @@
 
 #include "base/lines.h"
 #include "contact/material.h"
+#include "solver/kernels.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -10,6 +11,12 @@
 /// The loops that take the time. kernels/*.cpp are built once per instruction set; everything they see is a plain
 /// pointer or number, so that no template of the standard library is built for a set the machine may lack.
 namespace tumble::sim3d {
+
+using solver::ContactSums;
+using solver::MotionSums;
+using solver::NearPair;
+using solver::Shift;
+using solver::TouchCounts;
 
 /// What a contact reads of a body. Velocities are those of half a step ago.
 struct alignas(32) BodyMotion {
@@ -79,14 +86,6 @@ struct SpherePair {
     std::int16_t kind; // material pair
 };
 
-/// A sphere pair that touches or soon may.
-struct NearPair {
-    int a;
-    int b;
-    int image;
-    int listed; // index of its SpherePair
-};
-
 /// Where the spheres of a body pair may soon touch: valid until the two odometers together show `expires`.
 struct BodyPair {
     int a = 0;
@@ -108,11 +107,6 @@ struct SphereCandidate {
 struct ClumpTouch {
     int pair;
     int candidate;
-};
-
-/// A shift of the periodic box, m; the fourth is 0.
-struct alignas(32) Shift {
-    double along[4];
 };
 
 /// The Shift that shifts nothing: both bodies stand in the box itself.
@@ -160,34 +154,6 @@ struct alignas(32) WallContact {
 
 // A sphere on the square hole of a sieve touches four edges, one in a corner where six facets meet six.
 constexpr int max_wall_touches = 8;
-
-struct ContactSums {
-    double stored_normal = 0;
-    double stored_tangential = 0;
-    double stored_rolling = 0;
-    double lost_normal_damping = 0;
-    double lost_tangential_damping = 0;
-    double lost_sliding = 0;
-    double lost_rolling_damping = 0; // by power
-    double lost_rolling_sliding = 0; // exact
-    double lost_adhesion = 0;
-    double lost_history = 0;
-    double wall_work = 0; // J in this step
-    double overlap_max = 0;
-    double overlap_ratio_max = 0;
-    std::int64_t contacts = 0;
-};
-
-struct IntegrateSums {
-    double kinetic_translation;
-    double kinetic_rotation;
-    double gravity;
-    double travel_max;
-    double way_max; // m, the longest that any odometer advanced
-    double speed_squared_max;
-    double spin_squared_max;
-    bool finite;
-};
 
 /// A force for a body that another chunk owns, as a kernel writes it.
 struct ForeignPush {
@@ -247,11 +213,6 @@ struct SphereScan {
     double* scratch;      // 4 * (count_a + 8) doubles, 64-byte aligned
 };
 
-struct TouchCounts {
-    int contacts;
-    int ended;
-};
-
 struct Kernels {
     /// Writes each slot of begin .. end whose bounds meet a sphere to `found`, which has room for eight more than there
     /// are slots; returns how many.
@@ -273,7 +234,7 @@ struct Kernels {
     void (*push_bodies)(PushContext&, const BodyContact* contacts, int count, MemoryLanes* memory);
     /// Each candidate has max_wall_touches of PushContext::further.
     void (*push_walls)(PushContext&, WallContact* contacts, int count);
-    IntegrateSums (*integrate)(const IntegrateContext&);
+    MotionSums (*integrate)(const IntegrateContext&);
     /// Writes candidates as (a << 16 | b), at most `room`; returns how many there are. `smallest_gap` becomes the
     /// smallest gap of all pairs, m, never above far_skin.
     int (*scan_spheres)(const SphereScan&, std::uint32_t* found, int room, double* smallest_gap);

@@ -1,33 +1,9 @@
-#include "sim3d/body_list.h"
 #include "sim3d/mean_flow.h"
+#include "sim3d/rebuild_lists.h"
 #include "sim3d/step.h"
-
-#include <algorithm>
-#include <limits>
+#include "solver/leashes.h"
 
 namespace tumble::sim3d {
-
-namespace {
-
-/// How far two bodies can have come closer in the last step, m.
-double closest_rush(const World& world) {
-    double way = 0;
-    for (const Chunk& chunk : world.chunks)
-        way = std::max(way, chunk.sums.motion.way_max);
-    return 2 * way;
-}
-
-bool worn(const World& world) {
-    double travelled = std::numeric_limits<double>::lowest();
-    for (const Chunk& chunk : world.chunks)
-        travelled = std::max(travelled, chunk.sums.motion.travel_max);
-    double wall_travelled = 0;
-    for (const WallState& wall : world.walls)
-        wall_travelled = std::max(wall_travelled, wall.travel);
-    return travelled >= 0 || wall_travelled >= world.wall_skin;
-}
-
-} // namespace
 
 scene::WallPose pose_of(const WallState& wall, double time) {
     scene::WallPose pose = scene::pose_at(wall.wall.motion, time);
@@ -53,13 +29,13 @@ void move_walls(World& world) {
 }
 
 void list_neighbours(World& world) {
-    world.last_rush = closest_rush(world);
+    world.last_rush = solver::closest_rush(world);
     world.rush += world.last_rush;
     world.flow.spare -= world.books.speed_max * world.dt;
     if (world.step % steps_per_fit == 0 || world.flow.spare < 0 || world.stale)
         world.flow = fit_mean_flow(world);
-    if (world.stale || worn(world))
-        rebuild_body_list(world);
+    if (world.stale || solver::worn(world))
+        rebuild_lists(world);
 }
 
 } // namespace tumble::sim3d

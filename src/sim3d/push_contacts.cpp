@@ -33,7 +33,7 @@ void push_contacts(World& world, Chunk& chunk) {
         const bool plain = context.pair.plain();
         if (NearSpheres& near = chunk.near_spheres[kind]; near.contact_count > 0) {
             context.further = plain ? nullptr : near.further.data();
-            push_with_letters(chunk, context, near.contact_count, [&] {
+            solver::push_with_letters(chunk, context, near.contact_count, [&] {
                 world.kernels->push_spheres(context, near.pairs.data(), near.contacts.data(), near.contact_count,
                                             near.memory.data());
             });
@@ -41,7 +41,7 @@ void push_contacts(World& world, Chunk& chunk) {
         if (const auto& contacts = chunk.body_contacts[kind]; !contacts.empty()) {
             const auto count = static_cast<int>(contacts.size());
             context.further = plain ? nullptr : chunk.candidates.further.data();
-            push_with_letters(chunk, context, count, [&] {
+            solver::push_with_letters(chunk, context, count, [&] {
                 world.kernels->push_bodies(context, contacts.data(), count, chunk.candidates.memory.data());
             });
         }
@@ -51,13 +51,13 @@ void push_contacts(World& world, Chunk& chunk) {
             for (const WallContact& contact : contacts)
                 chunk.wall_candidates[static_cast<std::size_t>(contact.candidate)]
                     .memory[static_cast<std::size_t>(contact.touch)]
-                    .lanes = contact.memory;
+                    .memory = contact.memory;
         }
     }
 }
 
 void collect_pushes(World& world, Chunk& chunk) {
-    read_letters(world.chunks, chunk, [&](const ForeignPush& push) {
+    solver::read_letters(world.chunks, chunk, [&](const ForeignPush& push) {
         if (push.body < chunk.begin || push.body >= chunk.end)
             return;
         BodyLoad& load = world.load[static_cast<std::size_t>(push.body)];

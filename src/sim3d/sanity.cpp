@@ -1,5 +1,7 @@
 #include "sim3d/sanity.h"
 
+#include "solver/sanity.h"
+
 #include <Eigen/Core>
 #include <algorithm>
 #include <fmt/format.h>
@@ -9,33 +11,17 @@ namespace tumble::sim3d {
 namespace {
 
 using Eigen::Vector3d;
+using solver::name_of;
+using solver::stop;
 
-constexpr double deepest_overlap_ratio = 1.0;
 // rad; up to here the sine and cosine in kernels/integrate.cpp are right to 1e-7.
 constexpr double widest_turn = 0.2;
-// Leaving the domain harms nothing at once, so positions are looked at only so often.
-constexpr std::int64_t steps_per_look = 50;
-
 double smallest_radius(const World& world, int slot) {
     const ShapeConstants& shape = world.shape_at(slot);
     double smallest = shape.exposed[3];
     for (int s = 1; s < shape.exposed_count; ++s)
         smallest = std::min(smallest, shape.exposed[4 * s + 3]);
     return smallest;
-}
-
-std::string name_of(const World& world, int slot) {
-    return fmt::format("body {} ({})", world.id[static_cast<std::size_t>(slot)],
-                       world.shapes[static_cast<std::size_t>(world.shape[static_cast<std::size_t>(slot)])].shape.name);
-}
-
-Problem stop(const World& world, const std::string& what, const std::string& fix) {
-    return {world.scene.file.string(),
-            0,
-            0,
-            "",
-            fmt::format("stopped at t = {:.6g} s, step {}: {}", world.time(), world.step, what),
-            fix};
 }
 
 const char* const shorter_step = "use a shorter time step or stiffer materials, and look at the frames just before";
@@ -58,18 +44,6 @@ std::optional<Problem> wild_motion(const World& world) {
                                     name_of(world, slot), spin, spin * world.dt, widest_turn),
                         shorter_step);
     }
-    return std::nullopt;
-}
-
-/// A wall that goes further than a radius in a step could pass a sphere that touches it neither before nor after, so
-/// that no crossing is seen.
-std::optional<Problem> leaping_wall(const World& world) {
-    for (const WallState& wall : world.walls)
-        if (wall.leap > world.smallest_radius)
-            return stop(world,
-                        fmt::format("wall '{}' moves by {:.3g} m in one step, more than the smallest sphere's radius",
-                                    wall.wall.name, wall.leap),
-                        "use a shorter time step or a slower wall");
     return std::nullopt;
 }
 
@@ -112,23 +86,10 @@ std::string deepest_pair(const World& world) {
     return who;
 }
 
-std::optional<Problem> outside(const World& world) {
-    const scene::Domain& domain = world.scene.domain;
-    for (int slot = 0; slot < world.bodies(); ++slot)
-        for (int k = 0; k < 3; ++k) {
-            const double x = world.motion[static_cast<std::size_t>(slot)].position[k];
-            if (!domain.periodic[static_cast<std::size_t>(k)] && (x < domain.box.lo[k] || x > domain.box.hi[k]))
-                return stop(
-                    world, fmt::format("{} left the domain at {} = {:.4g} m", name_of(world, slot), "xyz"[k], x),
-                    "enlarge the domain, close the walls, or make them stiffer so that nothing is pushed through");
-        }
-    return std::nullopt;
-}
-
 } // namespace
 
 std::optional<Problem> insanity(const World& world) {
-    if (auto problem = leaping_wall(world))
+    if (auto problem = solver::leaping_wall(world, "sphere"))
         return problem;
     bool wild = false;
     for (const Chunk& chunk : world.chunks)
@@ -137,7 +98,7 @@ std::optional<Problem> insanity(const World& world) {
         world.books.angular_speed_max * world.dt > widest_turn)
         if (auto problem = wild_motion(world))
             return problem;
-    if (world.books.overlap_ratio_max > deepest_overlap_ratio)
+    if (world.books.overlap_ratio_max > solver::deepest_overlap_ratio)
         return stop(world,
                     fmt::format("{} overlap by {:.3g} of the smaller sphere's radius", deepest_pair(world),
                                 world.books.overlap_ratio_max),
@@ -148,8 +109,9 @@ std::optional<Problem> insanity(const World& world) {
                         fmt::format("{} went through wall '{}'", name_of(world, chunk.crossed_body),
                                     world.walls[static_cast<std::size_t>(chunk.crossed_wall)].wall.name),
                         "use a stiffer wall, a shorter time step, or let the bodies come in more slowly");
-    if (world.step % steps_per_look == 0)
-        return outside(world);
+    if (world.step % solver::steps_per_look == 0)
+        return solver::outside(
+            world, [&](int slot) { return std::span(world.motion[static_cast<std::size_t>(slot)].position); });
     return std::nullopt;
 }
 

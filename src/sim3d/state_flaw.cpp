@@ -1,5 +1,7 @@
 #include "sim3d/state_flaw.h"
 
+#include "solver/state.h"
+
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -8,37 +10,16 @@ namespace tumble::sim3d {
 namespace {
 
 using Eigen::Vector3d;
-
-bool below(int index, std::size_t end) {
-    return index >= 0 && static_cast<std::size_t>(index) < end;
-}
-
-/// begin .. begin + count lies in 0 .. end.
-bool range_in(int begin, int count, std::size_t end) {
-    return begin >= 0 && count >= 0 &&
-           static_cast<std::size_t>(begin) + static_cast<std::size_t>(count) <= end; // of ints: no overflow
-}
-
-bool every_id_once(const World& world) {
-    std::vector<bool> seen(world.id.size(), false);
-    for (const std::int64_t id : world.id) {
-        if (id < 0 || static_cast<std::size_t>(id) >= seen.size() || seen[static_cast<std::size_t>(id)])
-            return false;
-        seen[static_cast<std::size_t>(id)] = true;
-    }
-    return true;
-}
+using solver::below;
+using solver::range_in;
 
 std::string flaw_of_bodies(const World& world) {
     const std::size_t bodies = world.id.size();
     if (world.shape.size() != bodies || world.motion.size() != bodies || world.load.size() != bodies ||
         world.orientation.size() != bodies || world.turn.size() != bodies || world.travel.size() != bodies)
         return "its arrays have different lengths";
-    if (!every_id_once(world))
-        return "two bodies have one number";
-    for (const int shape : world.shape)
-        if (!below(shape, world.shape_constants.size()))
-            return "a body has a shape that the scene lacks";
+    if (std::string flaw = solver::flaw_of_bodies(world.id, world.shape, world.shape_constants.size()); !flaw.empty())
+        return flaw;
     for (const BodyMotion& motion : world.motion)
         if (!Vector3d(motion.position).allFinite() || !Vector3d(motion.velocity).allFinite() ||
             !Vector3d(motion.spin).allFinite() || !(motion.mass > 0))
@@ -112,7 +93,7 @@ bool fits(const World& world, const Chunk& chunk) {
 std::string flaw_of(const World& world) {
     if (const std::string flaw = flaw_of_bodies(world); !flaw.empty())
         return flaw;
-    if (world.chunks.size() > static_cast<std::size_t>(most_chunks) || world.chunk_of.size() > world.id.size())
+    if (world.chunks.size() > static_cast<std::size_t>(solver::most_chunks) || world.chunk_of.size() > world.id.size())
         return "its chunks are too many";
     // Lists that are made anew in the next step may still speak of fewer bodies.
     if (!world.stale && world.chunk_of.size() != world.id.size())

@@ -51,11 +51,6 @@ template <class Archive, As<MemoryLanes> M> void carry(Archive& archive, M& memo
     archive(spring, energy);
 }
 
-template <class Archive, As<WallMemory> M> void carry(Archive& archive, M& memory) {
-    auto& [feature, normal, lanes] = memory;
-    archive(feature, normal, lanes);
-}
-
 template <class Archive, As<FurtherLanes> F> void carry(Archive& archive, F& further) {
     auto& [rolling, rolling_energy, impact_speed, bonded, bond_energy, unused] = further;
     archive(rolling, rolling_energy, impact_speed, bonded, bond_energy, unused);
@@ -66,18 +61,6 @@ template <class Archive, As<FurtherLanes> F> void carry(Archive& archive, F& fur
 template <class Archive, As<SpherePair> P> void carry(Archive& archive, P& pair) {
     auto& [a, b, image, kind] = pair;
     archive(a, b, image, kind);
-}
-
-template <class Archive, As<NearPair> P> void carry(Archive& archive, P& pair) {
-    auto& [a, b, image, listed] = pair;
-    archive(a, b, image, listed);
-}
-
-template <class Archive, As<NearSpheres> N> void carry(Archive& archive, N& near) {
-    auto& [pairs, memory, further, touching, contacts, contact_count] = near; // the last two are each step's own
-    archive(pairs);
-    archive(Sparse{memory, pairs.size()}, Part{touching, pairs.size()});
-    carry_if_any(archive, further, pairs.size());
 }
 
 template <class Archive, As<BodyPair> P> void carry(Archive& archive, P& pair) {
@@ -108,16 +91,12 @@ template <class Archive, As<WallCandidate> C> void carry(Archive& archive, C& ca
     archive(Part{memory, static_cast<std::size_t>(touches)});
 }
 
-template <class Archive, As<IntegrateSums> S> void carry(Archive& archive, S& sums) {
-    auto& [kinetic_translation, kinetic_rotation, gravity, travel_max, way_max, speed_squared_max, spin_squared_max,
-           finite] = sums;
+/// Of the last step's sums: what is not booked in the step that finds it. Spheres know no global damping.
+template <class Archive, As<MotionSums> S> void carry_motion(Archive& archive, S& sums) {
+    auto& [kinetic_translation, kinetic_rotation, gravity, lost_global_damping, travel_max, way_max, speed_squared_max,
+           spin_squared_max, finite] = sums;
     archive(kinetic_translation, kinetic_rotation, gravity, travel_max, way_max, speed_squared_max, spin_squared_max,
             finite);
-}
-
-template <class Archive, As<Sums> S> void carry(Archive& archive, S& sums) {
-    auto& [contacts, lost_air_drag, motion] = sums; // the first two are booked in the step that finds them
-    archive(motion);
 }
 
 template <class Archive, As<Chunk> C> void carry(Archive& archive, C& chunk) {
@@ -126,7 +105,8 @@ template <class Archive, As<Chunk> C> void carry(Archive& archive, C& chunk) {
            wall_contacts, foreign, foreign_count, found, dropped_history, dropped_adhesion, crossed_body, crossed_wall,
            sums, seconds] = chunk;
     archive(begin, end, partners_after, partners_before, sphere_pairs, near_spheres, near_until, body_pairs, candidates,
-            body_walls, wall_primitives, wall_candidates, sphere_primitives, sums);
+            body_walls, wall_primitives, wall_candidates, sphere_primitives);
+    carry_motion(archive, sums.motion);
     carry_if_any(archive, wall_further, max_wall_touches * wall_candidates.size());
     // Each step's own: touches, body_contacts, wall_contacts, foreign, foreign_count, found,
     // dropped_history, dropped_adhesion. Set only in a step that ends the run: crossed_body and crossed_wall. Wall
@@ -145,14 +125,10 @@ template <class Archive, As<WallState> W> void carry(Archive& archive, W& state)
     archive(pose, half_pose, travel, way); // leap is each step's own, the rest the scene's
 }
 
-template <class Archive, As<FillState> F> void carry(Archive& archive, F& state) {
-    auto& [fill, rng, asked, placed, next_step, begun, over] = state; // the first is the scene's
-    archive(rng, asked, placed, next_step, begun, over);
-}
-
-template <class Archive, As<Ledger> L> void carry(Archive& archive, L& ledger) {
+/// Spheres know no global damping.
+template <class Archive, As<solver::Ledger> L> void carry_ledger(Archive& archive, L& ledger) {
     auto& [lost_normal_damping, lost_tangential_damping, lost_sliding, lost_rolling, lost_air_drag, lost_adhesion,
-           lost_history, wall_work, inserted, overlap_ratio_peak] = ledger;
+           lost_history, lost_global_damping, wall_work, inserted, overlap_ratio_peak] = ledger;
     archive(lost_normal_damping, lost_tangential_damping, lost_sliding, lost_rolling, lost_air_drag, lost_adhesion,
             lost_history, wall_work, inserted, overlap_ratio_peak);
 }
@@ -164,7 +140,9 @@ template <class Archive, As<World> W> void carry(Archive& archive, W& world) {
            smallest_radius, stale, kept, cells, wraps, bounds, rebuilds, ledger, books, kernels, stop, crew, seconds] =
         world;
     archive(step, Standing{walls}, Standing{fills}, next_fill_step, id, shape, motion, load, orientation, turn, travel,
-            chunks, chunk_of, flow, rush, stale, rebuilds, ledger, books);
+            chunks, chunk_of, flow, rush, stale, rebuilds);
+    carry_ledger(archive, ledger);
+    archive(books);
     // Of the scene: scene, dt, shapes, plain_shapes, drag, pairs, materials, remembers_more, has_clumps, holds, hold,
     // shape_constants, images, reach and the skins, smallest_radius. Follows from id: slot_of. Each step's own:
     // last_rush. Room for rebuilds: kept, cells, wraps, bounds. Of this process: kernels, stop, crew, seconds.

@@ -1,7 +1,5 @@
 #include "sim3d/step.h"
 
-#include "sim3d/phase.h"
-
 namespace tumble::sim3d {
 
 void step(World& world) {

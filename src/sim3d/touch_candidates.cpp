@@ -1,9 +1,9 @@
 #include "sim3d/refresh.h"
 #include "sim3d/step.h"
+#include "solver/arrays.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <span>
 
 namespace tumble::sim3d {
@@ -23,15 +23,10 @@ void forget(Chunk& chunk, FurtherLanes& further) {
     further = {};
 }
 
-template <class Entry> void make_room(std::vector<Entry>& list, std::size_t entries) {
-    if (list.size() < entries)
-        list.resize(2 * entries);
-}
-
 void touch_spheres(const World& world, Chunk& chunk, NearSpheres& near, double hold) {
-    make_room(near.contacts, near.pairs.size() + 8);
-    make_room(near.touching, near.pairs.size() + 8);
-    make_room(chunk.found, near.pairs.size());
+    solver::make_room(near.contacts, near.pairs.size() + 8);
+    solver::make_room(near.touching, near.pairs.size() + 8);
+    solver::make_room(chunk.found, near.pairs.size());
     const TouchCounts counts = world.kernels->touch_spheres(
         world.motion.data(), near.pairs.data(), static_cast<int>(near.pairs.size()), world.images.data(), hold,
         near.touching.data(), near.contacts.data(), chunk.found.data());
@@ -73,7 +68,7 @@ template <class Contact> void share_damping(std::vector<Contact>& contacts, int 
 TouchCounts find_clump_touches(const World& world, Chunk& chunk) {
     ClumpCandidates& candidates = chunk.candidates;
     chunk.touches.resize(candidates.spheres.size());
-    make_room(chunk.found, candidates.spheres.size());
+    solver::make_room(chunk.found, candidates.spheres.size());
     return world.kernels->touch_clumps(
         {world.motion.data(), world.turn.data(), world.shape.data(), world.shape_constants.data(), world.images.data()},
         chunk.body_pairs.data(), static_cast<int>(chunk.body_pairs.size()), candidates.spheres.data(), world.hold,
@@ -103,54 +98,6 @@ void touch_clumps(const World& world, Chunk& chunk) {
         if (next - first > 1 && world.scene.contact.share_among_body_contacts)
             share_damping(contacts, next - first);
     }
-}
-
-// Facets that meet at less than this stand for one curved surface.
-const double cos_smooth_joint = std::cos(30 * std::numbers::pi / 180);
-
-/// The touch that goes on with what `old` remembers: the one with the same feature, else, over the joint of a curved
-/// mesh, one that was not there before and faces nearly the same way. Null if there is none.
-WallMemory* heir_of(const WallMemory& old, std::span<WallMemory> now, std::span<const WallMemory> before) {
-    for (WallMemory& memory : now)
-        if (memory.feature == old.feature)
-            return &memory;
-    for (WallMemory& memory : now) {
-        const bool fresh = std::none_of(before.begin(), before.end(),
-                                        [&](const WallMemory& other) { return other.feature == memory.feature; });
-        if (fresh && memory.lanes.energy == 0 && memory.normal.dot(old.normal) > cos_smooth_joint)
-            return &memory;
-    }
-    return nullptr;
-}
-
-/// Hands the memory of the touches a step ago to those of now; what finds no heir is forgotten, and what is new starts
-/// at rest. `further` holds what the touches remember beside it, or is null.
-void match_features(Chunk& chunk, WallCandidate& candidate, FurtherLanes* further, std::span<const WallTouch> touches) {
-    if (touches.size() == 1 && candidate.touches == 1 && candidate.memory[0].feature == touches[0].feature) {
-        candidate.memory[0].normal = touches[0].normal; // as before; the rest would find the same
-        return;
-    }
-    std::array<WallMemory, max_wall_touches> now;
-    std::array<FurtherLanes, max_wall_touches> further_now{};
-    for (std::size_t t = 0; t < touches.size(); ++t)
-        now[t] = {touches[t].feature, touches[t].normal, {}};
-    const std::span before(candidate.memory.data(), static_cast<std::size_t>(candidate.touches));
-    for (std::size_t t = 0; t < before.size(); ++t) {
-        WallMemory& old = before[t];
-        WallMemory* heir = heir_of(old, {now.data(), touches.size()}, before);
-        if (heir)
-            heir->lanes = old.lanes;
-        else
-            forget(chunk, old.lanes);
-        if (further && heir)
-            further_now[static_cast<std::size_t>(heir - now.data())] = further[t];
-        else if (further)
-            forget(chunk, further[t]);
-    }
-    if (further)
-        std::copy(further_now.begin(), further_now.end(), further);
-    candidate.memory = now;
-    candidate.touches = static_cast<std::int16_t>(touches.size());
 }
 
 /// Whether the sphere's centre has passed through the surface since the last step: what it touches is the same, but
@@ -206,10 +153,10 @@ int touch_wall(const World& world, Chunk& chunk, const BodyWall& near, std::vect
             chunk.crossed_wall = near.wall;
         }
         if (count > 0 || candidate.touches > 0)
-            match_features(chunk, candidate,
-                           world.remembers_more ? &chunk.wall_further[static_cast<std::size_t>(max_wall_touches * k)]
-                                                : nullptr,
-                           now);
+            solver::match_features(
+                candidate.memory, candidate.touches,
+                world.remembers_more ? &chunk.wall_further[static_cast<std::size_t>(max_wall_touches * k)] : nullptr,
+                now, [&](auto& lost) { forget(chunk, lost); });
         for (int t = 0; t < count; ++t) {
             WallContact& contact = contacts.emplace_back();
             set_geometry(contact, wall, body, arm, radius, touches[static_cast<std::size_t>(t)], hold);
@@ -219,7 +166,7 @@ int touch_wall(const World& world, Chunk& chunk, const BodyWall& near, std::vect
             contact.body = near.body;
             contact.candidate = k;
             contact.touch = t;
-            contact.memory = candidate.memory[static_cast<std::size_t>(t)].lanes;
+            contact.memory = candidate.memory[static_cast<std::size_t>(t)].memory;
         }
         touching += count;
     }

@@ -3,6 +3,8 @@
 #include "sim3d/fill.h"
 #include "sim3d/sanity.h"
 #include "sim3d/step.h"
+#include "solver/advance.h"
+#include "solver/sanity.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -45,22 +47,13 @@ double energy_of(const World& world, const ShapeConstants& shape, const BodyStat
            shape.mass * world.scene.gravity.dot(state.position);
 }
 
-std::optional<Problem> refuse(const World& world, const BodyState& state, std::size_t number) {
-    const auto problem = [&](const std::string& what, const std::string& fix) {
-        return Problem{world.scene.file.string(), 0, 0, "", fmt::format("body {} to insert {}", number + 1, what), fix};
-    };
-    if (state.shape < 0 || state.shape >= static_cast<int>(world.shapes.size()))
-        return problem(fmt::format("names shape {}, of {}", state.shape, world.shapes.size()), "give an index from 0");
-    if (!state.position.allFinite() || !state.velocity.allFinite() || !state.angular_velocity.allFinite() ||
-        !state.orientation.coeffs().allFinite() || state.orientation.norm() < 0.5)
-        return problem("has a number that is not finite, or no orientation", "check where the state comes from");
-    const scene::Domain& domain = world.scene.domain;
-    for (int k = 0; k < 3; ++k)
-        if (!domain.periodic[static_cast<std::size_t>(k)] &&
-            (state.position[k] < domain.box.lo[k] || state.position[k] > domain.box.hi[k]))
-            return problem(fmt::format("stands at {} = {:.6g} m, outside the domain", "xyz"[k], state.position[k]),
-                           "enlarge the domain or move the body");
-    return std::nullopt;
+std::optional<Problem> refusal_of(const World& world, const BodyState& state, std::size_t number) {
+    const bool finite = state.position.allFinite() && state.velocity.allFinite() &&
+                        state.angular_velocity.allFinite() && state.orientation.coeffs().allFinite() &&
+                        state.orientation.norm() >= 0.5;
+    const double at[] = {state.position.x(), state.position.y(), state.position.z()};
+    return solver::refusal_of(number, state.shape,
+                              finite ? nullptr : "has a number that is not finite, or no orientation", at, world.scene);
 }
 
 } // namespace
@@ -71,7 +64,7 @@ void WorldDeleter::operator()(World* world) const {
 
 std::optional<Problem> insert(World& world, const std::vector<BodyState>& bodies) {
     for (std::size_t k = 0; k < bodies.size(); ++k)
-        if (auto problem = refuse(world, bodies[k], k))
+        if (auto problem = refusal_of(world, bodies[k], k))
             return problem;
     for (const BodyState& state : bodies) {
         const ShapeConstants& shape = world.shape_constants[static_cast<std::size_t>(state.shape)];
@@ -91,18 +84,7 @@ std::optional<Problem> insert(World& world, const std::vector<BodyState>& bodies
 }
 
 std::optional<Problem> advance(World& world, std::int64_t steps) {
-    for (std::int64_t k = 0; k < steps; ++k) {
-        if (world.step >= world.next_fill_step) {
-            if (auto problem = insert_due_fills(world))
-                return problem;
-            if (stop_wanted(world.stop))
-                return std::nullopt;
-        }
-        step(world);
-        if (auto problem = insanity(world))
-            return problem;
-    }
-    return std::nullopt;
+    return solver::advance(world, steps);
 }
 
 double time_of(const World& world) {
@@ -161,14 +143,7 @@ std::vector<scene::WallPose> walls_of(const World& world) {
 }
 
 std::vector<PhaseTime> phase_times(const World& world) {
-    std::vector<PhaseTime> phases;
-    for (std::size_t k = 0; k < phase_names.size(); ++k) {
-        double seconds = world.seconds[k];
-        for (const Chunk& chunk : world.chunks)
-            seconds += chunk.seconds[k];
-        phases.push_back({phase_names[k], seconds});
-    }
-    return phases;
+    return solver::phase_times(world);
 }
 
 } // namespace tumble::sim3d

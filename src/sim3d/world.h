@@ -1,10 +1,7 @@
 #pragma once
 
-#include "base/books.h"
 #include "base/lines.h"
 #include "base/parallel_for.h"
-#include "base/phases.h"
-#include "base/rng.h"
 #include "base/stop.h"
 #include "contact/air_drag.h"
 #include "contact/material.h"
@@ -13,8 +10,12 @@
 #include "sim3d/kept_memory.h"
 #include "sim3d/kernels.h"
 #include "sim3d/solver.h"
-#include "sim3d/wall_memory.h"
 #include "sim3d/wall_surface.h"
+#include "solver/books.h"
+#include "solver/chunks.h"
+#include "solver/fill_state.h"
+#include "solver/near_list.h"
+#include "solver/verbs.h"
 
 #include <Eigen/Core>
 #include <array>
@@ -27,6 +28,12 @@
 /// threads; whatever a chunk does, it does in one fixed order, and each takes the forces that others have for its
 /// bodies in a fixed order. That is why one thread and two give the same bits.
 namespace tumble::sim3d {
+
+using solver::ChunkSet;
+using solver::FillState;
+using solver::for_chunks;
+using solver::Phase;
+using solver::timed;
 
 /// Per template, what the solver needs beside BodyShape.
 struct ShapeData {
@@ -71,57 +78,7 @@ struct WallCandidate {
     std::array<WallMemory, max_wall_touches> memory{}; // the first `touches`
 };
 
-/// Sums of one chunk, J and extremes; added up in chunk order.
-struct Sums {
-    ContactSums contacts;
-    double lost_air_drag = 0;
-    IntegrateSums motion{0, 0, 0, 0, 0, 0, 0, true};
-};
-
-/// The step's verbs, for the account of where the time goes.
-enum class Phase {
-    move_walls,
-    list_neighbours,
-    find_candidates,
-    push_gravity,
-    push_air,
-    touch_candidates,
-    push_contacts,
-    collect_pushes,
-    integrate,
-    book_energy
-};
-constexpr std::array<const char*, 10> phase_names{"move_walls", "list_neighbours",  "find_candidates", "push_gravity",
-                                                  "push_air",   "touch_candidates", "push_contacts",   "collect_pushes",
-                                                  "integrate",  "book_energy"};
-using PhaseSeconds = std::array<double, phase_names.size()>;
-
-/// Those of a chunk's sphere pairs that may touch before World::rush reaches Chunk::near_until.
-struct NearSpheres {
-    std::vector<NearPair> pairs; // in the order of Chunk::sphere_pairs
-    std::vector<MemoryLanes> memory;
-    std::vector<FurtherLanes> further;  // parallel to them where World::remembers_more, else empty
-    std::vector<std::uint8_t> touching; // 1 or 0, of the pairs; longer than they are
-    std::vector<int> contacts;          // the first contact_count entries: those of pairs that touch now
-    int contact_count = 0;
-
-    void clear() {
-        pairs.clear();
-        memory.clear();
-        further.clear();
-        contact_count = 0;
-    }
-    /// `more` is null unless World::remembers_more.
-    void add(const NearPair& pair, std::uint8_t touches, const MemoryLanes& remembered, const FurtherLanes* more) {
-        if (touching.size() <= pairs.size())
-            touching.resize(2 * pairs.size() + 8);
-        touching[pairs.size()] = touches;
-        pairs.push_back(pair);
-        memory.push_back(remembered);
-        if (more)
-            further.push_back(*more);
-    }
-};
+using NearSpheres = solver::NearList<MemoryLanes, FurtherLanes>;
 
 /// Sphere pairs of clumps that may soon touch; each BodyPair has a range of them.
 struct ClumpCandidates {
@@ -180,8 +137,8 @@ struct Chunk {
     double dropped_adhesion = 0; // J that went with their necks
     int crossed_body = -1;       // slot of a body whose sphere's centre has passed through a wall, ...
     int crossed_wall = -1;       // ... and the wall
-    Sums sums;
-    PhaseSeconds seconds{};
+    solver::Sums sums;
+    solver::PhaseSeconds seconds{};
 };
 
 struct WallState {
@@ -197,30 +154,6 @@ struct WallState {
 
 /// Pose at a time (s); of a wall that turns in place the unmoved one with its velocities.
 scene::WallPose pose_of(const WallState& wall, double time);
-
-struct FillState {
-    scene::Fill fill;
-    Rng rng{0};
-    std::int64_t asked = 0;
-    std::int64_t placed = 0;
-    std::int64_t next_step = 0;
-    bool begun = false; // has been tried
-    bool over = false;
-};
-
-/// Running sums, J. Losses are sums of force * velocity * dt at the steps; the books take the last one half.
-struct Ledger {
-    double lost_normal_damping = 0;
-    double lost_tangential_damping = 0;
-    double lost_sliding = 0;
-    double lost_rolling = 0;
-    double lost_air_drag = 0;
-    double lost_adhesion = 0;
-    double lost_history = 0;
-    double wall_work = 0;
-    double inserted = 0;
-    double overlap_ratio_peak = 0; // -
-};
 
 struct World {
     scene::Scene scene;
@@ -276,12 +209,12 @@ struct World {
     Lines<Bounds> bounds;                  // per slot
     std::int64_t rebuilds = 0;
 
-    Ledger ledger;
+    solver::Ledger ledger;
     Books books;
     const Kernels* kernels = nullptr;
     StopFlag stop = nullptr;
     Crew crew;
-    PhaseSeconds seconds{};
+    solver::PhaseSeconds seconds{};
 
     explicit World(int threads) : crew(threads) {}
     [[nodiscard]] int bodies() const { return static_cast<int>(id.size()); }

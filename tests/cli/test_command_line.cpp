@@ -132,6 +132,8 @@ TEST_CASE("the lists name what scenes may say") {
     for (const auto& measure : measures)
         found = found || measure["column"] == "circulation_rad_s";
     CHECK(found);
+    // A measure stands as a scene and --plot name it.
+    CHECK(contains(tumble_in(folder, {"list", "measures"}).out, "\nkinetic_translation  "));
     CHECK(contains(tumble_in(folder, {"list", "laws"}).out, "hertz"));
     CHECK(contains(tumble_in(folder, {"list", "keys"}).out, "duration_s"));
     const auto laws = nlohmann::json::parse(tumble_in(folder, {"list", "laws", "--json"}).out);

@@ -185,14 +185,16 @@ TEST_CASE("a resume with nothing left to do says so and touches nothing; what is
     CHECK(fs::exists(run / "spheres.dump"));
 }
 
-TEST_CASE("Ctrl-C or SIGTERM while bodies are still being placed ends the run at once and leaves nothing behind") {
+TEST_CASE("Ctrl-C, SIGTERM or a closed terminal while bodies are still being placed ends the run at once and leaves "
+          "nothing behind") {
     const Folder folder;
     put(folder.path / "crowd.toml", crowd);
     // 37 % of the region, where random places run out at 38 %: this fill takes minutes.
     const std::vector<std::string> words{"run",   "crowd.toml",           "--threads", "1",
                                          "--set", "fill.0.count=3000000", "--set",     "body.ball.radius_mm=0.0152",
                                          "--set", "allow_large_step=true"};
-    for (const auto& [signal, code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}}) {
+    std::signal(SIGHUP, SIG_DFL); // the tests themselves may run under nohup
+    for (const auto& [signal, code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}, {SIGHUP, 129}}) {
         Process process(folder.path, words);
         REQUIRE(eventually([&] { return process.catches(signal); }));
         process.send(signal);

@@ -19,6 +19,7 @@ TEST_CASE("without a name lessons are listed, with one it is walked through, on 
     CHECK(walk.code == 0);
     CHECK(contains(walk.out, "(3.17)"));
     CHECK(contains(walk.out, "v Δt = 0.2 m/s × 0.01 s = 0.002 m"));
+    CHECK(contains(walk.out, "`tumble lesson two-discs --wall_speed_m_s 0.2 --answer`"));
     CHECK(walk.err.empty());
 }
 
@@ -43,6 +44,13 @@ TEST_CASE("a name, a flag or a value that no lesson takes is told with the right
     CHECK(flag.code == 2);
     CHECK(contains(flag.err, "`tumble lesson friction` has no flag '--fricton'"));
     CHECK(contains(flag.err, "did you mean '--friction'?"));
+    const Outcome nowhere = tumble_in(folder, {"lesson", "friction", "--out", ""});
+    CHECK(nowhere.code == 2);
+    CHECK(contains(nowhere.err, "an empty name is not a place to write to"));
+    const Outcome early = tumble_in(folder, {"lesson", "--answer", "friction"});
+    CHECK(early.code == 2);
+    CHECK(contains(early.err, "--answer stands before the name that it belongs to"));
+    CHECK(contains(early.err, "write it behind: tumble lesson friction --answer"));
     const Outcome value = tumble_in(folder, {"lesson", "friction", "--friction", "7"});
     CHECK(value.code == 2);
     CHECK(contains(value.err, "--friction is 7, out of its range"));

@@ -30,7 +30,8 @@ TEST_CASE("restitution: both laws give back what was asked for, and Hertz' durat
         CHECK(std::abs(walk.fact(fmt::format("linear_restitution_{}", e)) - e) < 5e-3);
         CHECK(std::abs(walk.fact(fmt::format("hertz_restitution_{}", e)) - e) < 5e-3);
     }
-    // Johnson 1985, 11.22 and 11.24, against a rigid plate of the same material: E* = E / (2 (1 - nu^2)).
+    // Johnson 1985, 11.22 and 11.24, against a plate of the same material, which is held but gives way as the sphere
+    // does: 1 / E* = 2 (1 - nu^2) / E. It is flat, so R* = R, and cannot move, so m* = m.
     const double R = 5e-3, E_eff = 4.8e10 / (2 * (1 - 0.04)), mass = 4.0 / 3 * std::numbers::pi * R * R * R * 2800;
     for (const double v : {0.01, 0.1, 1.0, 4.0}) { // times 1 m/s
         CAPTURE(v);

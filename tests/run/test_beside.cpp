@@ -77,7 +77,7 @@ TEST_CASE("what is there is not drawn over without force, and a broken compariso
     (void)drawn(two, options);
     const auto again = run::draw_beside(two.runs, options, [](std::int64_t, std::int64_t) {});
     REQUIRE(!again.ok());
-    CHECK(again.problems()[0].fix == "--force replaces it");
+    CHECK(again.problems()[0].fix == "--force replaces it; or name another place");
     options.overwrite = true;
     options.when.to = 0.001;
     CHECK(drawn(two, options).frames == 1);

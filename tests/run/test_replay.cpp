@@ -57,6 +57,21 @@ TEST_CASE("a run is redrawn with other settings, in whole or in part, without si
     CHECK(count_files(options.targets.folder, ".png") == 1); // older pictures do not stay among the new ones
 }
 
+TEST_CASE("a measure that the run did not keep gives a warning in place of the small plot") {
+    const Folder folder;
+    const fs::path run = finished_run(folder);
+    run::RedrawOptions options;
+    options.settings = loaded(falling_ball).render;
+    options.targets.folder = folder.path / "drawn";
+    options.settings.plot_measure = "rms_velocity_x";
+    const auto done = run::redraw(run, options, silent);
+    REQUIRE(done.ok());
+    REQUIRE(done->warnings.size() == 1);
+    CHECK(done->warnings[0] ==
+          "there is no small plot: the series of this run has no rms_velocity_x; `--plot` takes what "
+          "observe.measures had it keep");
+}
+
 TEST_CASE("a cut takes the frames at its ends, which sit at the nearest step, and keeps their numbers") {
     const Folder folder;
     run::RunOptions running;

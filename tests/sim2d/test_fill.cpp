@@ -1,7 +1,6 @@
 // What fills put in, and where. A closed wall has two sides: a region that reaches through it fills the one it mostly
 // lies on.
 #include "sandbox.h"
-#include "sim2d/wall_line.h"
 
 #include <atomic>
 #include <chrono>
@@ -208,18 +207,6 @@ TEST_CASE(
         for (const BodyState& body : bodies_of(*box.world))
             CHECK((body.position - Vector2d(shift, 0)).cwiseAbs().maxCoeff() > half);
     }
-}
-
-TEST_CASE("walls with an open end have no inside") {
-    const scene::Domain domain{{{-5, -5, -1}, {5, 5, 1}}, {false, false, false}};
-    CHECK(WallLine(scene::ArcShape{{0, 0}, 1, 0, turn}, domain).closed());
-    CHECK(WallLine(scene::BoxShape{{{-1, -1, 0}, {1, 1, 0}}, {}}, domain).closed());
-    CHECK(!WallLine(scene::ArcShape{{0, 0}, 1, 0, 0.9 * turn}, domain).closed());
-    CHECK(!WallLine(scene::PolylineShape{{{0, 0}, {1, 0}, {1, 1}}, false}, domain).closed());
-    const WallLine ring(scene::ArcShape{{0, 0}, 1, 0, turn}, domain);
-    CHECK(ring.encloses({0.7, -0.7}));
-    CHECK(!ring.encloses({0.72, -0.72}));
-    CHECK(!WallLine(scene::SegmentShape{{-1, 0}, {1, 0}}, domain).encloses({0, 0}));
 }
 
 } // namespace test_fill

@@ -98,7 +98,7 @@ TEST_CASE("pushes between chunks conserve momentum to rounding, and threads chan
     double scale = 0;
     const Vector3d before = momentum(one, scale);
     one.run(1500);
-    REQUIRE(one.world->chunks.size() == most_chunks);
+    REQUIRE(one.world->chunks.size() == solver::most_chunks);
     CHECK(books_of(*one.world).contacts > 1000);
     CHECK((momentum(one, scale) - before).norm() < 1e-12 * scale);
     for (const int threads : {2, 3}) {

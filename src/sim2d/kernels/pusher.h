@@ -142,7 +142,7 @@ TUMBLE_INLINE void hand_out(PushContext& context, int row, Quad load) {
 TUMBLE_INLINE contact::DiscMemory<Pack> recall(const Memory* const (&kept)[lanes]) {
     contact::DiscMemory<Pack> memory;
     for (int k = 0; k < lanes; ++k) {
-        memory.shear.v[k] = kept[k]->shear;
+        memory.kept.v[k] = kept[k]->kept;
         memory.energy.v[k] = kept[k]->energy;
     }
     return memory;
@@ -160,7 +160,7 @@ template <class Law> struct Plain {
 
         TUMBLE_INLINE void set(const PushContext&, int lane, Memory* memory, std::ptrdiff_t) { at[lane] = memory; }
         TUMBLE_INLINE void store(int lane, const Push& push) const {
-            *at[lane] = {push.memory.shear.v[lane], push.memory.energy.v[lane]};
+            *at[lane] = {push.memory.kept.v[lane], push.memory.energy.v[lane]};
         }
     };
     TUMBLE_INLINE Push push(const PushContext& context, const Contacts& c, const Kept& kept) const {
@@ -183,7 +183,7 @@ template <class Law> struct Full {
             further[lane] = context.further + index;
         }
         TUMBLE_INLINE void store(int lane, const Push& push) const {
-            *at[lane] = {push.memory.shear.v[lane], push.memory.energy.v[lane]};
+            *at[lane] = {push.memory.kept.v[lane], push.memory.energy.v[lane]};
             *further[lane] = {push.further.rolling.spring.z.v[lane], push.further.rolling.energy.v[lane],
                               push.further.impact_speed.v[lane]};
         }

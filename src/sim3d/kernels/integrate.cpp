@@ -281,7 +281,7 @@ TUMBLE_INLINE void move_one(const IntegrateContext& context, int slot, Tally<dou
 
 } // namespace
 
-IntegrateSums integrate(const IntegrateContext& context) {
+MotionSums integrate(const IntegrateContext& context) {
     Tally<Pack> eights;
     Tally<double> tally;
     int slot = context.begin;
@@ -302,7 +302,7 @@ IntegrateSums integrate(const IntegrateContext& context) {
     tally.add(in_one(eights));
     // A speed that is not a number shows in the sums, one that is absurd in the extremes.
     const bool finite = tally.translation + tally.rotation < 1e300 && tally.speed_squared + tally.spin_squared < 1e30;
-    return {tally.translation, tally.rotation,      tally.gravity,      tally.travel,
+    return {tally.translation, tally.rotation,      tally.gravity,      0,     tally.travel,
             tally.way,         tally.speed_squared, tally.spin_squared, finite};
 }
 

@@ -28,7 +28,7 @@ void push_walls(PushContext& context, WallContact* contacts, int count);
 void push_spheres_fully(PushContext& context, const NearPair* pairs, const int* which, int count, MemoryLanes* memory);
 void push_bodies_fully(PushContext& context, const BodyContact* contacts, int count, MemoryLanes* memory);
 void push_walls_fully(PushContext& context, WallContact* contacts, int count);
-IntegrateSums integrate(const IntegrateContext& context);
+MotionSums integrate(const IntegrateContext& context);
 int scan_spheres(const SphereScan& scan, std::uint32_t* found, int room, double* smallest_gap);
 
 const Kernels& kernels();

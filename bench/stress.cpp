@@ -122,8 +122,9 @@ int main(int count, char** words) {
                options.threads);
     fmt::print("mesh_s {:.3f} factorise_s {:.3f} solve_s {:.3f} write_s {:.3f} total_s {:.3f}\n", meshed,
                study->prepare_s, study->solve_s, written, total);
-    fmt::print("factor_entries {} peak_MB {:.0f}\n", study->factor_entries,
-               static_cast<double>(usage.ru_maxrss) / 1024);
+    fmt::print("processor_s {:.3f} factor_entries {} peak_MB {:.0f}\n",
+               static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec),
+               study->factor_entries, static_cast<double>(usage.ru_maxrss) / 1024);
     if (ccx_cases > 0) {
         const double ccx = by_calculix(specimen, loads, ccx_cases, folder);
         fmt::print("ccx_s {:.3f} for {} cases, {:.3f} a case\n", ccx, ccx_cases, ccx / ccx_cases);

@@ -7,7 +7,7 @@ namespace tumble::solid {
 
 namespace {
 
-/// CalculiX reads 20 letters of a number and no more, so that an exponent behind them would be lost.
+/// CalculiX 2.20 reads 20 letters of a number; a longer one was an error.
 std::string field(double value) {
     std::string text = shortest(value);
     return text.size() <= 20 ? text : fmt::format("{:.13e}", value);

@@ -3,11 +3,13 @@
 #include "about.h"
 #include "folder.h"
 #include "observe/series.h"
+#include "run/part_loads.h"
 #include "run/run_scene.h"
 #include "scene/load.h"
 #include "sim2d/solver.h"
 #include "sim3d/body_shape.h"
 #include "sim3d/solver.h"
+#include "stress/study.h"
 
 #include <array>
 #include <cmath>
@@ -251,6 +253,39 @@ TEST_CASE("bowl-quick, with a ninth of its load: the disc flings the media outwa
     CHECK(flung.round > 0.5);
     CHECK(flung.round < 3.45);
     CHECK(std::abs(sim3d::books_of(**world).closure) < 0.05);
+}
+
+TEST_CASE(
+    "specimen-quick, with a quarter of its load: facets are pressed more than sheared, and stress falls with depth") {
+    const scene::Scene bowl =
+        loaded("specimen-quick.toml", {"fill.0.count=450", "duration_s=0.45", "wall.disc.motion.0.start_s=0.15",
+                                       "wall.specimen.base_m=[0.11, 0.035, 0]", "wall.specimen.around=24",
+                                       "wall.specimen.along=6", "wall.specimen.inner_rings=2"});
+    const int wall = *run::find_specimen(bowl, "");
+    run::RunListener silent;
+    const auto loads = run::record_loads(bowl, wall, {.every = 0.005, .from = 0.2}, silent);
+    REQUIRE_MESSAGE(loads.ok(), to_string(loads.problems()));
+    CHECK(loads->touches.size() > 20);
+    const auto& specimen = std::get<scene::SpecimenShape>(bowl.walls[static_cast<std::size_t>(wall)].shape);
+    stress::StudyOptions options;
+    options.means = true; // so short a run has more of them than instants with contacts
+    const auto study = stress::study(bowl, specimen, *loads, options);
+    REQUIRE_MESSAGE(study.ok(), to_string(study.problems()));
+    double pressed = 0, sheared = 0;
+    for (const observe::Touching& touch : loads->touches) {
+        pressed += touch.normal_impulse;
+        sheared += touch.shear_impulse;
+    }
+    CHECK(pressed > 0);
+    CHECK(sheared <
+          0.34 * pressed * 1.05); // Coulomb; the dashpot pulls at the end of a rebound, which counts less here
+    double shallow = 0, deep = 0; // Pa, sums of the largest of 0.5 and 1.5 mm
+    for (const stress::Case& now : study->cases) {
+        CHECK(now.unbalance < 1e-10);
+        shallow += std::abs(now.slices[0].normal);
+        deep += std::abs(now.slices[2].normal);
+    }
+    CHECK(deep < shallow);
 }
 
 TEST_CASE("shaken-bed-2d: the bed flies as high as an inelastic block, and stays down below one g") {

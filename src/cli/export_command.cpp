@@ -6,7 +6,10 @@
 #include "cli/scene_arguments.h"
 #include "cli/stop_flag.h"
 #include "cli/time_range.h"
+#include "observe/whole_file.h"
 #include "run/redraw.h"
+#include "stress/recorded.h"
+#include "stress/study.h"
 
 #include <fmt/format.h>
 #include <memory>
@@ -18,16 +21,49 @@ namespace {
 struct ExportArguments {
     std::filesystem::path run;
     run::ExportOptions options;
+    std::string to; // "calculix", or empty
+    std::string element = "standard";
+    std::string part;
+    std::filesystem::path out;
+    bool means = false;
     std::string time;
     bool quiet = false;
     bool json = false;
 };
 
+/// The model of a folder that `tumble stress` left, with its load steps.
+int export_model(const ExportArguments& arguments) {
+    const auto recorded = stress::read_recorded(arguments.run, arguments.part);
+    if (!recorded)
+        return refuse(recorded.problems(), arguments.json, wrong);
+    const auto cases = stress::nodal_cases(recorded->specimen(), recorded->loads, arguments.means);
+    if (!cases)
+        return refuse(cases.problems(), arguments.json, wrong);
+    const std::filesystem::path file = arguments.out.empty() ? arguments.run / "part.inp" : arguments.out;
+    if (std::filesystem::exists(file) && !arguments.options.overwrite)
+        return refuse({{.file = file.string(), .what = "is there already", .fix = "--force replaces it"}},
+                      arguments.json, wrong);
+    const auto formulation =
+        arguments.element == "standard" ? fem::Formulation::standard : fem::Formulation::incompatible;
+    const std::string text = stress::to_calculix(*recorded, *cases, formulation, arguments.means);
+    if (const auto written = observe::write_whole(file, text); !written)
+        return refuse(written.problems(), arguments.json, failed);
+    if (arguments.json)
+        say_json(nlohmann::ordered_json{{"file", file.string()}, {"steps", cases->size()}});
+    else if (!arguments.quiet)
+        say(fmt::format("{}: {} hexahedra, {}", file.string(), recorded->specimen().mesh->hexes.size(),
+                        counted(static_cast<long long>(cases->size()), "load step", "load steps")));
+    return fine;
+}
+
 int export_it(ExportArguments& arguments) {
+    if (!arguments.to.empty())
+        return export_model(arguments);
     run::ExportOptions& options = arguments.options;
     if (options.paraview.empty() && options.text_dump.empty())
-        return refuse({{.what = "nothing to export to", .fix = "give --vtk DIR, --dump FILE or both"}}, arguments.json,
-                      wrong);
+        return refuse(
+            {{.what = "nothing to export to", .fix = "give --vtk DIR, --dump FILE or both, or --to calculix"}},
+            arguments.json, wrong);
     if (const auto problem = read_time_range(arguments.time, options.when.from, options.when.to))
         return refuse({*problem}, arguments.json, wrong);
     options.when.stop = &watch_for_stop();
@@ -69,6 +105,18 @@ void add_export_command(CLI::App& program, Action& action) {
     command->add_option("--dump", arguments->options.text_dump, "LIGGGHTS-style text file of all spheres")
         ->type_name("FILE")
         ->check(refuse_no_place);
+    command
+        ->add_option("--to", arguments->to, "calculix: the part of a folder that `tumble stress` left, with load steps")
+        ->type_name("PROGRAM")
+        ->check(one_of({"calculix"}));
+    command->add_option("--out", arguments->out, "The file of --to; part.inp in the folder without it")
+        ->type_name("FILE")
+        ->check(refuse_no_place);
+    command->add_option("--element", arguments->element, "standard (C3D8) or incompatible (C3D8I); standard without it")
+        ->type_name("NAME")
+        ->check(one_of({"incompatible", "standard"}));
+    command->add_flag("--means", arguments->means, "Steps are the means between instants instead of the instants");
+    command->add_option("--part", arguments->part, "The specimen, where the scene has several")->type_name("WALL");
     command->add_option("--time", arguments->time, "Only frames from A to B, s; either may be missing")
         ->type_name("A:B");
     command->add_flag("--force", arguments->options.overwrite, "Replace what is there");

@@ -23,6 +23,16 @@ std::string element(std::string_view type, std::string_view name, std::span<cons
         escaped(name), components, encoded(values));
 }
 
+std::string file_of(std::string_view kind, std::string_view piece, double time) {
+    return fmt::format("<?xml version=\"1.0\"?>\n"
+                       "<VTKFile type=\"{0}\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+                       "<{0}>\n"
+                       "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
+                       "format=\"ascii\">{1}</DataArray>\n</FieldData>\n"
+                       "{2}</{0}>\n</VTKFile>\n",
+                       kind, time, piece);
+}
+
 } // namespace
 
 std::string base64(std::string_view bytes) {
@@ -74,15 +84,16 @@ std::string data_array(std::string_view name, std::span<const std::int64_t> valu
     return element("Int64", name, values, components);
 }
 
+std::string data_array(std::string_view name, std::span<const std::uint8_t> values, int components) {
+    return element("UInt8", name, values, components);
+}
+
 std::string poly_data_file(std::string_view piece, double time) {
-    return fmt::format(
-        "<?xml version=\"1.0\"?>\n"
-        "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
-        "<PolyData>\n"
-        "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
-        "format=\"ascii\">{}</DataArray>\n</FieldData>\n"
-        "{}</PolyData>\n</VTKFile>\n",
-        time, piece);
+    return file_of("PolyData", piece, time);
+}
+
+std::string unstructured_grid_file(std::string_view piece, double time) {
+    return file_of("UnstructuredGrid", piece, time);
 }
 
 } // namespace tumble::observe

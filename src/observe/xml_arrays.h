@@ -17,8 +17,11 @@ std::string escaped(std::string_view text);
 /// <DataArray> elements with base64 content behind a 64-bit byte count; one component is a plain scalar.
 std::string data_array(std::string_view name, std::span<const float> values, int components);
 std::string data_array(std::string_view name, std::span<const std::int64_t> values, int components);
+std::string data_array(std::string_view name, std::span<const std::uint8_t> values, int components);
 
-/// The file around one <Piece> of PolyData. `time` is stored as the field TimeValue that ParaView shows, s.
+/// The file around one <Piece> of PolyData (.vtp) or of an UnstructuredGrid (.vtu). `time` is stored as the field
+/// TimeValue that ParaView shows, s.
 std::string poly_data_file(std::string_view piece, double time);
+std::string unstructured_grid_file(std::string_view piece, double time);
 
 } // namespace tumble::observe

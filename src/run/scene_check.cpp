@@ -51,7 +51,7 @@ void check_bodies(const scene::Scene& scene, const std::vector<SimulatedBody>& b
 }
 
 void check_walls(const scene::Scene& scene, SceneCheck& check) {
-    constexpr std::array shapes{"plane", "box", "cylinder", "disc", "trough", "mesh", "bowl", "bowl-disc"};
+    constexpr std::array shapes{"plane", "box", "cylinder", "disc", "trough", "mesh", "bowl", "bowl-disc", "specimen"};
     constexpr std::array outlines{"segment", "arc", "polyline", "box", "trough"};
     static_assert(shapes.size() == std::variant_size_v<scene::WallShape>);
     static_assert(outlines.size() == std::variant_size_v<scene::Outline>);

@@ -5,6 +5,7 @@
 #include "base/problem.h"
 #include "base/stop.h"
 #include "observe/frame.h"
+#include "observe/part_loads.h"
 #include "scene/scene.h"
 #include "scene/time_step.h"
 
@@ -45,6 +46,8 @@ public:
     [[nodiscard]] virtual std::shared_ptr<const observe::FrameLayout> layout() const = 0;
     /// The world now.
     [[nodiscard]] virtual observe::Frame frame() const = 0;
+    /// What touched that wall in the last step taken; nothing where the solver cannot tell (two dimensions).
+    [[nodiscard]] virtual std::vector<observe::WallPush> wall_pushes(int /*wall*/) const { return {}; }
     /// Parallel to the scene's bodies.
     [[nodiscard]] virtual std::vector<SimulatedBody> bodies() const = 0;
     [[nodiscard]] virtual scene::TimeStepReport time_step() const = 0;

@@ -63,6 +63,13 @@ public:
         return frame;
     }
 
+    [[nodiscard]] std::vector<observe::WallPush> wall_pushes(int wall) const override {
+        std::vector<observe::WallPush> pushes;
+        for (const sim3d::WallPush& push : sim3d::wall_pushes_of(*world_, wall))
+            pushes.push_back({push.body, push.triangle, push.foot, push.normal, push.force, push.velocity});
+        return pushes;
+    }
+
     [[nodiscard]] std::vector<SimulatedBody> bodies() const override {
         std::vector<SimulatedBody> bodies;
         for (const sim3d::BodyShape& shape : sim3d::shapes_of(*world_))

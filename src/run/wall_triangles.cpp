@@ -1,6 +1,7 @@
 #include "run/wall_triangles.h"
 
 #include "scene/bowl_mesh.h"
+#include "scene/specimen.h"
 #include "scene/trough_profile.h"
 
 #include <Eigen/Geometry>
@@ -166,6 +167,7 @@ struct Triangulate {
 
     void operator()(const scene::BowlShape& bowl) const { (*this)(scene::mesh_of(bowl)); }
     void operator()(const scene::BowlDiscShape& disc) const { (*this)(scene::mesh_of(disc)); }
+    void operator()(const scene::SpecimenShape& specimen) const { (*this)(scene::mesh_of(specimen)); }
 
 private:
     void add_face(const scene::Box& box, int axis, int side) const {

@@ -52,6 +52,7 @@ struct ShortenShape {
     bool operator()(MeshShape& /*mesh*/) const { return false; }
     bool operator()(BowlShape& /*bowl*/) const { return false; }
     bool operator()(BowlDiscShape& /*disc*/) const { return false; }
+    bool operator()(SpecimenShape& /*specimen*/) const { return false; }
 };
 
 struct ShortenOutline {

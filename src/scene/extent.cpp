@@ -40,6 +40,12 @@ struct Extent {
         return upright(shape.centre, shape.radius,
                        std::max(shape.rim_rise, shape.ribs.count > 0 ? shape.ribs.height : 0));
     }
+    Box operator()(const SpecimenShape& shape) const {
+        Eigen::AlignedBox3d all;
+        for (const Vector3d& node : shape.mesh->nodes)
+            all.extend(node);
+        return {all.min(), all.max()};
+    }
     Box operator()(const MeshShape& shape) const {
         Box all{Vector3d::Constant(endless), Vector3d::Constant(-endless)};
         for (const auto& triangle : shape.triangles)

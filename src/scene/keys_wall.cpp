@@ -28,8 +28,8 @@ std::vector<Key> straight_trough() {
 std::vector<Key> stl_mesh() {
     return {
         file("stl", "Triangles, ASCII or binary STL.").only_for({"mesh"}).in_3d().must(),
-        number("scale", "", above(0, 1e6), "Metres per unit of the STL file: 0.001 for millimetres.")
-            .only_for({"mesh"})
+        number("scale", "", above(0, 1e6), "Metres per unit of the file: 0.001 for millimetres.")
+            .only_for({"mesh", "hexahedra"})
             .in_3d()
             .otherwise(1.0),
     };
@@ -89,16 +89,75 @@ std::vector<Key> rotary_bowl() {
     };
 }
 
+/// The defaults are the thesis' meshes (figures 7.16 and 7.32) and its steel (figure 7.8); docs/stress.md.
+std::vector<Key> specimens() {
+    const std::vector<std::string> cylinder{"bored-cylinder"}, prism{"prism"}, both{"bored-cylinder", "prism"},
+        file_part{"hexahedra"}, all{"bored-cylinder", "prism", "hexahedra"};
+    return {
+        file("inp", "Hexahedra of a CalculiX or Abaqus file: *NODE, *ELEMENT of type C3D8, *NSET.")
+            .only_for(file_part)
+            .in_3d()
+            .must(),
+        text("held_set", "Node set of that file that cannot move when `tumble stress` solves it.")
+            .only_for(file_part)
+            .in_3d()
+            .must(),
+        number("bore_radius_m", "m", above(0, 1e4), "Radius of the through hole.").only_for(cylinder).in_3d().must(),
+        number("shell_m", "m", above(0, 1e4), "Thickness of the outer shell, which has rings of its own.")
+            .only_for(cylinder)
+            .in_3d()
+            .otherwise(0.0015),
+        integer("around", from(3, 1000), "Hexahedra about the axis.")
+            .only_for(cylinder)
+            .in_3d()
+            .otherwise(std::int64_t{60}),
+        integer("along", from(1, 10000), "Hexahedra along the axis.").only_for(both).in_3d().must(),
+        integer("shell_rings", from(1, 1000), "Hexahedra across the shell.")
+            .only_for(cylinder)
+            .in_3d()
+            .otherwise(std::int64_t{3}),
+        integer("inner_rings", from(1, 1000), "Hexahedra between bore and shell.")
+            .only_for(cylinder)
+            .in_3d()
+            .otherwise(std::int64_t{6}),
+        number("side_m", "m", above(0, 1e4), "Side of its square base.").only_for(prism).in_3d().must(),
+        number("corner_m", "m", above(0, 1e4), "How much of a side, at either end, is refined.")
+            .only_for(prism)
+            .in_3d()
+            .otherwise(0.0048),
+        integer("corner_cells", from(1, 1000), "Hexahedra across each refined end.")
+            .only_for(prism)
+            .in_3d()
+            .otherwise(std::int64_t{6}),
+        integer("middle_cells", from(1, 1000), "Hexahedra between them.")
+            .only_for(prism)
+            .in_3d()
+            .otherwise(std::int64_t{10}),
+        word("held", {"base", "top", "both"}, "Which of its ends cannot move when `tumble stress` solves it.")
+            .only_for(both)
+            .in_3d()
+            .otherwise(std::string{"top"}),
+        number("part_youngs_modulus_Pa", "Pa", above(0, 1e13),
+               "Young's modulus of the part when it is solved; `material` is what bodies feel.")
+            .only_for(all)
+            .in_3d()
+            .otherwise(2e11),
+        number("part_poisson_ratio", "", from(0, 0.49), "Its Poisson ratio.").only_for(all).in_3d().otherwise(0.3),
+    };
+}
+
 KeyTable wall() {
     KeyTable table{.path = "wall", .head = "[[wall]]", .repeat = Repeat::many, .kind_key = "shape"};
     table.sentence = "A surface that bodies cannot pass.";
     table.keys = {
         text("name", "Its name, used by `--set wall.NAME.key=value`, series and pictures.").must(),
-        word("shape", {"plane", "box", "cylinder", "disc", "trough", "mesh", "bowl", "bowl-disc"},
+        word("shape",
+             {"plane", "box", "cylinder", "disc", "trough", "mesh", "bowl", "bowl-disc", "bored-cylinder", "prism",
+              "hexahedra"},
              "plane: unbounded, one-sided. box: touched from inside. cylinder: lateral surface without lids. disc: a "
              "thin round plate. trough: a U along x, half a cylinder below straight sides. mesh: triangles of an STL "
-             "file. bowl, bowl-disc: the wall and the bottom of a rotary bowl about the y axis. May be left out when "
-             "`stl` is given.")
+             "file. bowl, bowl-disc: the wall and the bottom of a rotary bowl about the y axis. bored-cylinder, prism, "
+             "hexahedra: specimens, for `tumble stress`. May be left out when `stl` is given.")
             .in_3d()
             .must(),
         word("shape", {"segment", "arc", "polyline", "box", "trough"},
@@ -127,22 +186,25 @@ KeyTable wall() {
             .in_2d()
             .otherwise(std::vector<std::string>{}),
         vector("base_m", "m", from(-1e4, 1e4), "Centre of the end that `axis` starts at; of a bowl: of its lower edge.")
-            .only_for({"cylinder", "bowl"})
+            .only_for({"cylinder", "bowl", "bored-cylinder", "prism"})
             .in_3d()
             .must(),
         vector("axis", "", from(-1e6, 1e6), "Direction of the axis; any length.")
-            .only_for({"cylinder"})
+            .only_for({"cylinder", "bored-cylinder", "prism", "hexahedra"})
             .in_3d()
             .otherwise(std::vector<double>{0, 1, 0}),
-        number("length_m", "m", above(0, 1e4), "Length along the axis.").only_for({"cylinder"}).in_3d().must(),
+        number("length_m", "m", above(0, 1e4), "Length along the axis.")
+            .only_for({"cylinder", "bored-cylinder", "prism"})
+            .in_3d()
+            .must(),
         vector("centre_m", "m", from(-1e4, 1e4), "Centre of the plate; of a bowl-disc: of its flat part.")
             .only_for({"disc", "bowl-disc"})
             .in_3d()
             .must(),
-        number(
-            "radius_m", "m", above(0, 1e4),
-            "Radius; of the trough: of its bottom; of a bowl-disc: of its rim's edge, the gap to the wall taken off.")
-            .only_for({"cylinder", "disc", "trough", "bowl", "bowl-disc"})
+        number("radius_m", "m", above(0, 1e4),
+               "Radius; of the trough: of its bottom; of a bowl-disc: of its rim's edge, the gap to the wall taken "
+               "off; of a bored-cylinder: of the circle on which its outer corners lie.")
+            .only_for({"cylinder", "disc", "trough", "bowl", "bowl-disc", "bored-cylinder"})
             .in_3d()
             .must(),
         number("radius_m", "m", above(0, 1e4), "Radius; of the trough: of its bottom.")
@@ -154,7 +216,7 @@ KeyTable wall() {
             .in_3d()
             .otherwise(0.0),
     };
-    for (const auto& part : {straight_trough(), stl_mesh(), lines_in_the_plane(), rotary_bowl()})
+    for (const auto& part : {straight_trough(), stl_mesh(), lines_in_the_plane(), rotary_bowl(), specimens()})
         table.keys.insert(table.keys.end(), part.begin(), part.end());
     return table;
 }

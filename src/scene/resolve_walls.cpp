@@ -5,8 +5,10 @@
 #include "scene/keys.h"
 #include "scene/read_stl.h"
 #include "scene/resolve.h"
+#include "scene/specimen.h"
 
 #include <algorithm>
+#include <cctype>
 #include <fmt/format.h>
 #include <set>
 
@@ -72,6 +74,58 @@ Ribs ribs(const View& view) {
             view.number("rib_crest_m")};
 }
 
+/// As the names of an .inp file are kept.
+std::string upper(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    return text;
+}
+
+int count_of(const View& view, const char* key) {
+    return static_cast<int>(view.integer(key));
+}
+
+SpecimenShape specimen(const View& view, const Resolving& to) {
+    SpecimenShape shape;
+    shape.place.axis = direction_of(view, "axis", to);
+    shape.youngs_modulus = view.number("part_youngs_modulus_Pa");
+    shape.poisson_ratio = view.number("part_poisson_ratio");
+    if (view.kind() == "hexahedra") {
+        shape.part = solid::MeshFile{to.file(view.text("inp")), view.number("scale")};
+        shape.held_set = upper(view.text("held_set"));
+    } else if (view.kind() == "prism")
+        shape.part = solid::Prism{.length = view.number("length_m"),
+                                  .side = view.number("side_m"),
+                                  .corner = view.number("corner_m"),
+                                  .corner_cells = count_of(view, "corner_cells"),
+                                  .middle_cells = count_of(view, "middle_cells"),
+                                  .along = count_of(view, "along")};
+    else
+        shape.part = solid::BoredCylinder{.length = view.number("length_m"),
+                                          .radius = view.number("radius_m"),
+                                          .bore_radius = view.number("bore_radius_m"),
+                                          .shell = view.number("shell_m"),
+                                          .around = count_of(view, "around"),
+                                          .along = count_of(view, "along"),
+                                          .shell_rings = count_of(view, "shell_rings"),
+                                          .inner_rings = count_of(view, "inner_rings")};
+    if (view.kind() != "hexahedra") {
+        shape.place.base = view.vector("base_m");
+        const std::string held = view.text("held");
+        shape.held = held == "base" ? Held::base : held == "both" ? Held::both : Held::top;
+    }
+    Result<SpecimenShape> whole = view.whole() ? with_mesh(shape) : Problems{};
+    if (whole)
+        return *whole;
+    for (const Problem& problem : whole.problems())
+        if (problem.key.empty()) // of a file
+            to.report.add(Problems{problem});
+        else
+            to.refuse(view, problem.key, problem.what, problem.fix);
+    shape.mesh = std::make_shared<const solid::HexMesh>(); // a wall that is already wrong
+    return shape;
+}
+
 WallShape resolve_shape(const View& view, const Resolving& to) {
     const std::string kind = view.kind();
     if (kind == "box")
@@ -93,6 +147,8 @@ WallShape resolve_shape(const View& view, const Resolving& to) {
         return without_fault(BowlDiscShape{view.vector("centre_m"), view.number("radius_m"), view.number("rim_width_m"),
                                            view.number("rim_rise_m"), view.number("rib_start"), ribs(view)},
                              view, to);
+    if (kind == "bored-cylinder" || kind == "prism" || kind == "hexahedra")
+        return specimen(view, to);
     return plane(view, to);
 }
 
@@ -172,7 +228,9 @@ std::string lost_face(const WallShape& shape, const Box& reached) {
 void check_place(const View& view, const Wall& wall, const Resolving& to) {
     const Box& domain = to.scene.domain.box;
     const auto* mesh = std::get_if<MeshShape>(&wall.shape);
-    if (!has_volume(domain) || (mesh && mesh->triangles.empty()) || !view.whole())
+    const auto* specimen = std::get_if<SpecimenShape>(&wall.shape);
+    if (!has_volume(domain) || (mesh && mesh->triangles.empty()) || (specimen && specimen->mesh->nodes.empty()) ||
+        !view.whole())
         return; // a wall or a domain that is already wrong is in no place
     const Box reached = reached_domain(wall, to.scene);
     if (!in_domain(wall, to.scene, reached)) {

@@ -5,12 +5,15 @@
 #include "fit/shapes.h"
 #include "scene/laws.h"
 #include "scene/motion.h"
+#include "solid/generate.h"
+#include "solid/inp.h"
 
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -67,6 +70,9 @@ struct Box2dSettings {
 };
 
 enum class Orientation { random, as_written };
+
+/// The ends of a specimen that cannot move.
+enum class Held { base, top, both };
 
 struct Fill {
     int body = 0;                      // index into Scene::bodies
@@ -148,6 +154,18 @@ struct BowlDiscShape {
     Ribs ribs;
 };
 
+/// A fixed part in the flow, made of hexahedra whose surface is the wall and whose inside `tumble stress` solves.
+/// Touched from both sides; triangles 2f and 2f + 1 are facet f of the mesh.
+struct SpecimenShape {
+    std::variant<solid::BoredCylinder, solid::Prism, solid::MeshFile> part;
+    solid::Place place;
+    Held held = Held::top;
+    std::string held_set;      // of a MeshFile, in its place: the node set that cannot move
+    double youngs_modulus = 0; // Pa, of the part when it is solved; the wall's material is what bodies feel
+    double poisson_ratio = 0;
+    std::shared_ptr<const solid::HexMesh> mesh; // of part and place, without fault
+};
+
 struct SegmentShape {
     Eigen::Vector2d from = Eigen::Vector2d::Zero(); // m
     Eigen::Vector2d to = Eigen::Vector2d::Zero();   // m
@@ -165,8 +183,8 @@ struct PolylineShape {
 /// A wall in two dimensions, touched from both sides. The box is its four sides, the trough its profile with x for z.
 using Outline = std::variant<SegmentShape, ArcShape, PolylineShape, BoxShape, TroughShape>;
 
-using WallShape =
-    std::variant<PlaneShape, BoxShape, CylinderShape, DiscShape, TroughShape, MeshShape, BowlShape, BowlDiscShape>;
+using WallShape = std::variant<PlaneShape, BoxShape, CylinderShape, DiscShape, TroughShape, MeshShape, BowlShape,
+                               BowlDiscShape, SpecimenShape>;
 
 struct Wall {
     std::string name;

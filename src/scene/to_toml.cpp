@@ -1,5 +1,6 @@
 #include "scene/to_toml.h"
 
+#include "scene/specimen.h"
 #include "scene/toml_writer.h"
 
 #include <cmath>
@@ -276,7 +277,47 @@ struct ShapeWriter {
         write(disc.ribs);
     }
 
+    void operator()(const SpecimenShape& specimen) const {
+        std::visit([&](const auto& part) { write(part); }, specimen.part);
+        to.vector("axis", specimen.place.axis);
+        if (std::holds_alternative<solid::MeshFile>(specimen.part)) {
+            to.text("held_set", specimen.held_set);
+        } else {
+            to.vector("base_m", specimen.place.base);
+            to.text("held", words_of_held[static_cast<std::size_t>(specimen.held)]);
+        }
+        to.number("part_youngs_modulus_Pa", specimen.youngs_modulus);
+        to.number("part_poisson_ratio", specimen.poisson_ratio);
+    }
+
 private:
+    void write(const solid::BoredCylinder& part) const {
+        to.text("shape", "bored-cylinder");
+        to.number("length_m", part.length);
+        to.number("radius_m", part.radius);
+        to.number("bore_radius_m", part.bore_radius);
+        to.number("shell_m", part.shell);
+        to.integer("around", part.around);
+        to.integer("along", part.along);
+        to.integer("shell_rings", part.shell_rings);
+        to.integer("inner_rings", part.inner_rings);
+    }
+    void write(const solid::MeshFile& part) const {
+        to.text("shape", "hexahedra");
+        std::error_code error;
+        const auto path = std::filesystem::absolute(part.file, error);
+        to.text("inp", (error ? part.file : path).string());
+        to.number("scale", part.scale);
+    }
+    void write(const solid::Prism& part) const {
+        to.text("shape", "prism");
+        to.number("length_m", part.length);
+        to.number("side_m", part.side);
+        to.number("corner_m", part.corner);
+        to.integer("corner_cells", part.corner_cells);
+        to.integer("middle_cells", part.middle_cells);
+        to.integer("along", part.along);
+    }
     void write(const Ribs& ribs) const {
         to.integer("rib_count", ribs.count);
         to.number("rib_height_m", ribs.height);

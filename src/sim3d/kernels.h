@@ -144,9 +144,12 @@ struct alignas(32) WallContact {
     MemoryLanes memory;
     double wall_now[3];  // m/s at the contact, at the step
     double wall_spin[3]; // rad/s, half a step ago
+    double foot[3];      // m, on the wall, in its own frame
     int body;
     int candidate;
     int touch;
+    int triangle;                // of a mesh: the one touched
+    alignas(32) double force[4]; // N, on the body: what push_walls found; the fourth is unused
 };
 
 // A sphere on the square hole of a sieve touches four edges, one in a corner where six facets meet six.

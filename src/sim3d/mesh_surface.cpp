@@ -145,10 +145,10 @@ private:
         const Vector3d& normal = flats_[static_cast<std::size_t>(hit.triangle)].normal;
         if (hit.feature.kind == FeatureKind::patch || hit.distance2 == 0) {
             const double height = hit.away.dot(normal);
-            return {height < 0 ? Vector3d(-normal) : normal, std::abs(height) - radius, hit.feature.id};
+            return {height < 0 ? Vector3d(-normal) : normal, std::abs(height) - radius, hit.feature.id, hit.triangle};
         }
         const double far = std::sqrt(hit.distance2);
-        return {hit.away / far, far - radius, hit.feature.id};
+        return {hit.away / far, far - radius, hit.feature.id, hit.triangle};
     }
 
     std::vector<std::array<int, 3>> corners_; // vertices of each triangle

@@ -82,6 +82,18 @@ std::vector<BodyState> bodies_of(const World& world);
 /// Poses of scene.walls at the world's time.
 std::vector<scene::WallPose> walls_of(const World& world);
 
+/// A place where a body touched a wall in the last step taken; vectors in the wall's own frame.
+struct WallPush {
+    std::int64_t body = 0;                              // id
+    int triangle = 0;                                   // of a wall that is a mesh, in the mesh's order
+    Eigen::Vector3d foot = Eigen::Vector3d::Zero();     // m, on the wall
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();   // unit, towards the body
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();    // N, on the wall
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); // m/s, of the body's centre past it, before
+};
+/// Of scene.walls[wall]; in an order that does not depend on the threads. Empty before the first step.
+std::vector<WallPush> wall_pushes_of(const World& world, int wall);
+
 /// What a fill still owes after its last attempt: "asked for 300 cones, placed 212; ...". Empty when all is in.
 std::vector<std::string> unfilled(const World& world);
 

@@ -160,6 +160,9 @@ int touch_wall(const World& world, Chunk& chunk, const BodyWall& near, std::vect
         for (int t = 0; t < count; ++t) {
             WallContact& contact = contacts.emplace_back();
             set_geometry(contact, wall, body, arm, radius, touches[static_cast<std::size_t>(t)], hold);
+            const WallTouch& touch = touches[static_cast<std::size_t>(t)];
+            put(contact.foot, local - touch.normal * (radius + touch.gap));
+            contact.triangle = touch.triangle;
             contact.body = near.body;
             contact.candidate = k;
             contact.touch = t;

@@ -2,6 +2,7 @@
 
 #include "scene/bowl_mesh.h"
 #include "scene/faults.h"
+#include "scene/specimen.h"
 #include "sim3d/wall_parts.h"
 
 #include <algorithm>
@@ -93,6 +94,12 @@ Problems faults_of(const scene::BowlDiscShape& shape) {
     return faults_of_bowl(shape);
 }
 
+Problems faults_of(const scene::SpecimenShape& shape) {
+    if (shape.mesh)
+        return {};
+    return {problem_of("the specimen has no mesh", "make it: scene::with_mesh")};
+}
+
 struct Maker {
     const scene::Domain& domain;
     Result<SurfacePartsPtr> operator()(const scene::PlaneShape& shape) const { return plane_parts(shape); }
@@ -107,6 +114,9 @@ struct Maker {
         return mesh_parts(mesh_of(shape), domain);
     }
     Result<SurfacePartsPtr> operator()(const scene::BowlDiscShape& shape) const {
+        return mesh_parts(mesh_of(shape), domain);
+    }
+    Result<SurfacePartsPtr> operator()(const scene::SpecimenShape& shape) const {
         return mesh_parts(mesh_of(shape), domain);
     }
 };

@@ -14,7 +14,8 @@ namespace tumble::sim3d {
 struct WallTouch {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero(); // unit, from the wall's closest point to the sphere's centre
     double gap = 0;                                   // m, distance - radius; negative: overlap
-    int feature = 0; // the same while the sphere stays on one smooth patch; a history belongs to it
+    int feature = 0;  // the same while the sphere stays on one smooth patch; a history belongs to it
+    int triangle = 0; // of a mesh: the one touched
 };
 
 /// Whether all the wall's motion is that of a round shape about its own axis: a disc, a tube, a bowl or bowl-disc

@@ -126,6 +126,16 @@ TEST_CASE("a resolved scene loads again to the same walls and motions, bit for b
     const auto &disc = std::get<BowlDiscShape>(a.walls[7].shape),
                &disc_again = std::get<BowlDiscShape>(b.walls[7].shape);
     CHECK(mesh_of(disc).triangles == mesh_of(disc_again).triangles);
+    for (const std::size_t specimen : {8, 9, 10}) {
+        const auto &part = std::get<SpecimenShape>(a.walls[specimen].shape),
+                   &part_again = std::get<SpecimenShape>(b.walls[specimen].shape);
+        CHECK(part.mesh->nodes == part_again.mesh->nodes);
+        CHECK(part.mesh->hexes == part_again.mesh->hexes);
+        CHECK(part.held == part_again.held);
+        CHECK(part.held_set == part_again.held_set);
+        CHECK(part.youngs_modulus == part_again.youngs_modulus);
+        CHECK(part.poisson_ratio == part_again.poisson_ratio);
+    }
     CHECK(a.render.clip->lo == b.render.clip->lo);
     CHECK(a.render.clip->hi == b.render.clip->hi);
 }

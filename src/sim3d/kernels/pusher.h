@@ -404,6 +404,7 @@ template <class By> struct Pusher {
             for (int lane = 0; lane < n; ++lane) {
                 const WallContact& to = *contact[lane];
                 kept.store(lane, pushed);
+                quad_at(contacts[first + lane].force) = pushed.force[lane];
                 load_body(context.load[to.body], pushed.force[lane], torque[lane] + pushed.torque(lane));
                 double power = 0;
                 for (int axis = 0; axis < 3; ++axis)

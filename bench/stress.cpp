@@ -1,0 +1,133 @@
+// Many load cases on the thesis' cylinder, from contacts to tables and files; with ccx_cases=N the first N of them by
+// CalculiX as well, which factorises anew for each.
+#include "base/child_process.h"
+#include "base/rng.h"
+#include "observe/whole_file.h"
+#include "run/part_loads.h"
+#include "scene/specimen.h"
+#include "stress/recorded.h"
+#include "stress/study.h"
+#include "stress/study_sheet.h"
+#include "support/arguments.h"
+
+#include <chrono>
+#include <fmt/core.h>
+#include <sys/resource.h>
+
+using namespace tumble;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begun) {
+    return std::chrono::duration<double>(Clock::now() - begun).count();
+}
+
+scene::SpecimenShape cylinder(bench::Arguments& arguments) {
+    const int finer = static_cast<int>(arguments.whole("finer", 1));
+    scene::SpecimenShape shape;
+    shape.part = solid::BoredCylinder{.length = 0.1,
+                                      .radius = 0.015,
+                                      .bore_radius = 0.005,
+                                      .shell = 0.0015,
+                                      .around = 60 * finer,
+                                      .along = 12 * finer,
+                                      .shell_rings = 3 * finer,
+                                      .inner_rings = 6 * finer};
+    shape.held = scene::Held::top;
+    shape.youngs_modulus = 2e11;
+    shape.poisson_ratio = 0.3;
+    auto whole = scene::with_mesh(shape);
+    if (!whole)
+        bench::refuse(to_string(whole.problems()));
+    return *whole;
+}
+
+/// Contacts of up to 2 N at random places of the side, obliquely.
+run::PartLoads contacts(const solid::HexMesh& mesh, int cases, int each) {
+    const std::vector<int>& side = mesh.facet_sets.at("side");
+    run::PartLoads loads;
+    Rng rng(1);
+    for (int c = 0; c < cases; ++c) {
+        run::LoadInstant instant{c / 60.0, {}};
+        for (int k = 0; k < each; ++k) {
+            const int facet = side[static_cast<std::size_t>(rng.uniform() * static_cast<double>(side.size()))];
+            const Eigen::Vector4d shares = solid::facet_shape_at(rng.uniform(-1, 1), rng.uniform(-1, 1));
+            const auto& corners = mesh.facets[static_cast<std::size_t>(facet)].corners;
+            observe::WallPush push;
+            push.body = k;
+            push.triangle = 2 * facet;
+            push.normal = mesh.area_of(facet).normalized();
+            for (std::size_t corner = 0; corner < 4; ++corner)
+                push.foot +=
+                    shares[static_cast<Eigen::Index>(corner)] * mesh.nodes[static_cast<std::size_t>(corners[corner])];
+            push.force = -rng.uniform(0, 2) * push.normal + Eigen::Vector3d(0, rng.uniform(-0.5, 0.5), 0);
+            instant.pushes.push_back(push);
+        }
+        loads.instants.push_back(std::move(instant));
+    }
+    return loads;
+}
+
+/// s that ccx takes for so many of the cases; 0 where it is not installed.
+double by_calculix(const scene::SpecimenShape& specimen, const run::PartLoads& loads, int cases,
+                   const std::filesystem::path& folder) {
+    auto forces = stress::nodal_cases(specimen, loads, false).value();
+    forces.resize(static_cast<std::size_t>(cases));
+    stress::Recorded recorded;
+    recorded.scene.walls.emplace_back().shape = specimen;
+    recorded.loads = loads;
+    const std::string model = stress::to_calculix(recorded, forces, fem::Formulation::standard, false);
+    if (const auto written = observe::write_whole(folder / "part.inp", model); !written)
+        bench::refuse(to_string(written.problems()));
+    const auto begun = Clock::now();
+    ChildProcess ccx({"env", "-C", folder.string(), "ccx", "-i", "part"});
+    const int status = ccx.wait(std::chrono::hours(1));
+    if (status == 127) // env's word for a program that is not there
+        return 0;
+    if (status != 0)
+        bench::refuse("ccx failed: " + ccx.printed());
+    return seconds_since(begun);
+}
+
+} // namespace
+
+int main(int count, char** words) {
+    bench::Arguments arguments(count, words);
+    const auto cases = static_cast<int>(arguments.whole("cases", 216)),
+               each = static_cast<int>(arguments.whole("contacts", 40));
+    const auto ccx_cases = static_cast<int>(arguments.whole("ccx_cases", 0));
+    stress::StudyOptions options;
+    options.threads = static_cast<int>(arguments.whole("threads", 2));
+    options.formulation =
+        arguments.whole("standard", 0) != 0 ? fem::Formulation::standard : fem::Formulation::incompatible;
+    const std::filesystem::path folder = arguments.text("folder", "out/bench-stress");
+    const auto begun = Clock::now();
+    const scene::SpecimenShape specimen = cylinder(arguments);
+    arguments.finish();
+    std::filesystem::create_directories(folder);
+    const run::PartLoads loads = contacts(*specimen.mesh, cases, each);
+    const double meshed = seconds_since(begun);
+    const auto study = stress::study({}, specimen, loads, options);
+    if (!study)
+        bench::refuse(to_string(study.problems()));
+    const auto writing = Clock::now();
+    if (const auto written = stress::write_study(*study, specimen, folder); !written)
+        bench::refuse(to_string(written.problems()));
+    const double written = seconds_since(writing), total = seconds_since(begun);
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    fmt::print("{} hexahedra, {} unknowns, {} load cases, {} threads\n", study->hexes, study->unknowns, cases,
+               options.threads);
+    fmt::print("mesh_s {:.3f} factorise_s {:.3f} solve_s {:.3f} write_s {:.3f} total_s {:.3f}\n", meshed,
+               study->prepare_s, study->solve_s, written, total);
+    fmt::print("processor_s {:.3f} factor_entries {} peak_MB {:.0f}\n",
+               static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec),
+               study->factor_entries, static_cast<double>(usage.ru_maxrss) / 1024);
+    if (ccx_cases > 0) {
+        const double ccx = by_calculix(specimen, loads, ccx_cases, folder);
+        fmt::print("ccx_s {:.3f} for {} cases, {:.3f} a case\n", ccx, ccx_cases, ccx / ccx_cases);
+    }
+    return 0;
+}

@@ -1,0 +1,153 @@
+#include "base/make_folder.h"
+#include "cli/command.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/flag_checks.h"
+#include "cli/progress_line.h"
+#include "cli/scene_arguments.h"
+#include "cli/sheet_flags.h"
+#include "cli/stop_flag.h"
+#include "run/part_loads.h"
+#include "sheet/show.h"
+#include "stress/recorded.h"
+#include "stress/study.h"
+#include "stress/study_sheet.h"
+
+#include <fmt/format.h>
+#include <memory>
+
+namespace tumble::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct StressArguments {
+    SceneArguments scene;
+    std::string part;
+    std::string element = "incompatible";
+    std::vector<double> depths_mm;
+    run::LoadOptions loads;
+    stress::StudyOptions study;
+    fs::path out;
+    bool force = false;
+    bool quiet = false;
+    bool json = false;
+};
+
+/// Runs the scene and keeps its loads.
+Result<stress::Recorded> simulated(StressArguments& arguments) {
+    auto scene = arguments.scene.load();
+    if (!scene)
+        return scene.problems();
+    auto recorded = stress::specimen_in(std::move(*scene), arguments.part);
+    if (!recorded)
+        return recorded;
+    if (stress::holds_loads(arguments.out) && !arguments.force)
+        return Problem{
+            .file = arguments.out.string(),
+            .what = "holds the loads of an earlier run",
+            .fix = fmt::format("`tumble stress {}` solves them again, --force replaces them", arguments.out.string())};
+    if (const auto made = make_folder(arguments.out); !made)
+        return made.problems();
+    arguments.loads.threads = arguments.study.threads;
+    arguments.loads.stop = &watch_for_stop();
+    ProgressLine line(arguments.quiet);
+    auto loads = run::record_loads(recorded->scene, recorded->wall, arguments.loads, line);
+    line.end();
+    if (!loads)
+        return loads.problems();
+    recorded->loads = std::move(*loads);
+    if (const auto written = stress::write_recorded(*recorded, arguments.out); !written)
+        return written.problems();
+    return recorded;
+}
+
+int solve_it(StressArguments& arguments) {
+    arguments.study.formulation =
+        arguments.element == "standard" ? fem::Formulation::standard : fem::Formulation::incompatible;
+    if (!arguments.depths_mm.empty())
+        arguments.study.depths.clear();
+    for (const double depth : arguments.depths_mm)
+        arguments.study.depths.push_back(1e-3 * depth);
+    const bool again = fs::is_directory(arguments.scene.file);
+    if (again && !arguments.scene.sets.empty())
+        return refuse({{.file = arguments.scene.file.string(),
+                        .what = "is solved again as it was run: --set and --duration change nothing there",
+                        .fix = "give them with the scene file"}},
+                      arguments.json, wrong);
+    if (arguments.out.empty())
+        arguments.out =
+            again ? arguments.scene.file : fs::path("out") / (arguments.scene.file.stem().string() + "-stress");
+    const auto recorded = again ? stress::read_recorded(arguments.scene.file, arguments.part) : simulated(arguments);
+    if (!recorded)
+        return refuse(recorded.problems(), arguments.json, wrong);
+    if (const auto made = make_folder(arguments.out); !made)
+        return refuse(made.problems(), arguments.json, wrong);
+    const auto study = stress::study(recorded->scene, recorded->specimen(), recorded->loads, arguments.study);
+    if (!study)
+        return refuse(study.problems(), arguments.json, failed);
+    const auto files = stress::write_study(*study, recorded->specimen(), arguments.out);
+    if (!files)
+        return refuse(files.problems(), arguments.json, failed);
+    const sheet::Sheet sheet = stress::sheet_of(*study, arguments.study);
+    if (arguments.json)
+        say_json(sheet::to_json(sheet));
+    else
+        say(sheet::to_text(recorded->scene.title + ": stress inside " + recorded->name(), sheet));
+    if (const int code = draw_and_note(sheet, arguments.out, false); code != fine)
+        return code;
+    if (!arguments.quiet)
+        for (const fs::path& file : *files)
+            note("file: " + file.string());
+    return recorded->loads.stopped ? stop_code() : static_cast<int>(fine);
+}
+
+} // namespace
+
+void add_stress_command(CLI::App& program, Action& action) {
+    CLI::App* command = program.add_subcommand(
+        "stress",
+        "Example: tumble stress scenes/specimen-quick.toml --threads 2\n\n"
+        "Runs a scene with a specimen, turns what touches it into nodal loads and solves the stress inside,\n"
+        "one load case an instant; all that was recorded is kept, and the folder can be given in the scene's\n"
+        "place to solve it again otherwise. docs/stress.md.");
+    const auto arguments = std::make_shared<StressArguments>();
+    stress::StudyOptions& study = arguments->study;
+    arguments->scene.add_to(*command);
+    command->add_option("--part", arguments->part, "The specimen, where the scene has several")->type_name("WALL");
+    command
+        ->add_option("--element", arguments->element,
+                     "incompatible (bends right) or standard (the thesis' C3D8); incompatible without it")
+        ->type_name("NAME")
+        ->check(one_of({"incompatible", "standard"}));
+    command
+        ->add_option("--depth", arguments->depths_mm,
+                     "Slices beneath the surface, mm; 0.5,1,1.5 without it, as the thesis")
+        ->type_name("A,B")
+        ->delimiter(',')
+        ->check(number_from(0, 1e6));
+    command->add_option("--side", study.sides, "Only beneath this side of the part; may be repeated")
+        ->type_name("NAME")
+        ->expected(1)
+        ->take_all();
+    command->add_flag("--means", study.means, "Solve the mean loads between the instants instead of the instants");
+    command->add_option("--every", arguments->loads.every, "s between instants; 1/60 without it, as the thesis")
+        ->type_name("S")
+        ->check(number_above_zero());
+    command->add_option("--from", arguments->loads.from, "s, nothing before counts")
+        ->type_name("S")
+        ->check(number_from(0, 1e9));
+    command->add_option("--threads", study.threads, "Threads that step and solve; 1 without it")
+        ->type_name("N")
+        ->check(whole_number_from(1, 256));
+    command->add_option("--out", arguments->out, "Folder; out/NAME-stress of the scene file without it")
+        ->type_name("DIR")
+        ->check(refuse_no_place);
+    command->add_flag("--force", arguments->force, "Replace the loads of an earlier run");
+    command->add_flag("--quiet", arguments->quiet, "No progress on stderr");
+    command->add_flag("--json", arguments->json, "Print the result as JSON");
+    command->callback([arguments, &action] { action = [arguments] { return solve_it(*arguments); }; });
+}
+
+} // namespace tumble::cli

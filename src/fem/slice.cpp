@@ -1,0 +1,117 @@
+#include "fem/slice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+
+namespace tumble::fem {
+
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double across_axis = 0.9; // cosine between a facet's normal and the axis from which on it is an end's
+
+/// Of a side at one of its nodes.
+struct Surface {
+    Vector3d outward = Vector3d::Zero(); // m2, along the normal
+    double area = 0;                     // m2
+};
+
+std::string names_of(const std::map<std::string, std::vector<int>>& sets) {
+    std::string names;
+    for (const auto& [name, members] : sets)
+        names += (names.empty() ? "" : ", ") + name;
+    return names;
+}
+
+Stress stress_at(const solid::Inside& inside, const solid::HexMesh& mesh, const Eigen::VectorXd& stress) {
+    Stress sum = Stress::Zero();
+    for (std::size_t k = 0; k < 8; ++k)
+        sum += inside.shares[static_cast<Eigen::Index>(k)] *
+               stress.segment<6>(6 * mesh.hexes[static_cast<std::size_t>(inside.hex)][k]);
+    return sum;
+}
+
+} // namespace
+
+Result<Slice> slice_of(const solid::HexMesh& mesh, const solid::Locator& locator, const std::string& side,
+                       const Vector3d& axis, double depth) {
+    const auto found = mesh.facet_sets.find(side);
+    if (found == mesh.facet_sets.end())
+        return Problem{.what = fmt::format("the part has no side '{}'", side),
+                       .fix = "it has " + names_of(mesh.facet_sets)};
+    std::map<int, Surface> nodes;
+    for (const int facet : found->second) {
+        const Vector3d area = mesh.area_of(facet);
+        const solid::Facet& of = mesh.facets[static_cast<std::size_t>(facet)];
+        if (std::abs(area.dot(axis)) > across_axis * area.norm())
+            return Problem{.what = fmt::format("side '{}' lies across the axis at element {}", side,
+                                               mesh.hex_numbers[static_cast<std::size_t>(of.hex)]),
+                           .fix = "slices lie beneath sides along the axis"};
+        for (const int node : of.corners) {
+            nodes[node].outward += area;
+            nodes[node].area += area.norm() / 4;
+        }
+    }
+    Slice slice{side, depth, {}};
+    for (const auto& [node, surface] : nodes) {
+        const Vector3d normal = surface.outward.normalized();
+        SlicePoint point{node,
+                         surface.area,
+                         mesh.nodes[static_cast<std::size_t>(node)] - depth * normal,
+                         {},
+                         directions_of(normal, axis)};
+        const auto inside = locator.find(point.place);
+        if (!inside)
+            return Problem{.what = fmt::format("{:.4g} m beneath side '{}' at node {} the part ends", depth, side,
+                                               mesh.node_numbers[static_cast<std::size_t>(node)]),
+                           .fix = "take a smaller depth"};
+        point.inside = *inside;
+        slice.points.push_back(point);
+    }
+    return slice;
+}
+
+Eigen::Matrix3Xd components_on(const Slice& slice, const solid::HexMesh& mesh, const Eigen::VectorXd& stress) {
+    Eigen::Matrix3Xd parts(3, static_cast<Eigen::Index>(slice.points.size()));
+    for (std::size_t p = 0; p < slice.points.size(); ++p)
+        parts.col(static_cast<Eigen::Index>(p)) =
+            components(stress_at(slice.points[p].inside, mesh, stress), slice.points[p].directions);
+    return parts;
+}
+
+SliceFigures figures_of(const Slice& slice, const Eigen::Matrix3Xd& parts, double trivial) {
+    SliceFigures figures;
+    double area = 0;
+    for (std::size_t p = 0; p < slice.points.size(); ++p) {
+        const Vector3d part = parts.col(static_cast<Eigen::Index>(p));
+        const double here = slice.points[p].area;
+        area += here;
+        if (std::abs(part[0]) > std::abs(figures.normal)) {
+            figures.normal = part[0];
+            figures.worst_point = static_cast<int>(p);
+        }
+        figures.contour = std::max(figures.contour, std::abs(part[1]));
+        figures.along = std::max(figures.along, std::abs(part[2]));
+        figures.compression = std::min(figures.compression, part[0]);
+        figures.tension = std::max(figures.tension, part[0]);
+        if (part[0] < -trivial) {
+            figures.mean_compression += part[0];
+            figures.compressed_area += here;
+            ++figures.compressed;
+        } else if (part[0] > trivial) {
+            figures.mean_tension += part[0];
+            figures.stretched_area += here;
+            ++figures.stretched;
+        }
+    }
+    figures.mean_compression /= std::max(figures.compressed, 1);
+    figures.mean_tension /= std::max(figures.stretched, 1);
+    figures.compressed_area /= area;
+    figures.stretched_area /= area;
+    return figures;
+}
+
+} // namespace tumble::fem

@@ -1,0 +1,77 @@
+#include "solid/facet_load.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace tumble::solid {
+
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double balanced = 1e-9; // share of the forces, and of their moments about the part's middle
+
+} // namespace
+
+Eigen::Vector4d shares_at(const HexMesh& mesh, int facet, const Vector3d& point) {
+    Eigen::Matrix<double, 3, 4> corners;
+    for (int k = 0; k < 4; ++k)
+        corners.col(k) = mesh.nodes[static_cast<std::size_t>(
+            mesh.facets[static_cast<std::size_t>(facet)].corners[static_cast<std::size_t>(k)])];
+    // Gauss-Newton on the distance; a facet that is a parallelogram needs one step.
+    Eigen::Vector2d at = Eigen::Vector2d::Zero();
+    for (int round = 0; round < 20; ++round) {
+        const double r = at.x(), s = at.y();
+        Eigen::Matrix<double, 4, 2> slopes;
+        slopes << -(1 - s), -(1 - r), 1 - s, -(1 + r), 1 + s, 1 + r, -(1 + s), 1 - r;
+        const Eigen::Matrix<double, 3, 2> tangents = 0.25 * corners * slopes;
+        const Vector3d off = point - corners * facet_shape_at(r, s);
+        const Eigen::Vector2d move = (tangents.transpose() * tangents).inverse() * (tangents.transpose() * off);
+        at += move;
+        if (move.cwiseAbs().maxCoeff() < 1e-15)
+            break;
+    }
+    at = at.cwiseMax(-1.0).cwiseMin(1.0);
+    return facet_shape_at(at.x(), at.y());
+}
+
+Result<Eigen::Matrix3Xd> nodal_loads(const HexMesh& mesh, const std::vector<Push>& pushes) {
+    Eigen::Matrix3Xd loads = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(mesh.nodes.size()));
+    double size = 0, lever = 0, worst = 0;
+    Vector3d force_gap = Vector3d::Zero(), moment_gap = Vector3d::Zero();
+    int worst_facet = 0;
+    for (const Push& push : pushes) {
+        if (push.facet < 0 || push.facet >= static_cast<int>(mesh.facets.size()))
+            return Problem{.what = fmt::format("a load names facet {} of {}", push.facet, mesh.facets.size()),
+                           .fix = "it belongs to another mesh"};
+        const Eigen::Vector4d shares = shares_at(mesh, push.facet, push.point);
+        Vector3d foot = Vector3d::Zero();
+        for (int k = 0; k < 4; ++k) {
+            const int node = mesh.facets[static_cast<std::size_t>(push.facet)].corners[static_cast<std::size_t>(k)];
+            loads.col(node) += shares[k] * push.force;
+            foot += shares[k] * mesh.nodes[static_cast<std::size_t>(node)];
+        }
+        const Vector3d arm = foot - push.point;
+        force_gap += (shares.sum() - 1) * push.force;
+        moment_gap += arm.cross(push.force);
+        size += push.force.norm();
+        lever += (push.point - mesh.nodes.front()).norm() * push.force.norm();
+        if (arm.norm() > worst) {
+            worst = arm.norm();
+            worst_facet = push.facet;
+        }
+    }
+    if (force_gap.norm() <= balanced * size && moment_gap.norm() <= balanced * lever)
+        return loads;
+    return Problem{
+        .what = fmt::format(
+            "nodal loads miss {:.3g} N and {:.3g} N m of the contacts': a contact lies {:.3g} "
+            "m off facet {} of element {}",
+            force_gap.norm(), moment_gap.norm(), worst, worst_facet + 1,
+            mesh.hex_numbers[static_cast<std::size_t>(mesh.facets[static_cast<std::size_t>(worst_facet)].hex)]),
+        .fix = "facets must be flat: refine the mesh where they are not"};
+}
+
+} // namespace tumble::solid

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "base/problem.h"
+#include "solid/hex_mesh.h"
+
+#include <Eigen/Core>
+#include <vector>
+
+/// What touches a part, as forces on its nodes.
+namespace tumble::solid {
+
+/// A force at a point of the surface, N and m, in the part's frame.
+struct Push {
+    int facet = 0;
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();
+};
+
+/// Shares of a facet's corners in a force at the facet's point nearest to `point`: the values of their shape functions
+/// there, so that the force does the same work on the brick's displacements. They add up to 1; inside a flat facet
+/// they bear the same moment.
+Eigen::Vector4d shares_at(const HexMesh& mesh, int facet, const Eigen::Vector3d& point);
+
+/// Forces of the pushes on the nodes: 3 x nodes, N. Problems: facets that do not exist; nodal forces whose sum or
+/// moment differs from that of the pushes by more than 1e-9 of what they add up to (a point off its facet), with the
+/// difference and the worst facet.
+Result<Eigen::Matrix3Xd> nodal_loads(const HexMesh& mesh, const std::vector<Push>& pushes);
+
+} // namespace tumble::solid

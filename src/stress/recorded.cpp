@@ -1,0 +1,73 @@
+#include "stress/recorded.h"
+
+#include "observe/whole_file.h"
+#include "scene/load.h"
+#include "scene/specimen.h"
+#include "scene/to_toml.h"
+#include "solid/inp.h"
+
+#include <fmt/format.h>
+
+namespace tumble::stress {
+
+namespace fs = std::filesystem;
+
+const scene::SpecimenShape& Recorded::specimen() const {
+    return std::get<scene::SpecimenShape>(scene.walls[static_cast<std::size_t>(wall)].shape);
+}
+
+const std::string& Recorded::name() const {
+    return scene.walls[static_cast<std::size_t>(wall)].name;
+}
+
+Result<Recorded> specimen_in(scene::Scene scene, const std::string& part) {
+    const auto wall = run::find_specimen(scene, part);
+    if (!wall)
+        return wall.problems();
+    return Recorded{std::move(scene), *wall, {}};
+}
+
+bool holds_loads(const fs::path& folder) {
+    std::error_code ignored;
+    return fs::exists(folder / "contacts.csv", ignored);
+}
+
+Result<Done> write_recorded(const Recorded& recorded, const fs::path& folder) {
+    if (const auto written = observe::write_whole(folder / "scene.toml", scene::to_toml(recorded.scene)); !written)
+        return written;
+    return run::write_loads(recorded.loads, recorded.specimen(), folder);
+}
+
+Result<Recorded> read_recorded(const fs::path& folder, const std::string& part) {
+    if (!holds_loads(folder))
+        return Problem{.file = folder.string(),
+                       .what = "holds no loads on a part",
+                       .fix = "`tumble stress SCENE` leaves a folder that does"};
+    auto scene = scene::load_scene(folder / "scene.toml");
+    if (!scene)
+        return scene.problems();
+    auto recorded = specimen_in(std::move(*scene), part);
+    if (!recorded)
+        return recorded;
+    auto loads = run::read_loads(folder, recorded->specimen());
+    if (!loads)
+        return loads.problems();
+    recorded->loads = std::move(*loads);
+    return recorded;
+}
+
+std::string to_calculix(const Recorded& recorded, const std::vector<Eigen::Matrix3Xd>& cases,
+                        fem::Formulation formulation, bool means) {
+    const scene::SpecimenShape& specimen = recorded.specimen();
+    std::vector<solid::InpStep> steps;
+    for (std::size_t c = 0; c < cases.size(); ++c) {
+        const double time = means ? recorded.loads.means[c].time : recorded.loads.instants[c].time;
+        steps.push_back({fmt::format("{} {:.9g} s", means ? "mean until" : "contacts at", time), cases[c]});
+    }
+    const solid::InpModel model{specimen.youngs_modulus, specimen.poisson_ratio,
+                                formulation == fem::Formulation::standard ? "C3D8" : "C3D8I",
+                                scene::held_sets(specimen)};
+    return solid::to_inp(*specimen.mesh, model, steps);
+}
+
+} // namespace tumble::stress

@@ -1,0 +1,200 @@
+#include "stress/study.h"
+
+#include "fem/structure.h"
+#include "scene/specimen.h"
+#include "solid/facet_load.h"
+#include "solid/locate.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <map>
+
+namespace tumble::stress {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+
+constexpr std::size_t cases_at_once = 128; // bounds memory, whatever the run's length
+// From this share of the smallest sphere on the part gives way as a contact does; the media did not see it move.
+constexpr double visible_deflection = 0.01;
+
+double seconds_since(std::chrono::steady_clock::time_point begun) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+}
+
+double smallest_radius(const scene::Scene& scene) {
+    double radius = std::numeric_limits<double>::infinity();
+    for (const scene::Fill& fill : scene.fills)
+        for (const scene::Sphere& sphere : scene.bodies[static_cast<std::size_t>(fill.body)].spheres)
+            radius = std::min(radius, sphere.radius);
+    return radius;
+}
+
+std::vector<std::string> outward_sides(const scene::SpecimenShape& specimen) {
+    if (std::holds_alternative<solid::Prism>(specimen.part))
+        return {"-x", "+x", "-z", "+z"};
+    return {"side"};
+}
+
+/// What an instant's contacts say of a case by themselves.
+void look_at(const run::LoadInstant& instant, const solid::HexMesh& mesh, Case& now) {
+    struct OnFacet {
+        double pressing = 0;                  // N
+        Vector3d shearing = Vector3d::Zero(); // N
+    };
+    std::map<int, OnFacet> facets;
+    now.contacts = static_cast<int>(instant.pushes.size());
+    for (const observe::WallPush& push : instant.pushes) {
+        const int facet = push.triangle / 2;
+        facets[facet].pressing += push.pressing();
+        facets[facet].shearing += push.shearing();
+        const Strongest here{push.body, facet, push.foot, push.pressing(), push.shearing().norm()};
+        if (!now.strongest ||
+            std::hypot(here.normal, here.shear) > std::hypot(now.strongest->normal, now.strongest->shear))
+            now.strongest = here;
+    }
+    for (const auto& [facet, sum] : facets) {
+        const double area = mesh.area_of(facet).norm();
+        now.facet_normal = std::max(now.facet_normal, sum.pressing / area);
+        now.facet_shear = std::max(now.facet_shear, sum.shearing.norm() / area);
+    }
+}
+
+class Solver {
+public:
+    Solver(const scene::SpecimenShape& specimen, const StudyOptions& options)
+        : mesh_(specimen.mesh), crew_(options.threads), options_(options) {}
+
+    std::optional<Problems> prepare(const scene::SpecimenShape& specimen, Study& study) {
+        std::vector<fem::Support> supports;
+        for (const std::string& set : scene::held_sets(specimen)) {
+            auto held = fem::encastre(*mesh_, set);
+            if (!held)
+                return held.problems();
+            supports.insert(supports.end(), held->begin(), held->end());
+        }
+        auto part = fem::Structure::make(mesh_, {specimen.youngs_modulus, specimen.poisson_ratio}, options_.formulation,
+                                         supports, crew_);
+        if (!part)
+            return part.problems();
+        part_ = std::make_unique<fem::Structure>(std::move(*part));
+        study.nodes = mesh_->nodes.size();
+        study.hexes = mesh_->hexes.size();
+        study.unknowns = 3 * study.nodes - supports.size();
+        study.factor_entries = part_->factor().entries();
+        const solid::Locator locator(*mesh_);
+        for (const std::string& side : options_.sides.empty() ? outward_sides(specimen) : options_.sides)
+            for (const double depth : options_.depths) {
+                auto slice = fem::slice_of(*mesh_, locator, side, specimen.place.axis, depth);
+                if (!slice)
+                    return slice.problems();
+                study.slices.push_back(std::move(*slice));
+            }
+        return std::nullopt;
+    }
+
+    void solve(const std::vector<Eigen::Matrix3Xd>& forces, Study& study) {
+        for (std::size_t first = 0; first < forces.size(); first += cases_at_once) {
+            const std::size_t count = std::min(cases_at_once, forces.size() - first);
+            MatrixXd loads(3 * static_cast<Index>(study.nodes), static_cast<Index>(count));
+            for (std::size_t c = 0; c < count; ++c)
+                loads.col(static_cast<Index>(c)) = forces[first + c].reshaped();
+            const fem::Solution solution = part_->solve(loads, crew_);
+            crew_.share(static_cast<int>(count), [&](int c) {
+                weigh(solution, c, study.slices, study.cases[first + static_cast<std::size_t>(c)]);
+            });
+            for (std::size_t c = 0; c < count; ++c) {
+                const Case& now = study.cases[first + c];
+                if (study.worst.load.size() > 0 && now.von_mises <= study.cases[study.worst.index].von_mises)
+                    continue;
+                const auto column = static_cast<Index>(c);
+                study.worst = {first + c, loads.col(column), solution.displacement.col(column),
+                               solution.stress.col(column)};
+            }
+        }
+    }
+
+private:
+    void weigh(const fem::Solution& solution, int column, const std::vector<fem::Slice>& slices, Case& now) const {
+        now.residual = solution.residual[column];
+        now.unbalance = solution.unbalance[column];
+        now.support_force = solution.support_force.col(column);
+        const Eigen::VectorXd stress = solution.stress.col(column);
+        for (Index node = 0; node < static_cast<Index>(mesh_->nodes.size()); ++node) {
+            now.deflection = std::max(now.deflection, solution.displacement.col(column).segment<3>(3 * node).norm());
+            now.von_mises = std::max(now.von_mises, fem::von_mises(stress.segment<6>(6 * node)));
+        }
+        for (const fem::Slice& slice : slices)
+            now.slices.push_back(fem::figures_of(slice, fem::components_on(slice, *mesh_, stress), options_.trivial));
+    }
+
+    std::shared_ptr<const solid::HexMesh> mesh_;
+    Crew crew_;
+    const StudyOptions& options_;
+    std::unique_ptr<fem::Structure> part_;
+};
+
+} // namespace
+
+Result<std::vector<Eigen::Matrix3Xd>> nodal_cases(const scene::SpecimenShape& specimen, const run::PartLoads& loads,
+                                                  bool means) {
+    std::vector<Eigen::Matrix3Xd> forces;
+    if (means)
+        for (const run::MeanLoad& mean : loads.means)
+            forces.push_back(mean.force);
+    else
+        for (const run::LoadInstant& instant : loads.instants) {
+            std::vector<solid::Push> pushes;
+            for (const observe::WallPush& push : instant.pushes)
+                pushes.push_back({push.triangle / 2, push.foot, push.force});
+            auto force = solid::nodal_loads(*specimen.mesh, pushes);
+            if (!force)
+                return force.problems();
+            forces.push_back(std::move(*force));
+        }
+    if (forces.empty())
+        return Problem{.what = "there is no load case", .fix = "run longer, or begin earlier: --from"};
+    return forces;
+}
+
+Result<Study> study(const scene::Scene& scene, const scene::SpecimenShape& specimen, const run::PartLoads& loads,
+                    const StudyOptions& options) {
+    Study study;
+    const auto begun = std::chrono::steady_clock::now();
+    Solver solver(specimen, options);
+    if (const auto problems = solver.prepare(specimen, study))
+        return *problems;
+    study.prepare_s = seconds_since(begun);
+
+    const auto solving = std::chrono::steady_clock::now();
+    const auto forces = nodal_cases(specimen, loads, options.means);
+    if (!forces)
+        return forces.problems();
+    for (std::size_t c = 0; c < forces->size(); ++c) {
+        Case now;
+        now.time = options.means ? loads.means[c].time : loads.instants[c].time;
+        now.force = (*forces)[c].rowwise().sum();
+        if (!options.means)
+            look_at(loads.instants[c], *specimen.mesh, now);
+        study.cases.push_back(std::move(now));
+    }
+    solver.solve(*forces, study);
+    study.solve_s = seconds_since(solving);
+
+    const auto most = std::max_element(study.cases.begin(), study.cases.end(),
+                                       [](const Case& a, const Case& b) { return a.deflection < b.deflection; });
+    if (const double radius = smallest_radius(scene); most->deflection > visible_deflection * radius)
+        study.warnings.push_back(fmt::format("the part gives way by {:.3g} m, {:.2g} of the smallest sphere's radius, "
+                                             "and the media did not see it move: "
+                                             "loads and stresses are those of a part that stands still",
+                                             most->deflection, most->deflection / radius));
+    return study;
+}
+
+} // namespace tumble::stress

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "base/problem.h"
+#include "fem/brick.h"
+#include "fem/slice.h"
+#include "run/part_loads.h"
+#include "scene/scene.h"
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// From the loads of a run to the stress inside its specimen; docs/stress.md.
+namespace tumble::stress {
+
+struct StudyOptions {
+    fem::Formulation formulation = fem::Formulation::incompatible;
+    std::vector<double> depths{0.0005, 0.001, 0.0015}; // m, of the slices; the thesis'
+    std::vector<std::string> sides;                    // facet sets; empty: all along the axis that face outwards
+    bool means = false;                                // solve the means over the windows, else the instants
+    double trivial = 500; // Pa, normal stresses below are neither compression nor tension; the thesis'
+    int threads = 1;
+};
+
+/// The contact with the largest force at an instant.
+struct Strongest {
+    std::int64_t body = 0;
+    int facet = 0;
+    Eigen::Vector3d foot = Eigen::Vector3d::Zero(); // m
+    double normal = 0;                              // N
+    double shear = 0;                               // N
+};
+
+struct Case {
+    double time = 0; // s
+    int contacts = 0;
+    std::optional<Strongest> strongest;                      // of instants
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();         // N, on the part
+    Eigen::Vector3d support_force = Eigen::Vector3d::Zero(); // N, what its supports bear
+    double facet_normal = 0;                                 // Pa, largest of all facets: force over area
+    double facet_shear = 0;                                  // Pa, the same
+    double deflection = 0;                                   // m, the largest of all nodes
+    double von_mises = 0;                                    // Pa, the same
+    double residual = 0;                                     // fem::Solution
+    double unbalance = 0;
+    std::vector<fem::SliceFigures> slices; // parallel to Study::slices
+};
+
+/// A case with all that a picture needs.
+struct Field {
+    std::size_t index = 0; // into Study::cases
+    Eigen::VectorXd load, displacement, stress;
+};
+
+struct Study {
+    std::vector<fem::Slice> slices;
+    std::vector<Case> cases;
+    Field worst; // the case with the largest von Mises stress
+    std::size_t nodes = 0, hexes = 0, unknowns = 0;
+    std::int64_t factor_entries = 0;
+    double prepare_s = 0; // s, of wall time: assembly and factorisation
+    double solve_s = 0;   // s, all cases: loads, displacements, stresses, slices
+    std::vector<std::string> warnings;
+};
+
+/// Problems: no load case; those of fem::Structure, fem::slice_of and solid::nodal_loads.
+Result<Study> study(const scene::Scene& scene, const scene::SpecimenShape& specimen, const run::PartLoads& loads,
+                    const StudyOptions& options);
+
+/// Nodal forces of every case that is solved, N.
+Result<std::vector<Eigen::Matrix3Xd>> nodal_cases(const scene::SpecimenShape& specimen, const run::PartLoads& loads,
+                                                  bool means);
+
+} // namespace tumble::stress

@@ -1,0 +1,194 @@
+#include "stress/study_sheet.h"
+
+#include "base/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace tumble::stress {
+
+namespace {
+
+using fem::Slice;
+using fem::SliceFigures;
+
+/// Mean over the cases and its standard error as if they were independent.
+struct Mean {
+    double value = 0;
+    double error = 0;
+};
+
+Mean mean_of(const std::vector<double>& values) {
+    double sum = 0, squares = 0;
+    for (const double value : values)
+        sum += value;
+    const auto n = static_cast<double>(values.size());
+    const double mean = sum / n;
+    for (const double value : values)
+        squares += (value - mean) * (value - mean);
+    return {mean, n > 1 ? std::sqrt(squares / (n - 1) / n) : 0};
+}
+
+template <class Value> Mean over_cases(const Study& study, std::size_t slice, Value value) {
+    std::vector<double> values;
+    for (const Case& now : study.cases)
+        if (const double here = value(now.slices[slice]); std::isfinite(here))
+            values.push_back(here);
+    return values.empty() ? Mean{std::numeric_limits<double>::quiet_NaN(), 0} : mean_of(values);
+}
+
+std::string depth_name(const Slice& slice) {
+    return fmt::format("{:.4g} mm", 1e3 * slice.depth);
+}
+
+/// "side.0.5" for facts.
+std::string key_of(const Slice& slice, const char* what) {
+    return fmt::format("{}_{}_{}mm", what, slice.side, fmt::format("{:.4g}", 1e3 * slice.depth));
+}
+
+double percent_less(double now, double first) {
+    return first > 0 ? 100 * (1 - now / first) : std::numeric_limits<double>::quiet_NaN();
+}
+
+sheet::Grid decay(const Study& study, sheet::Sheet& sheet) {
+    sheet::Grid grid{{{"side"},
+                      {"depth", "mm"},
+                      {"normal", "Pa"},
+                      {"+-", "Pa", 2},
+                      {"contour", "Pa"},
+                      {"along", "Pa"},
+                      {"less normal", "%", 3},
+                      {"contour", "%", 3},
+                      {"along", "%", 3}}};
+    std::size_t first = 0; // of this side
+    for (std::size_t s = 0; s < study.slices.size(); ++s) {
+        const Slice& slice = study.slices[s];
+        if (slice.side != study.slices[first].side)
+            first = s;
+        const auto normal = [](const SliceFigures& f) { return std::abs(f.normal); };
+        const auto contour = [](const SliceFigures& f) { return f.contour; };
+        const auto along = [](const SliceFigures& f) { return f.along; };
+        const Mean n = over_cases(study, s, normal), c = over_cases(study, s, contour), a = over_cases(study, s, along);
+        grid.rows.push_back({slice.side, 1e3 * slice.depth, n.value, n.error, c.value, a.value,
+                             percent_less(n.value, over_cases(study, first, normal).value),
+                             percent_less(c.value, over_cases(study, first, contour).value),
+                             percent_less(a.value, over_cases(study, first, along).value)});
+        sheet.fact(key_of(slice, "normal"), n.value, "Pa");
+        sheet.fact(key_of(slice, "normal_error"), n.error, "Pa");
+        sheet.fact(key_of(slice, "contour"), c.value, "Pa");
+        sheet.fact(key_of(slice, "along"), a.value, "Pa");
+    }
+    return grid;
+}
+
+sheet::Grid signs(const Study& study, sheet::Sheet& sheet) {
+    sheet::Grid grid{{{"side"},
+                      {"depth", "mm"},
+                      {"most compression", "Pa"},
+                      {"most tension", "Pa"},
+                      {"mean compression", "Pa"},
+                      {"mean tension", "Pa"},
+                      {"compressive", "%", 3},
+                      {"points in compression", "", 3},
+                      {"in tension", "", 3}}};
+    for (std::size_t s = 0; s < study.slices.size(); ++s) {
+        const Slice& slice = study.slices[s];
+        const auto mean = [&](auto value) { return over_cases(study, s, value).value; };
+        const double share = mean([](const SliceFigures& f) { return f.compressive_share(); });
+        grid.rows.push_back({slice.side, 1e3 * slice.depth, mean([](const SliceFigures& f) { return f.compression; }),
+                             mean([](const SliceFigures& f) { return f.tension; }),
+                             mean([](const SliceFigures& f) { return f.mean_compression; }),
+                             mean([](const SliceFigures& f) { return f.mean_tension; }), 100 * share,
+                             mean([](const SliceFigures& f) { return static_cast<double>(f.compressed); }),
+                             mean([](const SliceFigures& f) { return static_cast<double>(f.stretched); })});
+        sheet.fact(key_of(slice, "compressive_share"), share);
+    }
+    return grid;
+}
+
+sheet::Figure over_time(const Study& study) {
+    sheet::Figure figure{
+        "normal-stress", "Largest normal stress of each slice", {"time", "s"}, {"normal stress", "kPa"}};
+    for (std::size_t s = 0; s < study.slices.size(); ++s) {
+        sheet::Curve curve{fmt::format("{}, {}", study.slices[s].side, depth_name(study.slices[s]))};
+        for (const Case& now : study.cases)
+            curve.add(now.time, 1e-3 * now.slices[s].normal);
+        figure.curves.push_back(std::move(curve));
+    }
+    return figure;
+}
+
+void tell_contacts(const Study& study, sheet::Sheet& sheet) {
+    std::vector<double> normal, shear, contacts, facet_normal, facet_shear;
+    int normal_above = 0;
+    for (const Case& now : study.cases) {
+        contacts.push_back(now.contacts);
+        facet_normal.push_back(now.facet_normal);
+        facet_shear.push_back(now.facet_shear);
+        if (!now.strongest)
+            continue;
+        normal.push_back(now.strongest->normal);
+        shear.push_back(now.strongest->shear);
+        normal_above += now.facet_normal > now.facet_shear ? 1 : 0;
+    }
+    if (normal.empty())
+        return;
+    sheet.say(fmt::format(
+        "At an instant {:.3g} places touch. The strongest of them presses with {} and shears with {}, in the mean of "
+        "the "
+        "instants; spread over their facets that is {} and {} at most, and in {} of {} instants the largest normal "
+        "stress of a facet is above its largest shear stress.",
+        mean_of(contacts).value, format_si(mean_of(normal).value, "N", 3), format_si(mean_of(shear).value, "N", 3),
+        format_si(mean_of(facet_normal).value, "Pa", 3), format_si(mean_of(facet_shear).value, "Pa", 3), normal_above,
+        normal.size()));
+    sheet.fact("contacts", mean_of(contacts).value);
+    sheet.fact("facet_normal", mean_of(facet_normal).value, "Pa");
+    sheet.fact("facet_shear", mean_of(facet_shear).value, "Pa");
+}
+
+double largest(const Study& study, double Case::*member) {
+    double most = 0;
+    for (const Case& now : study.cases)
+        most = std::max(most, now.*member);
+    return most;
+}
+
+} // namespace
+
+sheet::Sheet sheet_of(const Study& study, const StudyOptions& options) {
+    sheet::Sheet sheet;
+    sheet.say(fmt::format(
+        "{} {} of the media on {} {} hexahedra with {} nodes ({} unknowns): factorised in {:.2f} s, solved in {:.2f} "
+        "s. "
+        "Forces left over at free nodes: at most {:.1e} of the case's largest; loads and supports miss equilibrium by "
+        "{:.1e} at most.",
+        study.cases.size(), options.means ? "mean loads" : "instants", study.hexes,
+        options.formulation == fem::Formulation::standard ? "standard" : "incompatible", study.nodes, study.unknowns,
+        study.prepare_s, study.solve_s, largest(study, &Case::residual), largest(study, &Case::unbalance)));
+    for (const std::string& warning : study.warnings)
+        sheet.say("Warning: " + warning + ".");
+    sheet.fact("cases", static_cast<double>(study.cases.size()));
+    sheet.fact("residual", largest(study, &Case::residual));
+    sheet.fact("unbalance", largest(study, &Case::unbalance));
+    sheet.fact("deflection", largest(study, &Case::deflection), "m");
+    sheet.fact("von_mises", largest(study, &Case::von_mises), "Pa");
+    sheet.fact("prepare", study.prepare_s, "s");
+    sheet.fact("solve", study.solve_s, "s");
+    tell_contacts(study, sheet);
+    sheet.head("Decay with depth (the thesis' table 7.3)");
+    sheet.say(
+        "Means over the cases of the largest stress of each slice, with the standard error of independent cases.");
+    sheet.parts.emplace_back(decay(study, sheet));
+    sheet.head("Compression and tension (tables 7.4 and 7.5)");
+    sheet.say(
+        fmt::format("Means over the cases; normal stresses within {:.4g} Pa are left out, and `compressive` is the "
+                    "share of the mean compression in both means.",
+                    options.trivial));
+    sheet.parts.emplace_back(signs(study, sheet));
+    sheet.parts.emplace_back(over_time(study));
+    return sheet;
+}
+
+} // namespace tumble::stress

@@ -1,0 +1,60 @@
+#include "../run/ball_on_prism.h"
+#include "process.h"
+
+#include <nlohmann/json.hpp>
+
+namespace test_stress_command {
+
+using namespace tumble::test;
+namespace fs = std::filesystem;
+
+TEST_CASE("stress runs a scene, keeps its loads, solves them, and solves them again without running") {
+    const Folder folder;
+    put(folder.path / "ball.toml", ball_on_prism);
+    const Outcome first = tumble_in(folder, {"stress", "ball.toml", "--every", "0.05", "--json"});
+    REQUIRE_MESSAGE(first.code == 0, first.err);
+    const auto facts = nlohmann::json::parse(first.out)["facts"];
+    CHECK(facts["cases"]["value"] == 6);
+    CHECK(facts["unbalance"]["value"] < 1e-10);
+    for (const char* file : {"scene.toml", "contacts.csv", "means.csv", "touches.csv", "bulk.csv", "cases.csv",
+                             "slices.csv", "worst.vtu", "normal-stress.png"})
+        CHECK_MESSAGE(fs::file_size(folder.path / "out/ball-stress" / file) > 10, file);
+
+    const std::string loads = content_of(folder.path / "out/ball-stress/contacts.csv");
+    CHECK(tumble_in(folder, {"stress", "ball.toml"}).code == 2); // it holds loads already
+    const Outcome again = tumble_in(folder, {"stress", "out/ball-stress", "--element", "standard", "--side", "+x",
+                                             "--depth", "0.4", "--out", "second", "--json"});
+    REQUIRE_MESSAGE(again.code == 0, again.err);
+    CHECK(nlohmann::json::parse(again.out)["facts"].contains("normal_+x_0.4mm"));
+    CHECK(content_of(folder.path / "out/ball-stress/contacts.csv") == loads);
+    CHECK(fs::exists(folder.path / "second/slices.csv"));
+
+    const Outcome exported = tumble_in(folder, {"export", "out/ball-stress", "--to", "calculix"});
+    REQUIRE_MESSAGE(exported.code == 0, exported.err);
+    const std::string model = content_of(folder.path / "out/ball-stress/part.inp");
+    CHECK(contains(model, "*ELEMENT, TYPE=C3D8, ELSET=PART"));
+    std::size_t steps = 0;
+    for (std::size_t at = model.find("*STEP"); at != std::string::npos; at = model.find("*STEP", at + 1))
+        ++steps;
+    CHECK(steps == 6);
+    CHECK(tumble_in(folder, {"export", "out/ball-stress", "--to", "calculix"}).code == 2); // is there already
+}
+
+TEST_CASE("stress refuses scenes without a specimen, folders without loads, and changes to what was run") {
+    const Folder folder;
+    put(folder.path / "ball.toml", ball_on_prism);
+    const auto refused = [&](const std::vector<std::string>& words, const std::string& sentence) {
+        const Outcome outcome = tumble_in(folder, words);
+        CHECK(outcome.code == 2);
+        CHECK_MESSAGE(contains(outcome.err, sentence), outcome.err);
+    };
+    refused({"stress", TUMBLE_ROOT "/scenes/drop.toml"}, "the scene has no specimen");
+    refused({"stress", "."}, "holds no loads on a part");
+    refused({"stress", ".", "--set", "seed=2"}, "is solved again as it was run");
+    refused({"stress", "ball.toml", "--part", "prat"}, "no specimen is called 'prat'");
+    refused({"stress", "ball.toml", "--element", "quadratic"}, "incompatible");
+    refused({"export", ".", "--to", "calculix"}, "holds no loads on a part");
+    refused({"export", ".", "--to", "abaqus"}, "calculix");
+}
+
+} // namespace test_stress_command

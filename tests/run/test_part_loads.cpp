@@ -1,0 +1,109 @@
+#include "about.h"
+#include "folder.h"
+#include "specimens.h"
+
+#include <cmath>
+
+namespace test_part_loads {
+
+using namespace tumble;
+using Eigen::Vector3d;
+using test::about;
+using test::recorded;
+using test::specimen_of;
+
+namespace {
+
+scene::Scene loaded(const std::vector<scene::Override>& sets = {}) {
+    auto scene = scene::load_scene_text(test::ball_on_prism, "ball-on-prism.toml", sets);
+    REQUIRE_MESSAGE(scene, to_string(scene.problems()));
+    return std::move(*scene);
+}
+
+} // namespace
+
+TEST_CASE("a ball at rest loads its part with its weight, at an instant and in the mean, where it lies") {
+    const scene::Scene scene = loaded();
+    const run::PartLoads loads = recorded(scene, {.every = 0.05});
+    REQUIRE(loads.instants.size() == 6);
+    REQUIRE(loads.means.size() == 6);
+    const run::LoadInstant& last = loads.instants.back();
+    REQUIRE(last.pushes.size() == 1);
+    CHECK(last.pushes[0].force.y() == about(-test::weight_of_ball, 1e-4));
+    CHECK((last.pushes[0].foot - Vector3d(0.003, 0.05, 0.002)).norm() < 1e-9);
+    const auto& mean = loads.means.back();
+    CHECK(mean.window == about(0.05, 1e-9));
+    CHECK(mean.force.row(1).sum() == about(-test::weight_of_ball, 1e-4));
+    Vector3d moment = Vector3d::Zero();
+    for (Eigen::Index n = 0; n < mean.force.cols(); ++n)
+        moment += specimen_of(scene).mesh->nodes[static_cast<std::size_t>(n)].cross(Vector3d(mean.force.col(n)));
+    // r x F of the weight at (3, 50, 2) mm.
+    CHECK(moment.x() == about(0.002 * test::weight_of_ball, 1e-4));
+    CHECK(moment.z() == about(-0.003 * test::weight_of_ball, 1e-4));
+    // It fell 0.2 mm: it arrives with sqrt(2 g h).
+    REQUIRE_FALSE(loads.touches.empty());
+    CHECK(loads.touches[0].approach == about(std::sqrt(2 * 9.81 * 0.0002), 0.01));
+    CHECK(loads.touches[0].number == 1);
+    CHECK(loads.bulk.rows() == 6);
+}
+
+TEST_CASE("all momentum that gravity brings in a window leaves through the part") {
+    // From rest to rest: the mean force over the whole run is the weight, whatever happened in between.
+    const run::PartLoads loads = recorded(loaded(), {.every = 0.3});
+    REQUIRE(loads.means.size() == 1);
+    CHECK(loads.means[0].force.row(1).sum() == about(-test::weight_of_ball, 1e-4));
+    CHECK(std::abs(loads.means[0].force.row(0).sum()) < 1e-6 * test::weight_of_ball);
+}
+
+TEST_CASE("loads are written and read back to the same bits") {
+    const test::Folder folder;
+    const scene::Scene scene = loaded({{"duration_s=0.1"}});
+    const run::PartLoads loads = recorded(scene, {.every = 0.0005, .from = 0.002});
+    REQUIRE(run::write_loads(loads, specimen_of(scene), folder.path));
+    const auto again = run::read_loads(folder.path, specimen_of(scene));
+    REQUIRE_MESSAGE(again, to_string(again.problems()));
+    REQUIRE(again->instants.size() == loads.instants.size());
+    REQUIRE(again->means.size() == loads.means.size());
+    std::size_t empty = 0;
+    for (std::size_t k = 0; k < loads.instants.size(); ++k) {
+        CHECK(again->instants[k].time == loads.instants[k].time);
+        REQUIRE(again->instants[k].pushes.size() == loads.instants[k].pushes.size());
+        empty += loads.instants[k].pushes.empty() ? 1 : 0;
+        for (std::size_t p = 0; p < loads.instants[k].pushes.size(); ++p) {
+            CHECK(again->instants[k].pushes[p].force == loads.instants[k].pushes[p].force);
+            CHECK(again->instants[k].pushes[p].triangle == loads.instants[k].pushes[p].triangle);
+        }
+        CHECK(again->means[k].force == loads.means[k].force);
+    }
+    CHECK(empty > 0);                                 // while it falls
+    CHECK(loads.instants[0].time >= 0.002 - 1.01e-5); // forces are those at a step's start
+
+    SUBCASE("loads of another part are refused at their line") {
+        const scene::Scene other = loaded({{"wall.part.along=1"}, {"wall.part.middle_cells=1"}});
+        const auto wrong = run::read_loads(folder.path, specimen_of(other));
+        REQUIRE_FALSE(wrong);
+        CHECK(wrong.problems()[0].fix == "the loads are of another part");
+        CHECK(wrong.problems()[0].line > 1);
+    }
+}
+
+TEST_CASE("a scene without a specimen, and a body that was put inside one, are said") {
+    scene::Scene scene = loaded();
+    const auto inside = loaded({{"body.ball.radius_mm=1"}, {"time_step_s=4e-6"}, {"fill.0.position_m=[0, 0.03, 0]"}});
+    run::RunListener silent;
+    const auto refused = run::record_loads(inside, 0, {.every = 0.01}, silent);
+    REQUIRE_FALSE(refused);
+    CHECK(refused.problems()[0].what == "body 0 lies inside 'part' at 0.01 s");
+    const auto periodic = loaded({{"domain.periodic=[\"x\"]"}});
+    CHECK(run::record_loads(periodic, 0, {}, silent).problems().at(0).key == "domain.periodic");
+    CHECK(*run::find_specimen(scene, "") == 0);
+    CHECK(run::find_specimen(scene, "prat").problems().at(0).what == "no specimen is called 'prat'");
+    scene.walls.push_back(scene.walls[0]);
+    scene.walls[1].name = "second";
+    CHECK(run::find_specimen(scene, "").problems().at(0).fix == "name one of part, second");
+    CHECK(*run::find_specimen(scene, "second") == 1);
+    scene.walls.clear();
+    CHECK(run::find_specimen(scene, "").problems().at(0).what == "the scene has no specimen");
+}
+
+} // namespace test_part_loads

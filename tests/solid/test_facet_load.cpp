@@ -1,0 +1,78 @@
+#include "base/rng.h"
+#include "solid/facet_load.h"
+#include "solid/generate.h"
+
+#include <Eigen/Geometry>
+#include <doctest/doctest.h>
+
+namespace test_facet_load {
+
+using namespace tumble;
+using namespace tumble::solid;
+using Eigen::Vector3d;
+
+namespace {
+
+HexMesh cylinder() {
+    const BoredCylinder part{.length = 0.1,
+                             .radius = 0.015,
+                             .bore_radius = 0.005,
+                             .shell = 0.0015,
+                             .around = 20,
+                             .along = 4,
+                             .shell_rings = 1,
+                             .inner_rings = 2};
+    return *mesh_of(part, {{0.01, 0.02, 0.03}, Vector3d(0.6, 0.8, 0)});
+}
+
+} // namespace
+
+TEST_CASE("nodal loads have the force and the moment of the contacts") {
+    const HexMesh mesh = cylinder();
+    const auto triangles = triangles_of(mesh);
+    Rng rng(3);
+    std::vector<Push> pushes;
+    Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
+    for (int k = 0; k < 500; ++k) {
+        const auto triangle = static_cast<std::size_t>(rng.uniform() * static_cast<double>(triangles.size()));
+        double a = rng.uniform(), b = rng.uniform();
+        if (a + b > 1)
+            a = 1 - a, b = 1 - b;
+        const auto& [p, q, r] = triangles[triangle];
+        const Vector3d point = p + a * (q - p) + b * (r - p);
+        const Vector3d push(rng.uniform() - 0.5, rng.uniform() - 0.5, rng.uniform() - 0.5);
+        pushes.push_back({static_cast<int>(triangle / 2), point, push});
+        force += push;
+        moment += point.cross(push);
+    }
+    const auto loads = nodal_loads(mesh, pushes);
+    REQUIRE(loads);
+    Vector3d nodal_force = Vector3d::Zero(), nodal_moment = Vector3d::Zero();
+    for (Eigen::Index n = 0; n < loads->cols(); ++n) {
+        nodal_force += loads->col(n);
+        nodal_moment += mesh.nodes[static_cast<std::size_t>(n)].cross(Vector3d(loads->col(n)));
+    }
+    CHECK((nodal_force - force).norm() < 1e-12 * 500);
+    CHECK((nodal_moment - moment).norm() < 1e-13 * 500); // arms of 0.1 m
+}
+
+TEST_CASE("a force at a corner goes to that node alone, one in the middle to all four alike") {
+    const HexMesh mesh = cylinder();
+    const int corner = mesh.facets[7].corners[2];
+    const auto at_corner = shares_at(mesh, 7, mesh.nodes[static_cast<std::size_t>(corner)]);
+    CHECK((at_corner - Eigen::Vector4d(0, 0, 1, 0)).norm() < 1e-12);
+    const auto in_middle =
+        shares_at(mesh, mesh.facet_sets.at("side")[0], mesh.centre_of(mesh.facet_sets.at("side")[0]));
+    CHECK((in_middle - Eigen::Vector4d::Constant(0.25)).norm() < 1e-12);
+}
+
+TEST_CASE("a contact that lies off its facet is a problem that names both gap and facet") {
+    const HexMesh mesh = cylinder();
+    const Vector3d off = mesh.centre_of(5) + 1e-4 * mesh.area_of(5).normalized();
+    const auto loads = nodal_loads(mesh, {{5, off, Vector3d(1, 2, 3)}});
+    REQUIRE_FALSE(loads);
+    CHECK(loads.problems()[0].what.find("a contact lies 0.0001 m off facet 6 of element") != std::string::npos);
+    CHECK_FALSE(nodal_loads(mesh, {{100000, off, Vector3d(1, 2, 3)}}));
+}
+
+} // namespace test_facet_load

@@ -1,0 +1,119 @@
+#include "about.h"
+#include "folder.h"
+#include "run/specimens.h"
+#include "sheet/show.h"
+#include "stress/study.h"
+#include "stress/study_sheet.h"
+
+#include <algorithm>
+
+namespace test_study {
+
+using namespace tumble;
+using namespace tumble::stress;
+using Eigen::Vector3d;
+using test::about;
+using test::specimen_of;
+
+namespace {
+
+scene::Scene loaded(const std::vector<scene::Override>& sets = {}) {
+    auto scene = scene::load_scene_text(test::ball_on_prism, "ball-on-prism.toml", sets);
+    REQUIRE_MESSAGE(scene, to_string(scene.problems()));
+    return std::move(*scene);
+}
+
+/// The prism's sides under a pressure, as a push in the middle of each of their facets; so many instants alike.
+run::PartLoads squeezed(const scene::SpecimenShape& specimen, double pressure, int instants) {
+    run::PartLoads loads;
+    const solid::HexMesh& mesh = *specimen.mesh;
+    for (int k = 0; k < instants; ++k) {
+        run::LoadInstant instant{0.1 * k, {}};
+        for (const char* side : {"-x", "+x", "-z", "+z"})
+            for (const int facet : mesh.facet_sets.at(side)) {
+                observe::WallPush push;
+                push.triangle = 2 * facet;
+                push.foot = mesh.centre_of(facet);
+                push.normal = mesh.area_of(facet).normalized();
+                push.force = -pressure * mesh.area_of(facet);
+                instant.pushes.push_back(push);
+            }
+        loads.instants.push_back(std::move(instant));
+    }
+    return loads;
+}
+
+Study studied(const scene::Scene& scene, const run::PartLoads& loads, const StudyOptions& options = {}) {
+    auto study = stress::study(scene, specimen_of(scene), loads, options);
+    REQUIRE_MESSAGE(study, to_string(study.problems()));
+    return std::move(*study);
+}
+
+} // namespace
+
+TEST_CASE("a ball's weight goes through the part into its support, and the books of every case close") {
+    const scene::Scene scene = loaded();
+    const Study study = studied(scene, test::recorded(scene, {.every = 0.02}), {.sides = {"+x"}, .threads = 2});
+    REQUIRE(study.cases.size() == 15);
+    for (const Case& now : study.cases) {
+        CHECK(now.unbalance < 1e-10);
+        CHECK(now.residual < 1e-9);
+        CHECK((now.force + now.support_force).norm() < 1e-9 * (now.force.norm() + 1));
+    }
+    const Case& last = study.cases.back();
+    CHECK(last.support_force.y() == about(test::weight_of_ball, 1e-4));
+    REQUIRE(last.strongest);
+    CHECK(last.strongest->normal == about(test::weight_of_ball, 1e-4));
+    // It lies at x = 3 mm, where bricks are 4.8 / 2 mm wide, and at z = 2 mm, where they are 5.4 / 4 mm wide.
+    CHECK(last.facet_normal == about(test::weight_of_ball / (0.0024 * 0.00135), 1e-4));
+    CHECK(study.slices.size() == 3);
+    CHECK(study.warnings.empty());
+}
+
+TEST_CASE("a part squeezed from all sides is compressed throughout, as much as it is squeezed") {
+    // Far from the held end a pressure p on all sides is sigma_x = sigma_z = -p inside, whatever the depth, and no
+    // shear. At the held end, one of 11 rings of nodes, the part cannot shrink sideways and is stretched there.
+    const scene::Scene scene = loaded();
+    const Study study = studied(scene, squeezed(specimen_of(scene), 1e6, 2));
+    REQUIRE(study.slices.size() == 12); // four sides, three depths
+    for (const fem::SliceFigures& figures : study.cases[1].slices) {
+        CHECK(figures.mean_compression == about(-1e6, 0.05));
+        CHECK(figures.stretched <= 9); // those of the held ring of nodes, 9 to a side
+        CHECK(figures.compressive_share() > 0.9);
+        CHECK(figures.contour < 0.1e6);
+    }
+    const sheet::Sheet sheet = sheet_of(study, {});
+    CHECK(sheet.fact("cases") == 2);
+    CHECK(sheet.fact("normal_+x_1mm") == about(std::abs(study.cases[0].slices[4].normal)));
+    CHECK(sheet.fact("normal_error_+x_1mm") == 0); // both cases are the same
+    CHECK(sheet::to_text("squeezed", sheet).find("Decay with depth") != std::string::npos);
+}
+
+TEST_CASE("a part that gives way visibly is warned about with the number") {
+    const scene::Scene soft = loaded({{"wall.part.part_youngs_modulus_Pa=1e6"}});
+    const Study study = studied(soft, squeezed(specimen_of(soft), 1e5, 1));
+    REQUIRE(study.warnings.size() == 1);
+    CHECK(study.warnings[0].find("of the smallest sphere's radius") != std::string::npos);
+    // A tenth of strain over half a side of 7.5 mm and more.
+    CHECK(study.cases[0].deflection > 0.0005);
+}
+
+TEST_CASE("the means are solved as well, and what is written can be read") {
+    const test::Folder folder;
+    const scene::Scene scene = loaded();
+    const run::PartLoads loads = test::recorded(scene, {.every = 0.1});
+    const Study study = studied(scene, loads, {.depths = {0.001}, .sides = {"-z"}, .means = true});
+    REQUIRE(study.cases.size() == 3);
+    CHECK(study.cases[2].force.y() == about(-test::weight_of_ball, 1e-4));
+    const auto files = write_study(study, specimen_of(scene), folder.path);
+    REQUIRE(files);
+    CHECK(files->size() == 3);
+    const auto cases = test::content_of(folder.path / "cases.csv"),
+               slices = test::content_of(folder.path / "slices.csv");
+    CHECK(std::count(cases.begin(), cases.end(), '\n') == 4);
+    CHECK(std::count(slices.begin(), slices.end(), '\n') == 4);
+    CHECK(slices.find(",-z,0.001,") != std::string::npos);
+    CHECK(stress::study(scene, specimen_of(scene), {}, {}).problems().at(0).what == "there is no load case");
+}
+
+} // namespace test_study

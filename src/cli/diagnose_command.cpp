@@ -170,6 +170,8 @@ int diagnose_it(const DiagnoseArguments& arguments) {
         else if (!arguments.quiet)
             note(words_of(*budget));
     }
+    if (arguments.dry && measurement->bulks.empty())
+        say("records are simulated as their fits ask for it: nobody knows beforehand how often");
     if (arguments.dry)
         return fine;
     const auto diagnosis = diagnosis_of(arguments, scene, *measurement);

@@ -115,7 +115,10 @@ private:
         seen.p = std::isfinite(apart) ? hotelling_tail(apart, d_.readings, d_.evidence.degrees) : 0;
         if (seen.p < confirmed && d_.decision.sure) {
             d_.decision.sure = false;
-            d_.decision.reason = "runs at the fitted value do not bear out what was read between the amplitudes run";
+            d_.decision.reason =
+                std::isfinite(apart)
+                    ? "runs at the fitted value do not bear out what was read between the amplitudes run"
+                    : "the scene breaks down, or a number measured has no meaning, at the fitted value";
             d_.decision.remedy = "Run more seeds (--seeds), or start from a scene nearer to the bed measured.";
         }
         d_.confirmation = seen;
@@ -178,8 +181,8 @@ private:
                          .what =
                              fmt::format("{}: {} is said to scatter {:.2g} times as much as the simulation's runs do",
                                          now.measured.condition, number.measure, ratio),
-                         .fix = "the measured scatter is taken as stated; check what it is the scatter of: means over "
-                                "as long a stretch?"});
+                         .fix = "the measured scatter is taken as stated; it should be that of means over as long a "
+                                "stretch"});
             }
         }
     }

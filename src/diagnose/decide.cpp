@@ -25,10 +25,15 @@ public:
 
     Decision run() {
         screen();
-        if (std::none_of(d_.seen.begin(), d_.seen.end(), [](const Seen& seen) { return seen.visible; }))
+        d_.baseline = adequacy_of(e_.residual, e_.nuisances, e_.directions, e_.degrees);
+        if (std::none_of(d_.seen.begin(), d_.seen.end(), [](const Seen& seen) { return seen.visible; })) {
+            if (e_.nuisances.cols() == 0 && d_.baseline.p() <= settings_.alpha_adequacy) {
+                d_.outcome = Outcome::none_known; // nothing was adjusted that could hide what is wrong
+                return d_;
+            }
             return cannot("no cause of the library would show in these data, whatever nuisances are adjusted: "
                           "measure under more conditions, or more than one number for each");
-        d_.baseline = adequacy_of(e_.residual, e_.nuisances, e_.directions, e_.degrees);
+        }
         for (int k = 0; k < count_; ++k)
             d_.largest = std::max(d_.largest, one(k).gain);
         if (d_.largest < d_.gate) {

@@ -172,7 +172,7 @@ std::string standing_of(const Diagnosis& diagnosis, int cause) {
         return "";
     const Seen& seen = decision.seen[static_cast<std::size_t>(cause)];
     if (!seen.visible)
-        return seen.share == 0      ? "does not act here"
+        return seen.share == 0      ? (diagnosis.beds.empty() ? "does not act here" : "does no more than seeds do")
                : seen.share < 0.005 ? "does not show: nuisances absorb it"
                                     : "does not show in these data";
     if (std::find(decision.causes.begin(), decision.causes.end(), cause) != decision.causes.end())

@@ -5,16 +5,22 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace tumble::report {
 
 std::string svg_of(const std::string& title, const std::vector<Interval>& intervals, const std::string& axis) {
     constexpr int row = 22, before = 80, behind = 16, above = 28, below = 40, width = 460;
-    double lo = 0, hi = 0; // what is measured against nothing is seen as such
+    double lo = std::numeric_limits<double>::infinity(), hi = -lo;
     for (const Interval& one : intervals) {
         lo = std::min(lo, one.value - one.half);
         hi = std::max(hi, one.value + one.half);
     }
+    // Zero is shown where it is near: what is small against nothing is then seen as such.
+    if (lo > 0 && lo < 2 * (hi - lo))
+        lo = 0;
+    if (hi < 0 && -hi < 2 * (hi - lo))
+        hi = 0;
     const double room = hi > lo ? 0.05 * (hi - lo) : 1;
     lo -= room;
     hi += room;

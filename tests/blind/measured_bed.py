@@ -37,8 +37,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("tumble")
     parser.add_argument("scene")
-    parser.add_argument("--condition", action="append", required=True, help='"NAME: key=value key=value"')
-    parser.add_argument("--hide", nargs="*", default=[], help="sets that the measurement does not tell of")
+    parser.add_argument("--condition", action="append", required=True, help='"NAME: key=value ... | hidden=value ..."')
+    parser.add_argument("--hide", nargs="*", default=[], help="sets under all conditions that the measurement does not tell of")
     parser.add_argument("--seeds", required=True, help="A:B, both included")
     parser.add_argument("--time", required=True, help="A:B, s, averaged over")
     parser.add_argument("--measures", required=True, type=lambda text: text.split(","))
@@ -51,8 +51,9 @@ def main():
     print("causes = [" + ", ".join(f'"{cause}"' for cause in arguments.causes) + "]")
     for condition in arguments.condition:
         name, _, words = condition.partition(":")
-        sets = words.split()
-        runs = [means_of(arguments, sets, seed, begin, end) for seed in range(first, last + 1)]
+        told, _, untold = words.partition("|")
+        sets = told.split()
+        runs = [means_of(arguments, sets + untold.split(), seed, begin, end) for seed in range(first, last + 1)]
         print(f'\n[[bulk]]\nname = "{name}"')
         if sets:
             print("set = [" + ", ".join(f'"{text}"' for text in sets) + "]")

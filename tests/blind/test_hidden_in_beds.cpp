@@ -5,14 +5,16 @@
 #include "diagnose/verdict.h"
 #include "scene/read_file.h"
 
+#include <cmath>
 #include <doctest/doctest.h>
+#include <unistd.h>
 
 namespace {
 
 using namespace tumble;
 using namespace tumble::diagnose;
 
-Diagnosis diagnosed(const std::string& scene, const std::string& data) {
+Diagnosis diagnosed(const std::string& scene, const std::string& data, int seeds = 4) {
     const std::filesystem::path root(TUMBLE_ROOT), file = root / scene;
     const auto text = scene::read_file(file, std::uintmax_t{1} << 20);
     REQUIRE(text);
@@ -27,7 +29,7 @@ Diagnosis diagnosed(const std::string& scene, const std::string& data) {
     std::filesystem::path table = file;
     std::filesystem::copy_file(table.replace_extension(".response.csv"), copy,
                                std::filesystem::copy_options::overwrite_existing);
-    auto diagnosis = diagnose_beds({*text, file}, *measurement, nothing, {.table = copy, .any_date = true});
+    auto diagnosis = diagnose_beds({*text, file}, *measurement, nothing, {.table = copy, .seeds = seeds, .any_date = true});
     std::filesystem::remove(copy);
     REQUIRE_MESSAGE(diagnosis, to_string(diagnosis.problems()));
     CHECK(diagnosis->runs == 0);
@@ -43,3 +45,49 @@ std::string named(const Diagnosis& diagnosis) {
 constexpr const char* trough = "scenes/measured/trough/trough.toml";
 
 } // namespace
+
+TEST_CASE("rolling resistance in a heap of discs is named, with its amplitude, and borne out by runs of other seeds") {
+    const Diagnosis diagnosis = diagnosed("tests/blind/beds/heap.toml", "tests/blind/beds/rolling.toml");
+    REQUIRE_MESSAGE(diagnosis.decision.outcome == Outcome::named, verdict_of(diagnosis));
+    CHECK_MESSAGE(diagnosis.decision.sure, verdict_of(diagnosis));
+    CHECK(named(diagnosis) == "roll.coulomb");
+    const Refit& best = *diagnosis.decision.best;
+    CHECK(std::abs(best.amplitude[0] - 0.15) < 4 * best.error[0]);
+    CHECK(best.error[0] < 0.15 / 5);
+    CHECK(diagnosis.confirmation->p > 0.005);
+    CHECK(diagnosis.extended->pair(0, 0).rolling_friction > 0.1);
+}
+
+TEST_CASE("a phase dropped from the trough's excitation is found") {
+    const Diagnosis diagnosis = diagnosed(trough, "scenes/measured/trough/measurement.toml", 3);
+    REQUIRE_MESSAGE(diagnosis.decision.outcome == Outcome::named, verdict_of(diagnosis));
+    CHECK_MESSAGE(diagnosis.decision.sure, verdict_of(diagnosis));
+    CHECK(named(diagnosis) == "exc.phase");
+    const Refit& best = *diagnosis.decision.best;
+    CHECK(std::abs(best.amplitude[0] - 90) < 4 * best.error[0]);
+}
+
+TEST_CASE("a load that differs from the record is found") {
+    const Diagnosis diagnosis = diagnosed(trough, "tests/blind/beds/fill.toml", 3);
+    REQUIRE_MESSAGE(diagnosis.decision.outcome == Outcome::named, verdict_of(diagnosis));
+    CHECK(named(diagnosis) == "load.fill");
+    const Refit& best = *diagnosis.decision.best;
+    CHECK(std::abs(best.amplitude[0] - 1.0 / 6) < 4 * best.error[0] + 0.02); // discs come in whole numbers
+}
+
+TEST_CASE("a trough in which nothing is hidden agrees with its record, though seeds, step and sizes are others") {
+    const Diagnosis diagnosis = diagnosed(trough, "tests/blind/beds/nothing.toml", 3);
+    CHECK_MESSAGE(diagnosis.decision.outcome == Outcome::consistent, verdict_of(diagnosis));
+}
+
+TEST_CASE("a diagnosis that may not look at the table's causes cannot name them") {
+    // The power of the tests above: without runs of rolling resistance its heap is none of the known causes.
+    const std::filesystem::path root(TUMBLE_ROOT);
+    auto measurement = *load_measurement(root / "tests/blind/beds/rolling.toml");
+    measurement.causes = {"rest.factor", "grav.tilt_x"};
+    const auto text = scene::read_file(root / "tests/blind/beds/heap.toml", std::uintmax_t{1} << 20);
+    const auto without = diagnose_beds({*text, root / "tests/blind/beds/heap.toml"}, measurement, {},
+                                       {.table = root / "tests/blind/beds/heap.response.csv", .any_date = true});
+    REQUIRE(without);
+    CHECK_MESSAGE(without->decision.outcome == Outcome::none_known, verdict_of(*without));
+}

@@ -25,7 +25,8 @@ struct BedCondition {
     [[nodiscard]] MatrixXd simulated_covariance() const;
 };
 
-/// The lower triangle L of a covariance, for whitening by L^-1.
+/// L^-1 times the values, L the lower triangle of their covariance: numbers of scatter 1 that do not depend on each
+/// other.
 VectorXd whitened(const MatrixXd& covariance, const VectorXd& values);
 
 /// Beds as decide() takes them: baseline, directions of causes, refits between the amplitudes that were run.
@@ -54,7 +55,13 @@ private:
     Result<Done> run_condition(int condition, const Bulk& bulk, Problems& warnings);
     Result<Branch> run_cause(int condition, const Cause& cause, BedCondition& into, std::vector<Ensemble>& all,
                              Problems& warnings);
+    [[nodiscard]] double chance_of(std::size_t cause) const;
     void forget_what_is_chance();
+    [[nodiscard]] Directions directions(Eigen::Index rows) const;
+    /// Whitened slopes of all fitted numbers by these causes' amplitudes.
+    [[nodiscard]] MatrixXd slopes(const std::vector<int>& causes, const VectorXd& amplitudes) const;
+    [[nodiscard]] VectorXd best_amplitudes(const VectorXd& residual, const std::vector<int>& causes, const VectorXd& lo,
+                                           const VectorXd& hi) const;
     template <class Part> [[nodiscard]] VectorXd stacked(Part part) const;
 
     Beds* beds_ = nullptr;

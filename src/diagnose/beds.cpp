@@ -43,6 +43,10 @@ std::string label_of(const Pushes& pushes) {
     return label;
 }
 
+bool broke_down(const BedRun& run) {
+    return std::all_of(run.means.begin(), run.means.end(), [](const auto& mean) { return std::isnan(mean.second); });
+}
+
 std::string amplitudes_of(const Pushes& pushes) {
     std::string amplitudes;
     for (const Push& push : pushes)
@@ -129,8 +133,10 @@ bool Beds::idle(int condition, const Pushes& pushes) const {
 void Beds::charge(Budget& budget, int condition, const Pushes& pushes) const {
     for (int nth = 0; nth < options_.seeds; ++nth) {
         const BedRun run = plan(condition, pushes, static_cast<std::uint64_t>(nth));
-        if (kept(run)) {
+        if (const BedRun* known = kept(run)) {
             ++budget.kept;
+            if (broke_down(*known)) // the others are not run
+                return;
             continue;
         }
         ++budget.runs;
@@ -173,7 +179,7 @@ Result<Ensemble> Beds::ensemble(int condition, const Pushes& pushes, std::uint64
         }
         for (std::size_t c = 0; c < columns_.size(); ++c)
             all(nth, static_cast<Eigen::Index>(c)) = run.means.at(columns_[c]);
-        if (all.row(nth).array().isNaN().all()) // it broke down: others would, too
+        if (broke_down(run)) // others would, too
             return Ensemble(Ensemble::Constant(1, all.cols(), std::nan("")));
     }
     return all;

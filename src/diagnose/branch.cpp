@@ -24,11 +24,25 @@ VectorXd Branch::slope(double amplitude) const {
     return first + 2 * amplitude * second;
 }
 
-VectorXd Branch::direction() const {
-    const double end = wave ? quarter_turn : std::max(std::abs(lo), std::abs(hi));
-    const bool one_sided = second.norm() * (wave ? 1 : end * end) > first.norm() * (wave ? 1 : end);
-    const double at = wave || hi >= -lo ? end : -end;
-    return one_sided ? VectorXd(change(at) / at) : slope(0);
+double Branch::far_end() const {
+    return wave ? quarter_turn : hi >= -lo ? hi : lo;
+}
+
+double Branch::other_end() const {
+    const double far = far_end(), other = far > 0 ? lo : hi;
+    return wave ? -far : other != 0 ? other : far / 2;
+}
+
+VectorXd Branch::odd() const {
+    return wave ? first : VectorXd(far_end() * first);
+}
+
+VectorXd Branch::even() const {
+    return wave ? second : VectorXd(far_end() * far_end() * second);
+}
+
+VectorXd Branch::direction(bool mostly_even) const {
+    return mostly_even ? VectorXd(change(far_end()) / far_end()) : slope(0);
 }
 
 Branch Branch::flat(Eigen::Index numbers, double lo, double hi) {

@@ -13,11 +13,17 @@ struct Branch {
     VectorXd first, second;
     bool wave = false;
 
+    /// The largest amplitude that was run, and the other one: to the other side, or half of it.
+    [[nodiscard]] double far_end() const;
+    [[nodiscard]] double other_end() const;
     [[nodiscard]] VectorXd change(double amplitude) const;
     [[nodiscard]] VectorXd slope(double amplitude) const;
-    /// Change per unit that a screening goes by: the slope at the null, or the chord to an end where the change is to
-    /// the same side whichever way the cause acts.
-    [[nodiscard]] VectorXd direction() const;
+    /// What of the change at the far end turns round with the amplitude's sign, and what does not.
+    [[nodiscard]] VectorXd odd() const;
+    [[nodiscard]] VectorXd even() const;
+    /// Change per unit that a screening goes by: the slope at the null, or the chord to the far end where most of the
+    /// change is even.
+    [[nodiscard]] VectorXd direction(bool mostly_even) const;
 
     /// Of a cause that changes nothing.
     static Branch flat(Eigen::Index numbers, double lo, double hi);

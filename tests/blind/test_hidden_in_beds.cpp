@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <doctest/doctest.h>
+#include <set>
 #include <unistd.h>
 
 namespace {
@@ -29,17 +30,19 @@ Diagnosis diagnosed(const std::string& scene, const std::string& data, int seeds
     std::filesystem::path table = file;
     std::filesystem::copy_file(table.replace_extension(".response.csv"), copy,
                                std::filesystem::copy_options::overwrite_existing);
-    auto diagnosis = diagnose_beds({*text, file}, *measurement, nothing, {.table = copy, .seeds = seeds, .any_date = true});
+    auto diagnosis =
+        diagnose_beds({*text, file}, *measurement, nothing, {.table = copy, .seeds = seeds, .any_date = true});
     std::filesystem::remove(copy);
     REQUIRE_MESSAGE(diagnosis, to_string(diagnosis.problems()));
     CHECK(diagnosis->runs == 0);
     return std::move(*diagnosis);
 }
 
-std::string named(const Diagnosis& diagnosis) {
-    return diagnosis.decision.causes.empty()
-               ? ""
-               : diagnosis.causes[static_cast<std::size_t>(diagnosis.decision.causes[0])].id;
+std::set<std::string> ids_of(const Diagnosis& diagnosis) {
+    std::set<std::string> ids;
+    for (const int k : diagnosis.decision.causes)
+        ids.insert(diagnosis.causes[static_cast<std::size_t>(k)].id);
+    return ids;
 }
 
 constexpr const char* trough = "scenes/measured/trough/trough.toml";
@@ -50,7 +53,7 @@ TEST_CASE("rolling resistance in a heap of discs is named, with its amplitude, a
     const Diagnosis diagnosis = diagnosed("tests/blind/beds/heap.toml", "tests/blind/beds/rolling.toml");
     REQUIRE_MESSAGE(diagnosis.decision.outcome == Outcome::named, verdict_of(diagnosis));
     CHECK_MESSAGE(diagnosis.decision.sure, verdict_of(diagnosis));
-    CHECK(named(diagnosis) == "roll.coulomb");
+    CHECK(ids_of(diagnosis) == std::set<std::string>{"roll.coulomb"});
     const Refit& best = *diagnosis.decision.best;
     CHECK(std::abs(best.amplitude[0] - 0.15) < 4 * best.error[0]);
     CHECK(best.error[0] < 0.15 / 5);
@@ -58,21 +61,31 @@ TEST_CASE("rolling resistance in a heap of discs is named, with its amplitude, a
     CHECK(diagnosis.extended->pair(0, 0).rolling_friction > 0.1);
 }
 
-TEST_CASE("a phase dropped from the trough's excitation is found") {
+TEST_CASE("a phase dropped from the trough's excitation: it or rocking, and the table tells what would part them") {
     const Diagnosis diagnosis = diagnosed(trough, "scenes/measured/trough/measurement.toml", 3);
+    REQUIRE_MESSAGE(diagnosis.decision.outcome == Outcome::ambiguous, verdict_of(diagnosis));
+    CHECK(ids_of(diagnosis) == std::set<std::string>{"exc.phase", "exc.rocking"});
+    REQUIRE(!diagnosis.proposals.empty());
+    CHECK(diagnosis.proposals[0].sentence == "measure rms_velocity_x of the bed, too");
+    CHECK(diagnosis.proposals[0].separation > 5);
+}
+
+TEST_CASE("with the number that was asked for, the phase is named") {
+    const Diagnosis diagnosis = diagnosed(trough, "scenes/measured/trough/measurement-2.toml", 3);
     REQUIRE_MESSAGE(diagnosis.decision.outcome == Outcome::named, verdict_of(diagnosis));
     CHECK_MESSAGE(diagnosis.decision.sure, verdict_of(diagnosis));
-    CHECK(named(diagnosis) == "exc.phase");
+    CHECK(ids_of(diagnosis) == std::set<std::string>{"exc.phase"});
     const Refit& best = *diagnosis.decision.best;
     CHECK(std::abs(best.amplitude[0] - 90) < 4 * best.error[0]);
+    CHECK(diagnosis.confirmation->p > 0.005);
 }
 
 TEST_CASE("a load that differs from the record is found") {
     const Diagnosis diagnosis = diagnosed(trough, "tests/blind/beds/fill.toml", 3);
     REQUIRE_MESSAGE(diagnosis.decision.outcome == Outcome::named, verdict_of(diagnosis));
-    CHECK(named(diagnosis) == "load.fill");
+    CHECK(ids_of(diagnosis) == std::set<std::string>{"load.fill"});
     const Refit& best = *diagnosis.decision.best;
-    CHECK(std::abs(best.amplitude[0] - 1.0 / 6) < 4 * best.error[0] + 0.02); // discs come in whole numbers
+    CHECK(std::abs(best.amplitude[0] + 1.0 / 6) < 4 * best.error[0] + 0.01); // discs come in whole numbers
 }
 
 TEST_CASE("a trough in which nothing is hidden agrees with its record, though seeds, step and sizes are others") {

@@ -83,7 +83,7 @@ TEST_CASE("a branch is the parabola through what was run, and a wave where the c
     CHECK(branch.hi == 2);
     CHECK(branch.change(1.3)[0] == about(parabola(1.3)[0]));
     CHECK(branch.slope(1.3)[0] == about(3 - 1.3));
-    CHECK(branch.direction()[0] == about(3));
+    CHECK(branch.direction(false)[0] == about(3));
     const Branch one_sided = Branch::through({2, 1}, {parabola(2), parabola(1)}, false);
     CHECK(one_sided.change(1.5)[0] == about(parabola(1.5)[0]));
     // 4 sin + 2 (1 - cos), from a quarter turn to either side.
@@ -93,7 +93,9 @@ TEST_CASE("a branch is the parabola through what was run, and a wave where the c
     CHECK(wave.hi == 180);
     // To one side whichever way it acts: the chord, not the slope, which is nothing.
     const Branch bowl = Branch::through({2, -2}, {VectorXd::Constant(1, 4), VectorXd::Constant(1, 4)}, false);
-    CHECK(bowl.direction()[0] == about(2));
+    CHECK(bowl.odd().norm() == 0);
+    CHECK(bowl.even()[0] == about(4));
+    CHECK(bowl.direction(true)[0] == about(2));
 }
 
 } // namespace test_ensemble

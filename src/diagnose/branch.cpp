@@ -9,6 +9,7 @@ namespace {
 
 constexpr double quarter_turn = 90; // deg
 constexpr double radian = 57.29577951308232;
+constexpr double too_near = 0.4; // of the other amplitude: scatter there would bend a parabola at will
 
 } // namespace
 
@@ -64,6 +65,10 @@ Branch Branch::through(const std::vector<double>& amplitudes, const std::vector<
         branch.hi = 2 * quarter_turn;
         branch.first = (changes[0] - changes[1]) / 2;
         branch.second = (changes[0] + changes[1]) / 2;
+        return branch;
+    }
+    if (std::min(std::abs(a), std::abs(b)) < too_near * std::max(std::abs(a), std::abs(b))) {
+        branch.first = std::abs(a) > std::abs(b) ? changes[0] / a : changes[1] / b;
         return branch;
     }
     branch.second = (changes[0] / a - changes[1] / b) / (a - b);

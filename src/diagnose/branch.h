@@ -27,7 +27,8 @@ struct Branch {
 
     /// Of a cause that changes nothing.
     static Branch flat(Eigen::Index numbers, double lo, double hi);
-    /// Through what was run: changes of the means against the null, at one or two amplitudes.
+    /// Through what was run: changes of the means against the null, at one or two amplitudes. A straight line where one
+    /// is much nearer to the null, which a scene does that bears little to one side.
     static Branch through(const std::vector<double>& amplitudes, const std::vector<VectorXd>& changes, bool turns);
 };
 

@@ -91,6 +91,10 @@ TEST_CASE("a branch is the parabola through what was run, and a wave where the c
     CHECK(wave.change(180)[0] == about(4));
     CHECK(wave.change(30)[0] == about(2 + 2 - std::sqrt(3)));
     CHECK(wave.hi == 180);
+    // Borne to one side hardly: what scatters there must not bend the rest.
+    const Branch uneven = Branch::through({0.1, -2}, {VectorXd::Constant(1, 5), VectorXd::Constant(1, -4)}, false);
+    CHECK(uneven.change(-1)[0] == about(-2));
+    CHECK(uneven.hi == about(0.1));
     // To one side whichever way it acts: the chord, not the slope, which is nothing.
     const Branch bowl = Branch::through({2, -2}, {VectorXd::Constant(1, 4), VectorXd::Constant(1, 4)}, false);
     CHECK(bowl.odd().norm() == 0);

@@ -6,6 +6,7 @@
 #include "cli/flag_checks.h"
 #include "cli/progress_line.h"
 #include "cli/scene_arguments.h"
+#include "diagnose/bed_diagnosis.h"
 #include "diagnose/verdict.h"
 #include "observe/whole_file.h"
 #include "report/diagnosis_json.h"
@@ -30,15 +31,46 @@ struct DiagnoseArguments {
     fs::path data;
     fs::path report;
     fs::path extended;
+    fs::path table; // of a bed's runs
+    int seeds = 4;
     bool plan = false;
+    bool dry = false;
     bool quiet = false;
     bool json = false;
+
+    [[nodiscard]] diagnose::BedOptions for_beds() const {
+        const fs::path beside = fs::path(scene.file).replace_extension(".response.csv");
+        return {.table = table.empty() ? beside : table, .seeds = seeds, .version = run::version()};
+    }
 };
+
+/// What has to be run for a bed before anything is run.
+std::string words_of(const diagnose::Budget& budget) {
+    std::string text = fmt::format("{}, {:.4g} s to simulate; {} more are kept in the response table",
+                                   counted(budget.runs, "run", "runs"), budget.simulated, budget.kept);
+    if (budget.wall > 0)
+        text += fmt::format("; about {}, as long as those took", duration(budget.wall));
+    return text;
+}
+
+/// Means of a bed beside those of the simulation.
+void tell_beds(const diagnose::Diagnosis& diagnosis) {
+    std::vector<std::vector<std::string>> rows{{"", "condition", "number", "measured", "baseline", "extended"}};
+    for (const diagnose::BedNumber& one : diagnosis.beds)
+        rows.push_back({"", one.condition, one.measure + (one.unit.empty() ? "" : "_" + one.unit),
+                        fmt::format("{:.3g} +- {:.2g}", one.measured, one.measured_error),
+                        fmt::format("{:.3g} +- {:.2g}", one.baseline, one.baseline_error),
+                        one.has_extended ? fmt::format("{:.3g} +- {:.2g}", one.extended, one.extended_error) : ""});
+    say("");
+    say(table(rows));
+}
 
 void tell(const diagnose::Diagnosis& diagnosis, bool quiet) {
     say(diagnose::outcome_words(diagnosis));
     say(diagnose::verdict_of(diagnosis));
     say("Next: " + diagnose::next_step(diagnosis));
+    if (!diagnosis.beds.empty())
+        tell_beds(diagnosis);
     std::vector<std::vector<std::string>> rows{{"", "cause", "fall of chi-square", "standing"}};
     for (std::size_t k = 0; k < diagnosis.decision.seen.size(); ++k)
         rows.push_back({"", diagnosis.causes[k].id, fmt::format("{:.1f}", diagnosis.decision.seen[k].gain),
@@ -79,6 +111,19 @@ private:
     double simulated_ = 0; // s
 };
 
+/// By what was measured: records, or means of a bed.
+Result<diagnose::Diagnosis> diagnosis_of(const DiagnoseArguments& arguments, const diagnose::SceneText& scene,
+                                         const diagnose::Measurement& measurement) {
+    Watch watch(arguments.quiet);
+    const auto simulate = [&](const scene::Scene& one) { return watch.run(one); };
+    const auto begins = [&](const std::string& stage) { watch.begins(stage); };
+    auto diagnosis = measurement.bulks.empty()
+                         ? diagnose::diagnose(scene, measurement, simulate, arguments.plan, begins)
+                         : diagnose::diagnose_beds(scene, measurement, simulate, arguments.for_beds(), begins);
+    watch.end();
+    return diagnosis;
+}
+
 /// What was asked for as files. Problems: a place that cannot be written.
 Problems leave_files(const DiagnoseArguments& arguments, const diagnose::Diagnosis& diagnosis) {
     Problems problems;
@@ -116,11 +161,20 @@ int diagnose_it(const DiagnoseArguments& arguments) {
     diagnose::SceneText scene{*text, arguments.scene.file};
     for (const std::string& set : arguments.scene.sets)
         scene.sets.push_back({set});
-    Watch watch(arguments.quiet);
-    const auto diagnosis = diagnose::diagnose(
-        scene, *measurement, [&](const scene::Scene& one) { return watch.run(one); }, arguments.plan,
-        [&](const std::string& stage) { watch.begins(stage); });
-    watch.end();
+    if (!measurement->bulks.empty()) {
+        const auto budget = diagnose::budget_of_beds(scene, *measurement, arguments.for_beds());
+        if (!budget)
+            return refuse(budget.problems(), arguments.json, wrong);
+        if (arguments.dry)
+            say(words_of(*budget));
+        else if (!arguments.quiet)
+            note(words_of(*budget));
+    }
+    if (arguments.dry && measurement->bulks.empty())
+        say("records are simulated as their fits ask for it: nobody knows beforehand how often");
+    if (arguments.dry)
+        return fine;
+    const auto diagnosis = diagnosis_of(arguments, scene, *measurement);
     if (!diagnosis)
         return refuse(diagnosis.problems(), arguments.json, wrong);
     const Problems problems = leave_files(arguments, *diagnosis);
@@ -150,6 +204,19 @@ void add_diagnose_command(CLI::App& program, Action& action) {
     command->add_option("--write-extended", arguments->extended, "Scene file to write, with the named cause in it")
         ->type_name("FILE")
         ->check(refuse_no_place);
+    command
+        ->add_option("--seeds", arguments->seeds,
+                     "Of a bed: runs of it as it is and with each cause, from the scene's seed on; 4 without it")
+        ->type_name("N")
+        ->check(whole_number_from(2, 1000));
+    command
+        ->add_option(
+            "--table", arguments->table,
+            "Of a bed: where its runs are kept, so that none is made twice; SCENE.response.csv beside the scene "
+            "without it")
+        ->type_name("FILE")
+        ->check(refuse_no_place);
+    command->add_flag("--dry-run", arguments->dry, "Of a bed: say what there is to run, and run nothing");
     command->add_flag("--plan", arguments->plan, "Propose experiments also where the answer is not ambiguous");
     command->add_flag("--quiet", arguments->quiet, "No progress, no warnings on stderr");
     command->add_flag("--json", arguments->json, "Print the diagnosis as JSON");

@@ -20,6 +20,9 @@ struct Cause {
     double lo = 0;        // plausible at least
     double hi = 0;        // plausible at most
     double typical = 0;   // a small effect of usual experiments: where difference quotients begin
+    double in_beds = 0;   // the amplitude that beds are run at; 0: half of what is plausible
+    bool turns = false;   // an angle in degrees, of which 360 are none
+    bool beds = false;    // considered where beds were measured only: one body does not show it beside a nuisance
     std::string name{};   // for sentences: "air resistance growing with the square of speed"
     std::string look{};   // its fingerprint: what the residual (data less baseline) does
     std::string keys{};   // scene keys that it sets, or what it does to the instrument
@@ -35,8 +38,11 @@ const std::vector<Cause>& all_causes();
 /// The ids of the library.
 std::vector<std::string> cause_ids();
 
-/// Those with these ids, or of these families; all for {"all"} or nothing. Problems: an id that does not exist, with
-/// the nearest.
-Result<std::vector<Cause>> choose_causes(const std::vector<std::string>& ids);
+/// What was measured: readings over time of a few bodies, or means of a bed of many.
+enum class Data { records, beds };
+
+/// Those with these ids, or of these families; all for {"all"} or nothing, of those that act on such data. Problems: an
+/// id that does not exist, with the nearest; one that cannot act on such data.
+Result<std::vector<Cause>> choose_causes(const std::vector<std::string>& ids, Data data = Data::records);
 
 } // namespace tumble::diagnose

@@ -25,10 +25,15 @@ public:
 
     Decision run() {
         screen();
-        if (std::none_of(d_.seen.begin(), d_.seen.end(), [](const Seen& seen) { return seen.visible; }))
+        d_.baseline = adequacy_of(e_.residual, e_.nuisances, e_.directions, e_.degrees);
+        if (std::none_of(d_.seen.begin(), d_.seen.end(), [](const Seen& seen) { return seen.visible; })) {
+            if (e_.nuisances.cols() == 0 && d_.baseline.p() <= settings_.alpha_adequacy) {
+                d_.outcome = Outcome::none_known; // nothing was adjusted that could hide what is wrong
+                return d_;
+            }
             return cannot("no cause of the library would show in these data, whatever nuisances are adjusted: "
                           "measure under more conditions, or more than one number for each");
-        d_.baseline = adequacy_of(e_.residual, e_.nuisances, e_.directions);
+        }
         for (int k = 0; k < count_; ++k)
             d_.largest = std::max(d_.largest, one(k).gain);
         if (d_.largest < d_.gate) {
@@ -40,7 +45,7 @@ public:
         if (winner < 0 || one(winner).gain < d_.gate)
             return try_pairs(winner);
         d_.best = one(winner).refit;
-        d_.winner = adequacy_of(d_.best->residual, d_.best->slopes, e_.directions);
+        d_.winner = adequacy_of(d_.best->residual, d_.best->slopes, e_.directions, e_.degrees);
         if (d_.winner.p() <= settings_.alpha_adequacy)
             return try_pairs(winner);
         name(winner);
@@ -64,6 +69,7 @@ private:
         effects_ = nuisances.out(e_.effects);
         d_.seen.resize(static_cast<std::size_t>(count_));
         std::vector<int> visible;
+        const double one_sided = std::isinf(e_.degrees) ? one_sided_95 : student_quantile(0.05, e_.degrees);
         for (int k = 0; k < count_; ++k) {
             Seen& seen = one(k);
             const double length = effects_.col(k).norm();
@@ -78,8 +84,8 @@ private:
             seen.amplitude = z / length;
             seen.error = 1 / length;
             seen.gain = plausible_sign(k, z) ? z * z : 0;
-            seen.lower = seen.amplitude - one_sided_95 * seen.error;
-            seen.upper = seen.amplitude + one_sided_95 * seen.error;
+            seen.lower = seen.amplitude - one_sided * seen.error;
+            seen.upper = seen.amplitude + one_sided * seen.error;
         }
         isolate(visible);
     }
@@ -121,7 +127,7 @@ private:
                 d_.isolability(i, j) = a == b ? 0 : std::sqrt(std::max(0.0, 1 - cosine * cosine));
             }
         if (size > 0)
-            d_.gate = e_.gate > 0 ? e_.gate : quantile_of_largest(correlation, settings_.alpha_gate, 1);
+            d_.gate = e_.gate > 0 ? e_.gate : quantile_of_largest(correlation, settings_.alpha_gate, 1, e_.degrees);
     }
 
     void fit_rivals() {
@@ -147,7 +153,7 @@ private:
         bool alike = true;
         for (int k = 0; k < count_; ++k)
             if (k != winner && one(k).refit && one(k).refit->possible &&
-                one(winner).gain - one(k).gain < 2 * settings_.margin) {
+                nats_between(e_, one(winner).gain, one(k).gain) < settings_.margin) {
                 d_.causes.push_back(k);
                 alike = alike && d_.isolability(winner, k) < settings_.same_class;
             }
@@ -194,12 +200,12 @@ private:
         d_.outcome = Outcome::none_known;
         if (fitted.empty() || fitted[0].gain < d_.gate + pair_gate_extra)
             return d_;
-        const Adequacy rest = adequacy_of(fitted[0].residual, fitted[0].slopes, e_.directions);
+        const Adequacy rest = adequacy_of(fitted[0].residual, fitted[0].slopes, e_.directions, e_.degrees);
         if (rest.p() <= pair_adequacy)
             return d_;
         d_.winner = rest;
         for (const Refit& pair : fitted)
-            if (fitted[0].gain - pair.gain < 2 * settings_.margin)
+            if (nats_between(e_, fitted[0].gain, pair.gain) < settings_.margin)
                 d_.pairs.push_back(pair.causes);
         d_.outcome = d_.pairs.size() == 1 ? Outcome::two_causes : Outcome::ambiguous;
         d_.causes = fitted[0].causes;
@@ -271,7 +277,14 @@ Refit refit_linear(const Evidence& evidence, const std::vector<int>& causes) {
     return refit;
 }
 
-Adequacy adequacy_of(const VectorXd& residual, const MatrixXd& slopes, const Directions& directions) {
+double nats_between(const Evidence& evidence, double better, double worse) {
+    if (std::isinf(evidence.degrees))
+        return 0.5 * (better - worse);
+    const double n = evidence.degrees, whole = evidence.residual.squaredNorm();
+    return 0.5 * (n + 1) * std::log((n + whole - worse) / (n + whole - better));
+}
+
+Adequacy adequacy_of(const VectorXd& residual, const MatrixXd& slopes, const Directions& directions, double degrees) {
     const Projector fitted(slopes);
     const VectorXd rest = fitted.out(residual);
     const auto tail = [&](const MatrixXd& columns) {
@@ -281,7 +294,7 @@ Adequacy adequacy_of(const VectorXd& residual, const MatrixXd& slopes, const Dir
             if (left.col(k).norm() < 1e-3)
                 left.col(k).setZero();
         const Projector generic(left);
-        return chi_square_tail(generic.inside(rest), generic.rank());
+        return hotelling_tail(generic.inside(rest), generic.rank(), degrees);
     };
     return {tail(directions.blocks), tail(directions.prints)};
 }

@@ -18,7 +18,12 @@ struct Evidence {
     std::vector<Cause> causes;   // parallel to the columns of effects
     std::vector<int> nuisance{}; // which one a column of nuisances is of, copies side by side; empty: each of its own
     double gate = 0;             // known from a case with the same effects; 0: to be drawn
+    double degrees = covariance_known; // of freedom of the covariance that whitened it
 };
+
+/// How much likelier, in nats, an explanation is under which chi-square falls by `better` than one by `worse`. With an
+/// estimated covariance chi-square is Hotelling's T squared, whose density goes with (1 + T^2/n)^(-(n+1)/2).
+double nats_between(const Evidence& evidence, double better, double worse);
 
 /// One or two causes fitted with all nuisances.
 struct Refit {
@@ -90,6 +95,7 @@ struct Decision {
 Decision decide(const Evidence& evidence, const Settings& settings, const Refitter& refit);
 
 /// Tests of a residual whose fit had these slopes.
-Adequacy adequacy_of(const VectorXd& residual, const MatrixXd& slopes, const Directions& directions);
+Adequacy adequacy_of(const VectorXd& residual, const MatrixXd& slopes, const Directions& directions,
+                     double degrees = covariance_known);
 
 } // namespace tumble::diagnose

@@ -42,7 +42,7 @@ public:
         d_.hash = measurement_.hash;
         d_.settings = measurement_.settings;
         d_.warnings = measurement_.warnings;
-        d_.causes = *choose_causes(measurement_.causes);
+        d_.causes = *choose_causes(measurement_.causes, Data::records);
         std::vector<Record> used;
         for (const Record& record : measurement_.records)
             (record.held_out ? aside_ : used).push_back(record);

@@ -18,6 +18,24 @@ struct Curve {
     std::vector<bool> left_out;                             // lone outliers
 };
 
+/// One number of a bed beside what the simulation says of it, SI. Errors are standard errors of means.
+struct BedNumber {
+    std::string condition, measure, unit;
+    bool held_out = false;
+    int runs = 0, seeds = 0; // measured, simulated
+    double measured = 0, measured_error = 0;
+    double baseline = 0, baseline_error = 0;
+    double scatter = 0; // of single runs of the simulation
+    double extended = 0, extended_error = 0;
+    bool has_extended = false; // the named causes were run
+};
+
+/// Runs with the named causes at their fitted amplitudes, of seeds that the response table does not know.
+struct Confirmation {
+    std::vector<double> amplitudes; // as run: the fitted ones in three digits
+    double p = 1;                   // of so large a difference from what the table foretold
+};
+
 struct FittedNuisance {
     std::string name;
     double start = 0, value = 0, error = 0;
@@ -39,6 +57,9 @@ struct Diagnosis {
     std::optional<Gain> gain;
     std::vector<Proposal> proposals; // best first
     std::vector<Curve> curves;
+    std::vector<BedNumber> beds; // of a bed, in place of curves
+    std::optional<Confirmation> confirmation;
+
     Problems warnings;
     double simulated = 0; // s
     int runs = 0;

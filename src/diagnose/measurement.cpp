@@ -2,11 +2,11 @@
 
 #include "base/hash.h"
 #include "base/table.h"
-#include "base/text.h"
 #include "diagnose/cause.h"
 #include "diagnose/data_doubts.h"
+#include "diagnose/measure_units.h"
+#include "diagnose/read_bulk.h"
 #include "diagnose/typed_tables.h"
-#include "observe/measures.h"
 #include "scene/read_file.h"
 #include "scene/read_toml.h"
 
@@ -18,38 +18,6 @@ namespace {
 
 constexpr std::size_t largest_measurement = std::size_t{1} << 20; // bytes
 constexpr std::size_t largest_data = std::size_t{64} << 20;       // bytes
-
-/// Units that a column may end in for a measure of this SI unit.
-std::vector<Unit> units_for(const std::string& si) {
-    if (si == "m")
-        return {{"m", 1}, {"mm", 1e-3}, {"cm", 1e-2}};
-    if (si == "s")
-        return {{"s", 1}, {"ms", 1e-3}};
-    if (si == "m_s")
-        return {{"m_s", 1}, {"mm_s", 1e-3}};
-    if (si == "deg")
-        return {{"deg", 1}, {"rad", 57.29577951308232}};
-    if (si == "rad_s")
-        return {{"rad_s", 1}, {"deg_s", 1 / 57.29577951308232}};
-    if (si == "J")
-        return {{"J", 1}, {"mJ", 1e-3}};
-    return {{si, 1}};
-}
-
-/// The SI unit of a measure; a problem where there is none of that name.
-Result<std::string> unit_of(const std::string& measure) {
-    if (measure == "time")
-        return std::string("s");
-    std::vector<std::string> names{"time"};
-    for (const observe::Measure& known : observe::all_measures()) {
-        if (known.name == measure)
-            return known.unit;
-        names.push_back(known.name);
-    }
-    const std::string guess = did_you_mean(measure, names);
-    return Problem{.what = fmt::format("there is no measure '{}'", excerpt(measure)),
-                   .fix = (guess.empty() ? "" : guess + " ") + "`tumble list measures` names all of them"};
-}
 
 class Reader {
 public:
@@ -67,8 +35,12 @@ public:
             nuisance(table.view);
         for (const TypedTable& table : tables_of(root_, "series", *keys_[2], report_))
             series(table);
+        read_.bulks = read_bulks(root_, *keys_[4], *keys_[5], report_);
+        check_kinds();
         for (const Record& record : read_.records)
             doubt_record(record, read_.warnings);
+        for (const Bulk& bulk : read_.bulks)
+            doubt_bulk(bulk, read_.file, read_.warnings);
         for (const Problem& problem : equal_columns(read_.records))
             report_.add(Problems{problem});
         if (!report_.clean())
@@ -85,9 +57,28 @@ private:
         read_.settings.alpha_gate = view.number("alpha_gate");
         read_.settings.alpha_adequacy = view.number("alpha_adequacy");
         read_.settings.margin = view.number("margin_nats");
-        if (const auto chosen = choose_causes(read_.causes); !chosen)
+        const bool beds = !tables_of(root_, "bulk", *keys_[4], report_).empty();
+        if (const auto chosen = choose_causes(read_.causes, beds ? Data::beds : Data::records); !chosen)
             for (const Problem& problem : chosen.problems())
                 report_.add(view.place("causes"), "causes", problem.what, problem.fix);
+    }
+
+    /// Records or numbers of beds, not both and not neither.
+    void check_kinds() {
+        const TypedTables bulks = tables_of(root_, "bulk", *keys_[4], report_);
+        const bool series = !tables_of(root_, "series", *keys_[2], report_).empty();
+        if (bulks.empty() && !series)
+            return report_.add(root_.place, "series", "the measurement has neither [[series]] nor [[bulk]]",
+                               "add [[series]] for what was read over time, or [[bulk]] for means of a bed");
+        if (bulks.empty())
+            return;
+        if (series)
+            report_.add(bulks[0].node->place, "bulk", "the measurement has [[series]] and [[bulk]]",
+                        "make two measurements of them: a path of one body is compared as it is, of a bed only means");
+        for (const TypedTable& table : tables_of(root_, "nuisance", *keys_[1], report_))
+            report_.add(table.node->place, "nuisance", "nuisances of a bed are not adjusted",
+                        "leave it out, and have the cause considered that stands for it, such as fric.factor or "
+                        "rest.factor");
     }
 
     void nuisance(const scene::View& view) {

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,24 @@ struct Record {
     std::vector<Channel> channels;
 };
 
+/// The mean of one measure over a stretch of time, and over all runs that were made.
+struct BulkNumber {
+    std::string measure; // name of a measure
+    std::string unit;    // SI, as measures have it
+    double value = 0;    // SI
+    double sigma = 0;    // SI, standard deviation between runs; 0: not stated
+};
+
+/// What was measured of a bed of many bodies under one condition. No path in it repeats, so only means are compared.
+struct Bulk {
+    std::string condition;
+    std::vector<std::string> sets;     // as a record's
+    bool held_out = false;             // as a record's
+    std::optional<double> from, until; // s, the stretch; without them the scene's settled one
+    int runs = 1;                      // that were measured
+    std::vector<BulkNumber> numbers;
+};
+
 /// Something unknown but innocent, which every explanation may adjust.
 struct Nuisance {
     std::string key;        // a scene key, or empty
@@ -57,7 +76,8 @@ struct Measurement {
     std::string title;
     std::vector<std::string> causes; // ids or families; empty: all
     std::vector<Nuisance> nuisances;
-    std::vector<Record> records;
+    std::vector<Record> records; // or
+    std::vector<Bulk> bulks;
     Settings settings;
     Problems warnings; // nothing that forbids a verdict, everything that a reader should know
     std::string hash;  // of the file and of its data
@@ -68,7 +88,8 @@ const std::vector<scene::KeyTable>& measurement_keys();
 
 /// Reads a measurement and the CSV files it names. Problems, all of them, each with its place: wrong TOML, unknown or
 /// missing keys, files that are not there, columns that do not exist or are no numbers, time that does not rise,
-/// columns equal to each other, units that a measure cannot have, measures and causes that do not exist.
+/// columns equal to each other, units that a measure cannot have, measures and causes that do not exist; both records
+/// and beds, or neither; a bed of which a single number is known.
 Result<Measurement> load_measurement(const std::filesystem::path& file);
 
 } // namespace tumble::diagnose

@@ -47,7 +47,6 @@ scene::KeyTable series() {
     return {.path = "series",
             .head = "[[series]]",
             .repeat = Repeat::many,
-            .required = true,
             .sentence = "What was read while one experiment ran once.",
             .keys = {
                 text("name", "What to call it.").must(),
@@ -75,10 +74,45 @@ scene::KeyTable column() {
         }};
 }
 
+scene::KeyTable bulk() {
+    using namespace scene;
+    return {.path = "bulk",
+            .head = "[[bulk]]",
+            .repeat = Repeat::many,
+            .sentence = "Means of a bed of many bodies under one condition.",
+            .keys = {
+                text("name", "What to call the condition.").must(),
+                words("set", {}, "Scene keys of this condition, as --set takes them: \"fill.0.count=120\".")
+                    .otherwise(std::vector<std::string>{}),
+                number("from_s", "s", from(0),
+                       "Where averaging begins; without it the second half of the time in which walls move."),
+                number("until_s", "s", above(0), "Where it ends; without it when the scene or a motion ends."),
+                integer("runs", from(1, 10000), "How many runs the numbers are means of.").otherwise(std::int64_t{1}),
+                flag("held_out", "Keep it for measuring the gain; it is never fitted."),
+            }};
+}
+
+scene::KeyTable number_of_bulk() {
+    using namespace scene;
+    return {.path = "bulk.number",
+            .head = "[[bulk.number]]",
+            .repeat = Repeat::many,
+            .required = true,
+            .sentence = "One number of the bed.",
+            .keys = {
+                text("measure", "What it is the mean of: a name of `tumble list measures`.").must(),
+                number("value", "", {}, "The mean, over time and over all runs.").must(),
+                text("unit", "Unit of value and sigma, as heads of columns have it: \"deg\", \"rad_s\"; plain numbers "
+                             "have none."),
+                number("sigma", "", above(0),
+                       "Standard deviation from run to run; may be left out where runs is 2 or more."),
+            }};
+}
+
 } // namespace
 
 const std::vector<scene::KeyTable>& measurement_keys() {
-    static const std::vector<scene::KeyTable> all{top(), nuisance(), series(), column()};
+    static const std::vector<scene::KeyTable> all{top(), nuisance(), series(), column(), bulk(), number_of_bulk()};
     return all;
 }
 

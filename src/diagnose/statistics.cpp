@@ -22,6 +22,16 @@ double normal(Rng& rng) {
     return radius * std::cos(2 * 3.14159265358979323846 * rng.uniform());
 }
 
+/// Chi-square with so many whole degrees of freedom.
+double chi_square(Rng& rng, double degrees) {
+    double sum = 0;
+    for (int k = 0; k < static_cast<int>(degrees); ++k) {
+        const double z = normal(rng);
+        sum += z * z;
+    }
+    return sum;
+}
+
 } // namespace
 
 double chi_square_tail(double x, double degrees) {
@@ -36,7 +46,29 @@ double normal_quantile(double tail) {
     return -Eigen::numext::ndtri(tail);
 }
 
-double quantile_of_largest(const MatrixXd& correlation, double alpha, std::uint64_t seed) {
+double f_tail(double x, double above, double below) {
+    return x <= 0 ? 1.0 : Eigen::numext::betainc(below / 2, above / 2, below / (below + above * x));
+}
+
+double hotelling_tail(double x, double dimensions, double degrees) {
+    if (std::isinf(degrees))
+        return chi_square_tail(x, dimensions);
+    const double below = degrees - dimensions + 1;
+    return dimensions > 0 && below > 0 ? f_tail(x * below / (degrees * dimensions), dimensions, below) : 1.0;
+}
+
+double student_quantile(double tail, double degrees) {
+    if (std::isinf(degrees))
+        return normal_quantile(tail);
+    double lo = 0, hi = 1e6;
+    while (hi - lo > 1e-9 * hi) {
+        const double middle = (lo + hi) / 2;
+        (f_tail(middle * middle, 1, degrees) > 2 * tail ? lo : hi) = middle;
+    }
+    return hi;
+}
+
+double quantile_of_largest(const MatrixXd& correlation, double alpha, std::uint64_t seed, double degrees) {
     const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(correlation);
     const MatrixXd root = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
     Rng rng(seed);
@@ -46,7 +78,8 @@ double quantile_of_largest(const MatrixXd& correlation, double alpha, std::uint6
     for (int k = 0; k < draws; ++k) {
         for (double& z : drawn)
             z = normal(rng);
-        largest.push_back((root * drawn).cwiseAbs2().maxCoeff());
+        const double variance = std::isinf(degrees) ? 1 : chi_square(rng, degrees) / degrees;
+        largest.push_back((root * drawn).cwiseAbs2().maxCoeff() / variance);
     }
     const auto at = largest.begin() + static_cast<std::ptrdiff_t>((1 - alpha) * draws);
     std::nth_element(largest.begin(), at, largest.end());

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <limits>
 
 namespace tumble::diagnose {
 
@@ -13,10 +14,24 @@ double chi_square_tail(double x, double degrees);
 /// P(standard normal > x), and the x that this tail belongs to.
 double normal_tail(double x);
 double normal_quantile(double tail);
+/// P(F with these degrees of freedom > x).
+double f_tail(double x, double above, double below);
+
+/// Degrees of freedom of a covariance that is known, not estimated.
+constexpr double covariance_known = std::numeric_limits<double>::infinity();
+
+/// P(Hotelling's T squared of so many dimensions > x), the covariance estimated with so many degrees of freedom
+/// (Mardia, Kent and Bibby 1979, theorem 3.5.2); chi-square where it is known. 1 where the degrees do not suffice to
+/// judge.
+double hotelling_tail(double x, double dimensions, double degrees);
+/// The x that Student's t with so many degrees of freedom exceeds with this probability, below one half.
+double student_quantile(double tail, double degrees);
 
 /// The value that the largest of |z_j| squared stays below with probability 1 - alpha, z standard normal with this
-/// correlation: what the best of a library of causes reaches where there is none. Drawn 40,000 times.
-double quantile_of_largest(const MatrixXd& correlation, double alpha, std::uint64_t seed);
+/// correlation: what the best of a library of causes reaches where there is none. Student's t in place of the normal
+/// where the covariance was estimated. Drawn 40,000 times.
+double quantile_of_largest(const MatrixXd& correlation, double alpha, std::uint64_t seed,
+                           double degrees = covariance_known);
 
 /// Takes a subspace out of vectors.
 class Projector {

@@ -29,7 +29,7 @@ public:
     Check(const std::vector<KeyTable>& list, Report& report) : list_(list), report_(report) {}
 
     void table(const Node& node, const KeyTable& keys, const std::string& path) {
-        const Table* entries = node.as<Table>();
+        const scene::Table* entries = node.as<scene::Table>();
         if (!entries)
             return report_.add(node.place, path, fmt::format("'{}' is {}", path, kind_of(node)),
                                "write it as a table " + keys.head);
@@ -70,7 +70,7 @@ private:
                     guess.empty() ? "it may have " + all : guess);
     }
 
-    void missing(const Node& node, const Table& entries, const KeyTable& keys, const std::string& path) {
+    void missing(const Node& node, const scene::Table& entries, const KeyTable& keys, const std::string& path) {
         std::map<std::string, std::vector<std::string>> groups;
         for (const Key& key : keys.keys) {
             if (key.required && !entries.find(key.name))
@@ -110,11 +110,11 @@ void check_tables(const Node& root, const std::vector<KeyTable>& list, Report& r
 std::vector<TypedTable> tables_of(const Node& node, const std::string& name, const KeyTable& keys,
                                   const Report& report) {
     std::vector<TypedTable> all;
-    const Table* table = node.as<Table>();
+    const scene::Table* table = node.as<scene::Table>();
     const Entry* entry = table ? table->find(name) : nullptr;
     const Array* list = entry ? entry->node.as<Array>() : nullptr;
     for (std::size_t i = 0; list && i < list->items.size(); ++i)
-        if (list->items[i].as<Table>())
+        if (list->items[i].as<scene::Table>())
             all.push_back({&list->items[i], View(&list->items[i], keys, fmt::format("{}.{}", name, i), report)});
     return all;
 }

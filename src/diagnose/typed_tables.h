@@ -15,12 +15,14 @@ struct TypedTable {
     scene::View view;
 };
 
+using TypedTables = std::vector<TypedTable>;
+
 /// Unknown keys with the nearest right one, wrong values, missing keys, and of keys that exclude each other not exactly
 /// one: all reported. `list` holds the table's keys and those of the tables inside it.
 void check_tables(const scene::Node& root, const std::vector<scene::KeyTable>& list, scene::Report& report);
 
 /// The tables `name` ("series") inside this node, in the order written.
-std::vector<TypedTable> tables_of(const scene::Node& node, const std::string& name, const scene::KeyTable& keys,
-                                  const scene::Report& report);
+TypedTables tables_of(const scene::Node& node, const std::string& name, const scene::KeyTable& keys,
+                      const scene::Report& report);
 
 } // namespace tumble::diagnose

@@ -39,11 +39,13 @@ std::string gain_words(const Diagnosis& diagnosis) {
     if (!diagnosis.gain)
         return " Its gain could not be measured: there is only one condition.";
     const Gain& gain = *diagnosis.gain;
-    const std::string where = gain.held_out ? "on the series held out" : "on conditions predicted from the others";
+    const std::string where = gain.held_out
+                                  ? (diagnosis.beds.empty() ? "on the series held out" : "on the beds held out")
+                                  : "on conditions predicted from the others";
     if (!gain.shown)
         return fmt::format(" Named, gain not shown: {} the extended scene is not surely better.", where);
-    return fmt::format(" With it the misfit {} falls from {:.2f} to {:.2f} standard errors of a reading.", where,
-                       gain.rms_baseline, gain.rms_extended);
+    return fmt::format(" With it the misfit {} falls from {:.2f} to {:.2f} standard errors of a {}.", where,
+                       gain.rms_baseline, gain.rms_extended, diagnosis.beds.empty() ? "reading" : "mean");
 }
 
 std::string named(const Diagnosis& diagnosis) {
@@ -83,9 +85,10 @@ std::string none_known(const Diagnosis& diagnosis) {
 }
 
 std::string consistent(const Diagnosis& diagnosis) {
-    return fmt::format("The simulation agrees with the data: {} readings scatter about it as their noise does. Effects "
+    return fmt::format("The simulation agrees with the data: {} scatter about it as their noise does. Effects "
                        "larger than the limits in the table are excluded.",
-                       diagnosis.readings);
+                       diagnosis.beds.empty() ? fmt::format("{} readings", diagnosis.readings)
+                                              : fmt::format("{} means of the bed", diagnosis.readings));
 }
 
 } // namespace
@@ -169,7 +172,7 @@ std::string standing_of(const Diagnosis& diagnosis, int cause) {
         return "";
     const Seen& seen = decision.seen[static_cast<std::size_t>(cause)];
     if (!seen.visible)
-        return seen.share == 0      ? "does not act here"
+        return seen.share == 0      ? (diagnosis.beds.empty() ? "does not act here" : "does no more than seeds do")
                : seen.share < 0.005 ? "does not show: nuisances absorb it"
                                     : "does not show in these data";
     if (std::find(decision.causes.begin(), decision.causes.end(), cause) != decision.causes.end())
@@ -177,7 +180,7 @@ std::string standing_of(const Diagnosis& diagnosis, int cause) {
     if (seen.refit && !seen.refit->possible)
         return "refused: " + seen.refit->refused;
     if (decision.best && decision.outcome == Outcome::named)
-        return fmt::format("{:.1f} nats behind", 0.5 * (decision.best->gain - seen.gain));
+        return fmt::format("{:.1f} nats behind", nats_between(diagnosis.evidence, decision.best->gain, seen.gain));
     const Cause& suspect = cause_of(diagnosis, cause);
     const double low = std::max(seen.lower, suspect.lo), high = std::min(seen.upper, suspect.hi);
     return suspect.lo == 0 ? fmt::format("below {:.2g} (95 %)", std::max(0.0, high))

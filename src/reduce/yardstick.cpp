@@ -1,17 +1,17 @@
 #include "reduce/yardstick.h"
 
 #include "observe/cycle.h"
+#include "observe/mean_over.h"
 #include "observe/measures.h"
 #include "observe/series.h"
 #include "run/flow_report.h"
 #include "run/run_folder.h"
+#include "scene/settled.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
-#include <numbers>
-#include <numeric>
 
 namespace tumble::reduce {
 
@@ -19,52 +19,6 @@ namespace {
 
 constexpr int layers_of_a_bowl = 5; // over its wall
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-struct Stretch {
-    double from = 0, until = 0; // s
-};
-
-/// Between the last start and the first end of all that moves; from the last body put in where nothing does.
-Stretch driven(const scene::Scene& scene) {
-    Stretch stretch{0, scene.duration};
-    bool moves = false;
-    const auto take = [&](const auto& parts) {
-        for (const auto& part : parts) {
-            moves = true;
-            stretch.from = std::max(stretch.from, part.active.start);
-            stretch.until = std::min(stretch.until, part.active.stop);
-        }
-    };
-    for (const scene::Wall& wall : scene.walls) {
-        take(wall.motion.harmonics);
-        take(wall.motion.rotations);
-        take(wall.motion.rockings);
-        take(wall.motion.linears);
-        take(wall.motion.tables);
-    }
-    for (const scene::Fill& fill : scene.fills)
-        if (!moves)
-            stretch.from = std::max(stretch.from, fill.until);
-    return stretch;
-}
-
-/// s, of the slowest vibration; 0: there is none.
-double slowest_period(const scene::Scene& scene) {
-    double period = 0;
-    for (const scene::Wall& wall : scene.walls)
-        for (const scene::Harmonic& part : wall.motion.harmonics)
-            period = std::max(period, 1 / part.frequency);
-    return period;
-}
-
-/// The second half, by when the bulk has forgotten how it lay. A shaken bed may answer every second shake alike.
-Stretch second_half(const scene::Scene& scene) {
-    Stretch stretch = driven(scene);
-    const double half = (stretch.until - stretch.from) / 2, pair = 2 * slowest_period(scene);
-    const double whole = pair > 0 ? std::floor(half / pair + 1e-9) * pair : half;
-    stretch.from = stretch.until - (whole > 0 ? whole : half);
-    return stretch;
-}
 
 std::optional<observe::FlowGrid> layers_for(const scene::Scene& scene) {
     for (const scene::Wall& wall : scene.walls)
@@ -81,24 +35,8 @@ std::optional<observe::FlowGrid> layers_for(const scene::Scene& scene) {
     return std::nullopt;
 }
 
-/// Over rows after `from` up to `until`: a stretch of whole periods holds each phase once. A row stands at the step
-/// nearest to its time, so that half of what lies between rows decides. What has no meaning in some rows (a slope while
-/// bodies fly) is left out there, and has none at all where it has none in most.
-double mean(const std::vector<double>& times, const std::vector<double>& values, const Stretch& stretch, double every) {
-    double sum = 0;
-    int rows = 0, with_value = 0;
-    for (std::size_t i = 0; i < times.size(); ++i)
-        if (times[i] > stretch.from + every / 2 && times[i] <= stretch.until + every / 2) {
-            ++rows;
-            if (std::isfinite(values[i])) {
-                sum += values[i];
-                ++with_value;
-            }
-        }
-    return 2 * with_value > rows ? sum / with_value : nothing;
-}
-
-observe::Cycle cycle_in(const std::vector<double>& times, const std::vector<double>& values, const Stretch& stretch) {
+observe::Cycle cycle_in(const std::vector<double>& times, const std::vector<double>& values,
+                        const scene::Stretch& stretch) {
     const auto first = std::upper_bound(times.begin(), times.end(), stretch.from) - times.begin();
     const auto skip = static_cast<std::size_t>(first);
     return observe::find_cycle(std::span(times).subspan(skip), std::span(values).subspan(skip));
@@ -110,7 +48,7 @@ Result<Yardstick> Yardstick::of(const scene::Scene& scene, const std::vector<std
                                 std::optional<double> from, std::optional<double> until) {
     using From = Quantity::From;
     Yardstick stick;
-    const Stretch stretch = second_half(scene);
+    const scene::Stretch stretch = scene::settled(scene);
     stick.from_ = from.value_or(stretch.from);
     stick.until_ = std::min(until.value_or(stretch.until), scene.duration);
     Problems problems;
@@ -169,7 +107,7 @@ Result<std::vector<double>> Yardstick::read(const std::filesystem::path& run, do
     const auto series = observe::read_series(run::RunFolder{run}.series());
     if (!series)
         return series.problems();
-    const Stretch stretch{from_, until_};
+    const scene::Stretch stretch{from_, until_};
     std::optional<run::FlowReport> flow;
     if (layers_) {
         run::FlowOptions options{.grid = *layers_, .bodies = {}, .when = {}};
@@ -195,7 +133,7 @@ Result<std::vector<double>> Yardstick::read(const std::filesystem::path& run, do
         else if (quantity.from == Quantity::From::amplitude)
             values.push_back(cycle_in(times, *column, stretch).peak_to_peak);
         else
-            values.push_back(mean(times, *column, stretch, every_) /
+            values.push_back(observe::mean_over(times, *column, from_, until_, every_) /
                              (quantity.from == Quantity::From::energy_per_mass ? mass : 1));
     }
     return values;

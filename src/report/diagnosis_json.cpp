@@ -93,6 +93,29 @@ Json gain_of_it(const Gain& gain) {
     return json;
 }
 
+Json beds_of(const Diagnosis& diagnosis) {
+    Json all = Json::array();
+    for (const BedNumber& one : diagnosis.beds) {
+        Json json{{"condition", one.condition},
+                  {"measure", one.measure},
+                  {"unit", one.unit},
+                  {"held_out", one.held_out},
+                  {"measured", one.measured},
+                  {"measured_standard_error", one.measured_error},
+                  {"runs_measured", one.runs},
+                  {"baseline", one.baseline},
+                  {"baseline_standard_error", one.baseline_error},
+                  {"scatter_of_single_runs", one.scatter},
+                  {"seeds", one.seeds}};
+        if (one.has_extended) {
+            json["extended"] = one.extended;
+            json["extended_standard_error"] = one.extended_error;
+        }
+        all.push_back(std::move(json));
+    }
+    return all;
+}
+
 Json adequacy_of_it(const Adequacy& adequacy) {
     return {{"p_blocks", adequacy.blocks}, {"p_fingerprints", adequacy.prints}, {"p", adequacy.p()}};
 }
@@ -134,6 +157,12 @@ Json to_json(const Diagnosis& diagnosis, const std::string& version) {
     json["isolability"] = isolability_of(diagnosis);
     if (diagnosis.gain)
         json["gain"] = gain_of_it(*diagnosis.gain);
+    if (!diagnosis.beds.empty()) {
+        json["beds"] = beds_of(diagnosis);
+        json["degrees_of_freedom"] = diagnosis.evidence.degrees;
+    }
+    if (diagnosis.confirmation)
+        json["confirmation"] = {{"amplitudes", diagnosis.confirmation->amplitudes}, {"p", diagnosis.confirmation->p}};
     Json proposals = Json::array();
     for (const Proposal& proposal : diagnosis.proposals)
         proposals.push_back({{"id", proposal.id},
@@ -172,7 +201,32 @@ Json to_json(const Diagnosis& diagnosis, const std::string& version) {
     return json;
 }
 
+namespace {
+
+std::string beds_csv(const Diagnosis& diagnosis) {
+    std::string text = "condition,measure,unit,held_out,measured,measured_error,baseline,baseline_error,extended,"
+                       "extended_error\n";
+    for (const BedNumber& one : diagnosis.beds) {
+        const std::vector<std::string> cells{one.condition,
+                                             one.measure,
+                                             one.unit,
+                                             one.held_out ? "1" : "0",
+                                             shortest(one.measured),
+                                             shortest(one.measured_error),
+                                             shortest(one.baseline),
+                                             shortest(one.baseline_error),
+                                             one.has_extended ? shortest(one.extended) : "",
+                                             one.has_extended ? shortest(one.extended_error) : ""};
+        text += csv_line(cells);
+    }
+    return text;
+}
+
+} // namespace
+
 std::string residuals_csv(const Diagnosis& diagnosis) {
+    if (!diagnosis.beds.empty())
+        return beds_csv(diagnosis);
     std::string text = "record,column,time_s,measured,baseline,extended,residual_baseline,residual_extended,used\n";
     for (const Curve& curve : diagnosis.curves)
         for (std::size_t k = 0; k < curve.time.size(); ++k) {

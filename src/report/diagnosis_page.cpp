@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "diagnose/verdict.h"
+#include "report/bed_section.h"
 #include "report/svg_plot.h"
 
 #include <cmath>
@@ -216,13 +217,15 @@ std::string gain_section(const Diagnosis& diagnosis) {
     if (gain.bootstrapped)
         text += fmt::format(" (95 %: {:.1f} to {:.1f})", gain.nats_low, gain.nats_high);
     return fmt::format(
-        "<h2>What the extension is worth where it was not fitted</h2><p>{}. {}.</p><table><tr><th>{}</th><th>readings"
+        "<h2>What the extension is worth where it was not fitted</h2><p>{}. {}.</p><table><tr><th>{}</th><th>{}"
         "</th><th>baseline</th><th>extended</th></tr>{}</table><p class=\"small\">Root mean square residual in "
-        "standard "
-        "errors of a reading; 1 is noise alone. What only a record can tell comes from its first 30 %, for both "
-        "alike; scored is the rest.</p>",
+        "standard errors; 1 is noise alone.{}</p>",
         text, gain.shown ? "The gain is shown" : "The gain is not shown: some conditions do not improve",
-        gain.held_out ? "series held out" : "condition left out", rows);
+        gain.held_out ? "held out" : "condition left out", diagnosis.beds.empty() ? "readings" : "numbers", rows,
+        diagnosis.beds.empty()
+            ? " What only a record can tell comes from its first 30 %, for both alike; scored is the "
+              "rest."
+            : "");
 }
 
 std::string fingerprint_section(const Diagnosis& diagnosis) {
@@ -265,6 +268,8 @@ std::string small_print(const Diagnosis& diagnosis, const std::string& version) 
     std::string warnings;
     for (const auto& [sentence, names] : files)
         warnings += fmt::format("<li>{} <span class=\"small\">({})</span></li>", sentence, names);
+    if (!diagnosis.beds.empty())
+        return bed_small_print(diagnosis, warnings, version);
     return fmt::format(
         "<h2>Small print</h2>{}<table><tr><th>adjusted under every explanation</th><th>in the scene</th><th>fitted, "
         "baseline</th></tr>{}</table><p class=\"small\">{} readings, scatter {:.3g} (stated: {}), correlation of "
@@ -290,9 +295,9 @@ std::string page_of(const Diagnosis& diagnosis, const std::string& version) {
         "<body><h1>{}</h1><div class=\"verdict {}\"><b>{}</b><p>{}</p><p>{}</p></div>",
         escaped(diagnosis.title), style, escaped(diagnosis.title), mood, outcome_words(diagnosis),
         escaped(verdict_of(diagnosis)), escaped(next_step(diagnosis)));
-    page += measured_section(diagnosis) + residual_section(diagnosis) + fingerprint_section(diagnosis) +
-            library_section(diagnosis) + plan_section(diagnosis) + gain_section(diagnosis) +
-            isolability_section(diagnosis) + small_print(diagnosis, version);
+    page += diagnosis.beds.empty() ? measured_section(diagnosis) + residual_section(diagnosis) : bed_section(diagnosis);
+    page += fingerprint_section(diagnosis) + library_section(diagnosis) + plan_section(diagnosis) +
+            gain_section(diagnosis) + isolability_section(diagnosis) + small_print(diagnosis, version);
     return page + "</body></html>\n";
 }
 

@@ -32,14 +32,6 @@ struct Range {
     }
 };
 
-/// 1, 2 or 5 times a power of ten, so that a range gets about five.
-double tick_step(double width) {
-    const double raw = width / 5;
-    const double power = std::pow(10, std::floor(std::log10(raw)));
-    const double digit = raw / power;
-    return power * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10);
-}
-
 std::string tick_word(double value, double step) {
     return fmt::format("{:g}", std::abs(value) < step / 1000 ? 0.0 : value);
 }
@@ -155,6 +147,13 @@ private:
 };
 
 } // namespace
+
+double tick_step(double width) {
+    const double raw = width / 5;
+    const double power = std::pow(10, std::floor(std::log10(raw)));
+    const double digit = raw / power;
+    return power * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10);
+}
 
 std::string color_of(std::size_t index) {
     constexpr std::array colors{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#444444"};

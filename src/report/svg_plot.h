@@ -50,6 +50,9 @@ struct Mark {
 };
 std::string svg_of(const std::vector<Bar>& bars, const std::vector<Mark>& marks, const std::string& axis);
 
+/// 1, 2 or 5 times a power of ten, so that a range of this width gets about five.
+double tick_step(double width);
+
 /// Text as HTML and SVG take it.
 std::string escaped(const std::string& text);
 

@@ -97,4 +97,50 @@ TEST_CASE("a sealed case is revealed, and a folder without one is refused") {
     CHECK(contains(broken.err, "holds no sealed answer"));
 }
 
+TEST_CASE("a bed is run by seeds, each run kept beside the scene: the same question again runs nothing") {
+    const Folder folder;
+    const std::string trough = content_of(std::string(TUMBLE_ROOT) + "/scenes/measured/trough/trough.toml");
+    put(folder.path / "bed.toml", trough);
+    // Ten discs before anything shakes; told to lie as ten do, and as fifteen.
+    put(folder.path / "m.toml", R"(title = "few discs"
+causes = ["load.fill"]
+[[bulk]]
+name = "ten"
+set = ["fill.0.count=5", "fill.1.count=5"]
+from_s = 0.7
+until_s = 0.9
+runs = 2
+[[bulk.number]]
+measure = "centre_of_mass_y"
+value = 0.03
+unit = "m"
+[[bulk.number]]
+measure = "bulk_height"
+value = 40
+unit = "mm"
+sigma = 4
+)");
+    const Outcome asked = tumble_in(folder, {"diagnose", "bed.toml", "--data", "m.toml", "--seeds", "3", "--dry-run"});
+    CHECK(asked.code == 0);
+    CHECK(contains(asked.out, "9 runs, 8.1 s to simulate; 0 more are kept"));
+    CHECK(!std::filesystem::exists(folder.path / "bed.response.csv"));
+    const auto diagnose = [&] {
+        const Outcome told = tumble_in(folder, {"diagnose", "bed.toml", "--data", "m.toml", "--seeds", "3", "--json",
+                                                "--quiet", "--report", "report"});
+        REQUIRE(told.code == 0);
+        return nlohmann::json::parse(told.out);
+    };
+    const auto first = diagnose(), second = diagnose();
+    CHECK(first["runs"] >= 9);
+    CHECK(second["runs"] == 0);
+    CHECK(first["beds"] == second["beds"]);
+    CHECK(first["beds"].size() == 2);
+    CHECK(first["degrees_of_freedom"] == 6); // three beds of three seeds
+    CHECK(contains(content_of(folder.path / "bed.response.csv"), "ten,load.fill,0.25,2,"));
+    const std::string page = content_of(folder.path / "report/diagnosis.html");
+    CHECK(contains(page, "centre of mass y"));
+    CHECK(!contains(page, "nan"));
+    CHECK(contains(content_of(folder.path / "report/residuals.csv"), "condition,measure,unit"));
+}
+
 } // namespace test_diagnose_command

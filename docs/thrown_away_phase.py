@@ -1,0 +1,208 @@
+#!/usr/bin/python3
+"""Makes docs/thrown-away-phase.md and its pictures from the diagnosis of scenes/measured/trough:
+
+    docs/thrown_away_phase.py build/release/tumble
+
+What is not in the response table beside the scene is run, which takes a minute or some.
+"""
+import collections
+import csv
+import json
+import pathlib
+import re
+import statistics
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+CASE = ROOT / "scenes/measured/trough"
+SEEDS = 3
+STYLE = ("<style>text{font-family:'DejaVu Sans',Verdana,sans-serif;fill:#222}.t{font-size:11px}.a{font-size:12px}"
+         ".h{font-size:13px;font-weight:bold}.grid{stroke:#e4e4e4}.level{stroke:#444}.dash{stroke-dasharray:4 3}"
+         "</style><rect width='100%' height='100%' fill='white'/>")
+SHOWN = [("", "0", "as the scene has it: in phase"), ("exc.phase", "90", "sideways a quarter period ahead"),
+         ("exc.phase", "-90", "sideways a quarter period behind"),
+         ("exc.sideways", "0.75", "in phase, sideways 2.1 times as wide"),
+         ("exc.sideways", "-0.75", "in phase, sideways 0.47 times as wide"),
+         ("exc.rocking", "0.25", "in phase, rocking by 0.25 deg"), ("exc.rocking", "-0.25", "the other way round"),
+         ("grav.tilt_x", "2.5", "in phase, tilted by 2.5 deg"), ("grav.tilt_x", "-2.5", "the other way round"),
+         ("roll.coulomb", "0.2", "in phase, rolling friction 0.2"), ("fric.wall", "0.75", "in phase, wall friction 2.1 times")]
+
+# The page; {WORDS} are filled in.
+TEXT = """# The phase that was thrown away
+
+<!-- Made by docs/thrown_away_phase.py; change that, not this. -->
+
+A. Lopez Marrero (LJMU 2020, chapter 5) measured how a vibratory trough shakes, took from the spectra an upright harmonic of 1.949 mm and one across of 0.404 mm at
+25 Hz, and gave both to his simulation. The phase between them was not kept, and what came out wrong was put down to the software's algorithm. In the laboratory the load then ran to one slope and circulated;
+in the simulation it did neither. This page asks what a diagnosis makes of that. Everything on it is made by one command:
+
+```sh
+docs/thrown_away_phase.py build/release/tumble
+```
+
+**The scene** is [`scenes/measured/trough/trough.toml`](../scenes/measured/trough/trough.toml): the profile of the trough in two dimensions, with the thesis' amplitudes in phase, its frictions and restitutions,
+120 discs of 20 and 22 mm (quarter load) or 240 (half load). **The laboratory** is not the thesis', which prints no number for slope or circulation. It is a simulation with the phase put back, a quarter period, of
+which the diagnosis is told nothing but means of four runs each. It has seeds, a time step and sizes of bodies of its own; but it is the same solver, so this page shows what such data can tell, not that the
+machine had this phase.
+
+## Three numbers: something of the excitation
+
+Circulation, slope and height of the bed under two loads differ from the simulation in phase by chi-square {CHI} (the gate is at {GATE}). **{FIRST_OUTCOME}.** {FIRST_VERDICT}
+
+{LIBRARY}
+
+Walls that rock by a fifth of a degree do to these numbers what the dropped phase does. The response table knows more numbers than were measured, and says which would part the two:
+
+{PLAN}
+
+## The number that was asked for
+
+So the load's sideways speed is measured, too, in the same runs. **{OUTCOME}.** {VERDICT}
+
+{MEASURED}
+
+Rocking is {ROCKING} now, barely beyond the 3 nats that a name needs: one more number, not certainty.
+
+±: standard error of the mean, of four runs measured and {SEEDS} simulated. The last column was run with seeds of its own at the fitted value; so large a difference from what the table foretold has
+p = {P_CONFIRMED}. What the phase leaves of the misfit has p = {P_LEFT}.
+
+![Circulation of the half load: measured, in phase, and with the cause named](pictures/thrown-away-phase-circulation-half.svg)
+![Slope of the quarter load: measured, in phase, and with the cause named](pictures/thrown-away-phase-slope-quarter.svg)
+
+## What each cause does
+
+Means of {SEEDS} seeds from 1.4 to 3 s, ± the standard deviation from seed to seed; {RUNS} runs, in [`trough.response.csv`](../scenes/measured/trough/trough.response.csv).
+
+{RESPONSE}
+
+{CONCLUSIONS}
+"""
+
+CONCLUSIONS = """**What the phase explains.** In phase the half load turns by [half||0|circulation] rad/s, which is no more than its seeds scatter, with its surface at [half||0|slope] deg: no circulation, no slope, as
+the thesis' simulation of the full trough. A quarter period apart, it turns by [half|exc.phase|90|circulation] rad/s and slopes by [half|exc.phase|90|slope] deg; with the phase on the other side by
+[half|exc.phase|-90|circulation] rad/s. The side is the phase's.
+
+**What it does not explain.** At a quarter of the load the thesis' simulation had one slope, but a flatter one than the machine. The phase does not make it steeper: [quarter||0|slope] deg in phase,
+[quarter|exc.phase|90|slope] and [quarter|exc.phase|-90|slope] a quarter period to either side. Three things on this page do. Walls that rock by 0.25 deg, 1 mm up and down at the sides, give [quarter|exc.rocking|0.25|slope] deg and
+[quarter|exc.rocking|0.25|circulation] rad/s: slope and circulation together. A trough that leans by 2.5 deg gives [quarter|grav.tilt_x|2.5|slope] deg and leaves the circulation where it was ([quarter|grav.tilt_x|2.5|circulation] rad/s).
+Bodies that do not roll freely, as cones do not, stand steeper, too ([quarter|roll.coulomb|0.2|slope] deg with rolling friction 0.2). The thesis measured at one place of the machine, which shows neither rocking nor tilt.
+
+**Phase or amplitude.** The sideways amplitude comes from the same sensor as the phase. Twice as wide and in phase, the quarter load turns by [quarter|exc.sideways|0.75|circulation] rad/s, the half load by
+[half|exc.sideways|0.75|circulation]: to the same side as in phase, for a straight line stays a straight line. Over all numbers that is {SIDEWAYS}. So an amplitude that is wrong does not stand in for the phase here.
+Nor do these means tell it: it was not asked for beside the phase, and scales what the phase does.
+
+**What would decide.** The phase: both channels of the one sensor, read at the same instants (`tumble excitation` fits amplitude and phase); no bed is needed. Rocking: a second sensor on the other wall, 0.44 m away; 0.25 deg
+are 1.9 mm between the two, as much as the whole upright amplitude. A tilt: a spirit level. With the bed alone, slope *and* circulation at a quarter load: rocking moves both, a tilt the slope only
+({ROCKING_TILT} of rocking is left when a tilt is fitted in its place).
+
+**What this page is not.** Discs in a plane are no cones in space; with spheres and cones this has not been run. The laboratory is the solver itself. Signs and orders of magnitude are what such a plane can give."""
+
+
+def diagnose(tumble, measurement, folder):
+    told = subprocess.run([tumble, "diagnose", CASE / "trough.toml", "--data", CASE / measurement, "--json", "--quiet", "--seeds", str(SEEDS),
+                           "--report", folder], check=True, capture_output=True, text=True)
+    return json.loads(told.stdout), (pathlib.Path(folder) / "diagnosis.html").read_text(encoding="utf-8")
+
+
+def pictures(page):
+    """Two of the page's plots, as files of their own."""
+    for svg in re.findall(r"<svg.*?</svg>", page, re.S):
+        title = re.search(r"<title>(.*?)</title>", svg)
+        axis = re.findall(r'class="a"[^>]*>([^<]*)<', svg)
+        for measure, load in (("circulation", "half"), ("surface slope", "quarter")):
+            if title and axis and axis[0].startswith(measure) and title.group(1).startswith(load):
+                name = f"thrown-away-phase-{measure.split()[-1]}-{load}.svg"
+                (ROOT / "docs/pictures" / name).write_text(svg.replace("<title>", STYLE + "<title>", 1) + "\n", encoding="utf-8")
+
+
+def mean_and_scatter(values):
+    return statistics.mean(values), statistics.stdev(values)
+
+
+def response():
+    lines = [line for line in (CASE / "trough.response.csv").read_text(encoding="utf-8").splitlines() if line[0] != "#"]
+    runs = collections.defaultdict(list)
+    for row in csv.DictReader(lines):
+        if int(row["seed"]) <= SEEDS:  # later ones confirm, or are of a longer table
+            runs[row["condition"], row["cause"], row["amplitude"]].append(row)
+    return runs
+
+
+def response_table(runs):
+    rows = ["| shaken | quarter load: circulation, rad/s | slope, deg | half load: circulation, rad/s | slope, deg |",
+            "| --- | --- | --- | --- | --- |"]
+    for cause, amplitude, words in SHOWN:
+        cells = []
+        for condition in ("quarter load", "half load"):
+            for column in ("circulation_rad_s", "surface_slope_deg"):
+                mean, scatter = mean_and_scatter([float(r[column]) for r in runs[condition, cause, amplitude]])
+                digits = 3 if column.startswith("c") else 1
+                cells.append(f"{mean:.{digits}f} ± {scatter:.{digits}f}")
+        rows.append(f"| {words} | " + " | ".join(cells) + " |")
+    return "\n".join(rows)
+
+
+def measured_table(beds):
+    rows = ["| load | number | measured | in phase | with the cause named |", "| --- | --- | --- | --- | --- |"]
+    for one in beds:
+        unit = one["unit"].replace("_s", "/s")
+        cells = [f'{one[k]:.3g} ± {one[k + "_standard_error"]:.2g}' for k in ("measured", "baseline", "extended")]
+        rows.append(f"| {one['condition']} | {one['measure'].replace('_', ' ')}, {unit} | " + " | ".join(cells) + " |")
+    return "\n".join(rows)
+
+
+def library_table(found):
+    rows = ["| cause | fall of chi-square | standing |", "| --- | --- | --- |"]
+    for cause in sorted(found["library"], key=lambda one: -one["chi_square_gain"]):
+        rows.append(f"| `{cause['id']}` | {cause['chi_square_gain']:.1f} | {cause['standing']} |")
+    return "\n".join(rows)
+
+
+def standing(found, cause):
+    words = next(one["standing"] for one in found["library"] if one["id"] == cause)
+    return f"no more than what {SEEDS} seeds scatter" if "seeds" in words else f"something ({words})"
+
+
+def plan(found):
+    return "\n".join(f"- {one['sentence']}: {one['separation']:.1f} standard errors apart" for one in found["experiments"])
+
+
+def left_of(found, cause, rival):
+    ids = [one["id"] for one in found["library"]]
+    return found["isolability"][ids.index(cause)][ids.index(rival)]
+
+
+def filled(text, runs):
+    """[half|exc.phase|90|slope] becomes the mean of those runs."""
+    def value(match):
+        load, cause, amplitude, what = match.groups()
+        column, digits = {"circulation": ("circulation_rad_s", 3), "slope": ("surface_slope_deg", 1)}[what]
+        return f"{statistics.mean(float(r[column]) for r in runs[load + ' load', cause, amplitude]):.{digits}f}"
+    return re.sub(r"\[(half|quarter)\|([^|\]]*)\|([^|\]]*)\|(\w+)\]", value, text)
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        first, _ = diagnose(sys.argv[1], "measurement.toml", folder)
+        found, page = diagnose(sys.argv[1], "measurement-2.toml", folder)
+    pictures(page)
+    runs = response()
+    text = filled(TEXT.replace("{CONCLUSIONS}", CONCLUSIONS), runs)
+    seeds = len(runs["quarter load", "", "0"])
+    for key, value in {"FIRST_OUTCOME": first["outcome"], "FIRST_VERDICT": first["verdict"], "PLAN": plan(first),
+                       "VERDICT": found["verdict"], "OUTCOME": found["outcome"], "MEASURED": measured_table(found["beds"]),
+                       "RESPONSE": response_table(runs), "LIBRARY": library_table(first), "SEEDS": str(seeds),
+                       "RUNS": str(sum(map(len, runs.values()))), "GATE": f"{first['gate']:.1f}",
+                       "CHI": f"{first['chi_square_baseline']:.0f}",
+                       "P_CONFIRMED": f"{found['confirmation']['p']:.2g}", "P_LEFT": f"{found['adequacy_winner']['p']:.2g}",
+                       "ROCKING": next(one["standing"] for one in found["library"] if one["id"] == "exc.rocking"),
+                       "SIDEWAYS": standing(first, "exc.sideways"),
+                       "ROCKING_TILT": f"{left_of(first, 'exc.rocking', 'grav.tilt_x'):.2f}"}.items():
+        text = text.replace("{" + key + "}", value)
+    (ROOT / "docs/thrown-away-phase.md").write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

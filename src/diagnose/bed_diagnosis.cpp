@@ -1,0 +1,217 @@
+#include "diagnose/bed_diagnosis.h"
+
+#include "diagnose/bed_plan.h"
+#include "scene/load.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace tumble::diagnose {
+
+namespace {
+
+constexpr std::uint64_t confirming_seeds = 1000; // after the scene's: none that the table has
+constexpr double confirmed = 0.005;              // least p of runs that bear out the table
+constexpr double contradicted = 2;               // factor between stated and simulated scatter
+
+/// In three digits, so that data which change a little find their runs again.
+double rounded(double value) {
+    if (value == 0)
+        return 0;
+    const double digit = std::pow(10, std::floor(std::log10(std::abs(value))) - 2);
+    return std::round(value / digit) * digit;
+}
+
+class BedDiagnosing {
+public:
+    BedDiagnosing(const SceneText& scene, const Measurement& measurement, const TellStage& tell)
+        : scene_(scene), measurement_(measurement), tell_(tell) {}
+
+    Result<Diagnosis> run(Beds& beds) {
+        beds_ = &beds;
+        d_.title = measurement_.title;
+        d_.scene = scene_.file;
+        d_.data = measurement_.file;
+        d_.hash = measurement_.hash;
+        d_.settings = measurement_.settings;
+        d_.warnings = measurement_.warnings;
+        auto model =
+            BedModel::make(beds, measurement_.bulks, *choose_causes(measurement_.causes, Data::beds), d_.warnings);
+        if (!model)
+            return model.problems();
+        model_ = &*model;
+        d_.causes = model_->causes();
+        fill_numbers();
+        if (Problems problems = decide_it(); !problems.empty())
+            return problems;
+        d_.simulated = beds.simulated();
+        d_.runs = beds.runs();
+        return std::move(d_);
+    }
+
+private:
+    void tell(const std::string& stage) const {
+        if (tell_)
+            tell_(stage);
+    }
+
+    Problems decide_it() {
+        d_.evidence = model_->evidence();
+        d_.readings = static_cast<int>(d_.evidence.residual.size());
+        d_.chi_square = d_.evidence.residual.squaredNorm();
+        if (d_.evidence.degrees - d_.readings < 1) {
+            d_.decision.reason =
+                fmt::format("the runs tell the scatter of {} numbers with {:.0f} degrees of freedom only", d_.readings,
+                            d_.evidence.degrees);
+            d_.decision.remedy = "Run more seeds (--seeds), or have more causes considered: all their runs count.";
+            return {};
+        }
+        d_.decision = decide(d_.evidence, measurement_.settings,
+                             [this](const std::vector<int>& causes) { return model_->refit(d_.evidence, causes); });
+        const Outcome outcome = d_.decision.outcome;
+        if (outcome == Outcome::named || outcome == Outcome::two_causes) {
+            tell("runs the named cause at its fitted value");
+            if (Problems problems = confirm(*d_.decision.best); !problems.empty())
+                return problems;
+        }
+        if (outcome == Outcome::ambiguous)
+            d_.proposals = bed_proposals(*beds_, *model_, d_.decision);
+        return {};
+    }
+
+    /// Runs with the causes at their fitted amplitudes, of new seeds, under every condition.
+    Problems confirm(const Refit& best) {
+        Confirmation seen;
+        Pushes pushes;
+        for (std::size_t k = 0; k < best.causes.size(); ++k) {
+            seen.amplitudes.push_back(rounded(best.amplitude[static_cast<Eigen::Index>(k)]));
+            pushes.push_back({&d_.causes[static_cast<std::size_t>(best.causes[k])], seen.amplitudes.back()});
+        }
+        const double both = 2.0 / beds_->seeds();
+        double apart = 0;
+        std::vector<Score> scores;
+        std::size_t number = 0;
+        for (std::size_t c = 0; c < model_->conditions().size(); ++c) {
+            const BedCondition& now = model_->conditions()[c];
+            const auto runs = beds_->ensemble(static_cast<int>(c), pushes, confirming_seeds);
+            if (!runs)
+                return runs.problems();
+            const VectorXd mean = now.measured_of(runs->colwise().mean().transpose());
+            for (Eigen::Index k = 0; k < mean.size(); ++k, ++number) {
+                d_.beds[number].extended = mean[k];
+                d_.beds[number].extended_error = d_.beds[number].baseline_error;
+                d_.beds[number].has_extended = std::isfinite(mean[k]);
+            }
+            const MatrixXd covariance = now.covariance(beds_->seeds());
+            const auto chi_square = [&](const VectorXd& simulated) {
+                return whitened(covariance, now.values() - simulated).squaredNorm();
+            };
+            if (now.measured.held_out)
+                scores.push_back({now.measured.condition, static_cast<int>(mean.size()),
+                                  chi_square(now.measured_of(now.mean)), chi_square(mean)});
+            else
+                apart += whitened(both * now.simulated_covariance(), mean - foretold(now, best, seen)).squaredNorm();
+        }
+        seen.p = std::isfinite(apart) ? hotelling_tail(apart, d_.readings, d_.evidence.degrees) : 0;
+        if (seen.p < confirmed && d_.decision.sure) {
+            d_.decision.sure = false;
+            d_.decision.reason =
+                std::isfinite(apart)
+                    ? "runs at the fitted value do not bear out what was read between the amplitudes run"
+                    : "the scene breaks down, or a number measured has no meaning, at the fitted value";
+            d_.decision.remedy = "Run more seeds (--seeds), or start from a scene nearer to the bed measured.";
+        }
+        d_.confirmation = seen;
+        extend(pushes);
+        measure_gain(std::move(scores));
+        return {};
+    }
+
+    [[nodiscard]] static VectorXd foretold(const BedCondition& now, const Refit& best, const Confirmation& seen) {
+        VectorXd all = now.mean;
+        for (std::size_t k = 0; k < best.causes.size(); ++k)
+            all += now.branches[static_cast<std::size_t>(best.causes[k])].change(seen.amplitudes[k]);
+        return now.measured_of(all);
+    }
+
+    /// Conditions held out, predicted by what was run in them; else each from the others.
+    void measure_gain(std::vector<Score> aside) {
+        const bool held_out = !aside.empty();
+        if (!held_out)
+            for (const Fold& fold : d_.decision.folds)
+                aside.push_back({fold.condition, fold.readings, fold.baseline, fold.extended});
+        if (!aside.empty())
+            d_.gain = gain_of(std::move(aside), held_out);
+    }
+
+    /// The scene as it is written, with the causes in it.
+    void extend(const Pushes& pushes) {
+        auto scene = scene::load_scene_text(scene_.toml, scene_.file, scene_.sets);
+        if (!scene)
+            return;
+        for (const Push& push : pushes)
+            push.cause->extend(*scene, push.amplitude);
+        d_.extended = std::move(*scene);
+    }
+
+    void fill_numbers() {
+        for (const BedCondition& now : model_->conditions()) {
+            const VectorXd mean = now.measured_of(now.mean);
+            const MatrixXd own = now.simulated_covariance();
+            for (std::size_t k = 0; k < now.measured.numbers.size(); ++k) {
+                const auto i = static_cast<Eigen::Index>(k);
+                const BulkNumber& number = now.measured.numbers[k];
+                const double scatter = std::sqrt(own(i, i));
+                const double stated = number.sigma > 0 ? number.sigma : scatter;
+                d_.beds.push_back({.condition = now.measured.condition,
+                                   .measure = number.measure,
+                                   .unit = number.unit,
+                                   .held_out = now.measured.held_out,
+                                   .runs = now.measured.runs,
+                                   .seeds = beds_->seeds(),
+                                   .measured = number.value,
+                                   .measured_error = stated / std::sqrt(now.measured.runs),
+                                   .baseline = mean[i],
+                                   .baseline_error = scatter / std::sqrt(beds_->seeds()),
+                                   .scatter = scatter});
+                if (const double ratio = stated / scatter; ratio > contradicted || ratio < 1 / contradicted)
+                    d_.warnings.push_back(
+                        {.file = measurement_.file.string(),
+                         .key = "sigma contradicted",
+                         .what =
+                             fmt::format("{}: {} is said to scatter {:.2g} times as much as the simulation's runs do",
+                                         now.measured.condition, number.measure, ratio),
+                         .fix = "the measured scatter is taken as stated; it should be that of means over as long a "
+                                "stretch"});
+            }
+        }
+    }
+
+    const SceneText& scene_;
+    const Measurement& measurement_;
+    const TellStage& tell_;
+    Diagnosis d_;
+    Beds* beds_ = nullptr;
+    BedModel* model_ = nullptr;
+};
+
+} // namespace
+
+Result<Diagnosis> diagnose_beds(const SceneText& scene, const Measurement& measurement, const Simulate& simulate,
+                                const BedOptions& options, const TellStage& tell) {
+    auto beds = Beds::make(scene, measurement.bulks, simulate, options);
+    if (!beds)
+        return beds.problems();
+    if (tell)
+        tell("runs the bed as it is, and with each cause");
+    return BedDiagnosing(scene, measurement, tell).run(*beds);
+}
+
+Result<Budget> budget_of_beds(const SceneText& scene, const Measurement& measurement, const BedOptions& options) {
+    const auto beds = Beds::make(scene, measurement.bulks, {}, options);
+    if (!beds)
+        return beds.problems();
+    return BedModel::budget(*beds, measurement.bulks, *choose_causes(measurement.causes, Data::beds));
+}
+
+} // namespace tumble::diagnose

@@ -1,0 +1,196 @@
+#include "diagnose/beds.h"
+
+#include "base/hash.h"
+#include "base/text.h"
+#include "observe/mean_over.h"
+#include "observe/measures.h"
+#include "scene/load.h"
+#include "scene/to_toml.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace tumble::diagnose {
+
+namespace {
+
+/// What most beds can be measured by; kept of every run, so that the table can tell what would be worth measuring.
+constexpr const char* worth_measuring[] = {
+    "circulation",    "surface_slope",  "bulk_height",       "centre_of_mass_y",   "mean_speed",
+    "rms_velocity_x", "rms_velocity_y", "contacts_per_body", "surface_slope_left", "surface_slope_right"};
+
+std::vector<std::string> measures_for(const std::vector<Bulk>& conditions) {
+    std::vector<std::string> all;
+    const auto add = [&](const std::string& measure) {
+        if (std::find(all.begin(), all.end(), measure) == all.end())
+            all.push_back(measure);
+    };
+    for (const Bulk& bulk : conditions)
+        for (const BulkNumber& number : bulk.numbers)
+            add(number.measure);
+    for (const char* measure : worth_measuring)
+        add(measure);
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+std::string label_of(const Pushes& pushes) {
+    std::string label;
+    for (const Push& push : pushes)
+        label += (label.empty() ? "" : " ") + push.cause->id;
+    return label;
+}
+
+bool broke_down(const BedRun& run) {
+    return std::all_of(run.means.begin(), run.means.end(), [](const auto& mean) { return std::isnan(mean.second); });
+}
+
+std::string amplitudes_of(const Pushes& pushes) {
+    std::string amplitudes;
+    for (const Push& push : pushes)
+        amplitudes += (amplitudes.empty() ? "" : " ") + shortest(push.amplitude);
+    return amplitudes.empty() ? "0" : amplitudes;
+}
+
+} // namespace
+
+Result<Beds> Beds::make(SceneText scene, std::vector<Bulk> conditions, Simulate simulate, BedOptions options) {
+    Beds beds;
+    beds.conditions_ = std::move(conditions);
+    beds.simulate_ = std::move(simulate);
+    beds.options_ = std::move(options);
+    beds.measures_ = measures_for(beds.conditions_);
+    const auto measures = observe::choose_measures(beds.measures_);
+    if (!measures)
+        return measures.problems();
+    for (const observe::Measure& measure : *measures)
+        beds.columns_.push_back(measure.column());
+    for (const Bulk& bulk : beds.conditions_) {
+        std::vector<scene::Override> sets = scene.sets;
+        for (const std::string& set : bulk.sets)
+            sets.push_back({set});
+        auto resolved = scene::load_scene_text(scene.toml, scene.file, sets);
+        if (!resolved)
+            return resolved.problems();
+        scene::Stretch stretch = scene::settled(*resolved);
+        stretch = {bulk.from.value_or(stretch.from), bulk.until.value_or(stretch.until)};
+        if (!(stretch.until - stretch.from >= 2 * resolved->observe.every))
+            return Problem{.key = "bulk.from_s",
+                           .what = fmt::format("{}: from {:.4g} to {:.4g} s there are fewer than two rows to average",
+                                               bulk.condition, stretch.from, stretch.until),
+                           .fix =
+                               "let from_s and until_s be further apart, or make observe.every_s of the scene smaller"};
+        resolved->duration = stretch.until;
+        resolved->observe.measures = beds.measures_;
+        // Words and pictures do not date a run.
+        resolved->title = resolved->claim = "";
+        resolved->render = {};
+        beds.scenes_.push_back(std::move(*resolved));
+        beds.stretches_.push_back(stretch);
+    }
+    auto table = ResponseTable::open(beds.options_.table, beds.columns_);
+    if (!table)
+        return table.problems();
+    beds.table_ = std::move(*table);
+    return beds;
+}
+
+scene::Scene Beds::scene_of(int condition, const Pushes& pushes, std::uint64_t seed) const {
+    scene::Scene scene = scenes_[static_cast<std::size_t>(condition)];
+    for (const Push& push : pushes)
+        if (push.amplitude != 0)
+            push.cause->extend(scene, push.amplitude);
+    scene.seed += seed;
+    return scene;
+}
+
+BedRun Beds::plan(int condition, const Pushes& pushes, std::uint64_t seed) const {
+    scene::Scene scene = scene_of(condition, pushes, seed);
+    scene.observe.measures.clear(); // what else is looked at does not change what is seen
+    const scene::Stretch now = stretch(condition);
+    Hash64 hash;
+    hash.add(scene::to_toml(scene)).add(now.from).add(now.until).add(options_.version);
+    return {.run = hash.hex(),
+            .condition = conditions_[static_cast<std::size_t>(condition)].condition,
+            .cause = label_of(pushes),
+            .amplitude = amplitudes_of(pushes),
+            .seed = scene.seed,
+            .from = now.from,
+            .until = now.until,
+            .means = {}};
+}
+
+const BedRun* Beds::kept(const BedRun& run) const {
+    return options_.any_date ? table_.find(run) : table_.find(run.run);
+}
+
+bool Beds::idle(int condition, const Pushes& pushes) const {
+    return scene::to_toml(scene_of(condition, pushes, 0)) == scene::to_toml(scene_of(condition, {}, 0));
+}
+
+void Beds::charge(Budget& budget, int condition, const Pushes& pushes) const {
+    for (int nth = 0; nth < options_.seeds; ++nth) {
+        const BedRun run = plan(condition, pushes, static_cast<std::uint64_t>(nth));
+        if (const BedRun* known = kept(run)) {
+            ++budget.kept;
+            if (broke_down(*known)) // the others are not run
+                return;
+            continue;
+        }
+        ++budget.runs;
+        budget.simulated += run.until;
+        double wall = 0, like = 0;
+        for (const BedRun& old : table_.runs())
+            if (old.condition == run.condition && old.wall > 0)
+                wall += old.wall, like += old.until;
+        budget.wall += like > 0 ? wall * run.until / like : 0;
+    }
+}
+
+void Beds::perform(const scene::Scene& scene, BedRun& run) {
+    const auto begun = std::chrono::steady_clock::now();
+    const auto series = simulate_(scene);
+    run.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    if (!series)
+        failure_ = series.problems();
+    for (const std::string& column : columns_) {
+        const auto* values = series ? series->find(column) : nullptr;
+        run.means[column] =
+            values ? observe::mean_over(series->values[0], *values, run.from, run.until, scene.observe.every)
+                   : std::nan("");
+    }
+    ++runs_;
+    simulated_ += scene.duration;
+}
+
+Result<Ensemble> Beds::ensemble(int condition, const Pushes& pushes, std::uint64_t later_seeds) {
+    Ensemble all(options_.seeds, static_cast<Eigen::Index>(columns_.size()));
+    for (int nth = 0; nth < options_.seeds; ++nth) {
+        const std::uint64_t seed = later_seeds + static_cast<std::uint64_t>(nth);
+        BedRun run = plan(condition, pushes, seed);
+        if (const BedRun* known = kept(run)) {
+            run = *known;
+        } else {
+            perform(scene_of(condition, pushes, seed), run);
+            if (const auto written = table_.add(run); !written)
+                return written.problems();
+        }
+        for (std::size_t c = 0; c < columns_.size(); ++c)
+            all(nth, static_cast<Eigen::Index>(c)) = run.means.at(columns_[c]);
+        if (broke_down(run)) // others would, too
+            return Ensemble(Ensemble::Constant(1, all.cols(), std::nan("")));
+    }
+    return all;
+}
+
+int Beds::column_of(const std::string& measure) const {
+    return static_cast<int>(std::find(measures_.begin(), measures_.end(), measure) - measures_.begin());
+}
+
+scene::Stretch Beds::stretch(int condition) const {
+    return stretches_[static_cast<std::size_t>(condition)];
+}
+
+} // namespace tumble::diagnose

@@ -1,0 +1,116 @@
+#include "diagnose/response_table.h"
+
+#include "base/table.h"
+#include "base/text.h"
+#include "observe/whole_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace tumble::diagnose {
+
+namespace {
+
+constexpr std::array first_heads{"run", "condition", "cause", "amplitude", "seed", "from_s", "until_s", "wall_s"};
+constexpr const char* what_it_is =
+    "# Response table of `tumble diagnose`: means of a bed's runs, a line each. docs/diagnosis.md, \"Beds\".\n";
+
+std::string cell_of(double value) {
+    return std::isnan(value) ? "nan" : shortest(value);
+}
+
+} // namespace
+
+Result<ResponseTable> ResponseTable::open(const std::filesystem::path& file, std::vector<std::string> columns) {
+    ResponseTable table;
+    table.file_ = file;
+    table.columns_ = std::move(columns);
+    table.required_ = table.columns_.size();
+    if (std::filesystem::exists(file))
+        if (const auto read = table.read(); !read)
+            return read.problems();
+    return table;
+}
+
+Result<Done> ResponseTable::read() {
+    auto text = observe::read_whole(file_);
+    if (!text)
+        return text.problems();
+    const auto cells = parse_table(std::move(*text), file_.string());
+    if (!cells)
+        return cells.problems();
+    const auto& heads = cells->heads();
+    if (heads.size() < first_heads.size() || !std::equal(first_heads.begin(), first_heads.end(), heads.begin()))
+        return Problem{.file = file_.string(),
+                       .what = "this is no response table",
+                       .fix = "name another file for it (--table), or remove this one"};
+    for (std::size_t c = first_heads.size(); c < heads.size(); ++c)
+        if (std::find(columns_.begin(), columns_.end(), heads[c]) == columns_.end())
+            columns_.push_back(heads[c]);
+    for (std::size_t row = 0; row < cells->rows(); ++row) {
+        const auto text_at = [&](std::size_t column) { return std::string(cells->cell(row, column)); };
+        const auto number_at = [&](std::size_t column) {
+            const auto number = parse_number(cells->cell(row, column));
+            return number ? *number : std::nan("");
+        };
+        BedRun run{.run = text_at(0),
+                   .condition = text_at(1),
+                   .cause = text_at(2),
+                   .amplitude = text_at(3),
+                   .seed = static_cast<std::uint64_t>(
+                       parse_integer(cells->cell(row, 4)).ok() ? *parse_integer(cells->cell(row, 4)) : 0),
+                   .from = number_at(5),
+                   .until = number_at(6),
+                   .wall = number_at(7),
+                   .means = {}};
+        for (std::size_t c = first_heads.size(); c < heads.size(); ++c)
+            if (!cells->cell(row, c).empty())
+                run.means[heads[c]] = number_at(c);
+        runs_.push_back(std::move(run));
+    }
+    return Done{};
+}
+
+bool ResponseTable::whole(const BedRun& run) const {
+    return std::all_of(columns_.begin(), columns_.begin() + static_cast<std::ptrdiff_t>(required_),
+                       [&](const std::string& column) { return run.means.contains(column); });
+}
+
+const BedRun* ResponseTable::find(const std::string& run) const {
+    for (const BedRun& one : runs_)
+        if (one.run == run && whole(one))
+            return &one;
+    return nullptr;
+}
+
+const BedRun* ResponseTable::find(const BedRun& like) const {
+    for (const BedRun& one : runs_)
+        if (one.condition == like.condition && one.cause == like.cause && one.amplitude == like.amplitude &&
+            one.seed == like.seed && whole(one))
+            return &one;
+    return nullptr;
+}
+
+Result<Done> ResponseTable::add(BedRun run) {
+    std::erase_if(runs_, [&](const BedRun& old) { return old.run == run.run; }); // one that lacked a column
+    runs_.push_back(std::move(run));
+    if (file_.empty())
+        return Done{};
+    std::vector<std::string> cells(first_heads.begin(), first_heads.end());
+    cells.insert(cells.end(), columns_.begin(), columns_.end());
+    std::string text = what_it_is + csv_line(cells);
+    for (const BedRun& one : runs_) {
+        cells = {one.run,           one.condition,      one.cause,         one.amplitude, std::to_string(one.seed),
+                 cell_of(one.from), cell_of(one.until), fixed(one.wall, 1)};
+        for (const std::string& column : columns_) {
+            const auto found = one.means.find(column);
+            cells.push_back(found == one.means.end() ? "" : cell_of(found->second));
+        }
+        text += csv_line(cells);
+    }
+    return observe::write_whole(file_, text);
+}
+
+} // namespace tumble::diagnose

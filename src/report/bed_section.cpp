@@ -1,0 +1,90 @@
+#include "report/bed_section.h"
+
+#include "observe/measures.h"
+#include "report/interval_plot.h"
+#include "report/svg_plot.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace tumble::report {
+
+using namespace diagnose;
+
+namespace {
+
+constexpr double two_sided_95 = 1.96; // standard errors
+
+double apart(const BedNumber& one, double value, double error) {
+    return (one.measured - value) / std::hypot(one.measured_error, error);
+}
+
+std::string with_error(double value, double error) {
+    return fmt::format("<td class=\"n\">{:.3g} &plusmn; {:.2g}</td>", value, error);
+}
+
+std::string row_of(const BedNumber& one) {
+    std::string row =
+        fmt::format("<tr><td>{}{}</td><td>{}, in {}</td>", escaped(one.condition), one.held_out ? " (held out)" : "",
+                    observe::spelled_name(one.measure), one.unit.empty() ? "1" : observe::spelled_unit(one.unit));
+    row += with_error(one.measured, one.measured_error) + with_error(one.baseline, one.baseline_error) +
+           fmt::format("<td class=\"n\">{:+.1f}</td>", apart(one, one.baseline, one.baseline_error));
+    if (one.has_extended)
+        row += with_error(one.extended, one.extended_error) +
+               fmt::format("<td class=\"n\">{:+.1f}</td>", apart(one, one.extended, one.extended_error));
+    return row + fmt::format("<td class=\"n\">{:.2g}</td></tr>", one.scatter);
+}
+
+std::string plot_of(const BedNumber& one) {
+    std::vector<Interval> intervals{{"measured", "#444444", one.measured, two_sided_95 * one.measured_error},
+                                    {"baseline", color_of(1), one.baseline, two_sided_95 * one.baseline_error}};
+    if (one.has_extended)
+        intervals.push_back({"extended", color_of(0), one.extended, two_sided_95 * one.extended_error});
+    const std::string unit = observe::spelled_unit(one.unit);
+    return svg_of(fmt::format("{}{}", one.condition, one.held_out ? ", held out" : ""), intervals,
+                  observe::spelled_name(one.measure) + (unit.empty() ? "" : ", in " + unit));
+}
+
+} // namespace
+
+std::string bed_section(const Diagnosis& diagnosis) {
+    std::string plots, rows;
+    bool extended = false;
+    for (const BedNumber& one : diagnosis.beds) {
+        plots += plot_of(one);
+        rows += row_of(one);
+        extended = extended || one.has_extended;
+    }
+    std::string confirmed;
+    if (diagnosis.confirmation)
+        confirmed = fmt::format(" The extended scene was run at {} with seeds of its own; so large a difference from "
+                                "what the response table "
+                                "foretold has p = {:.2g}.",
+                                fmt::join(diagnosis.confirmation->amplitudes, " and "), diagnosis.confirmation->p);
+    return fmt::format(
+        "<h2>What was measured of the bed, and what the scene gives</h2><p>Means over time and runs; bars hold 95 %. "
+        "Paths in a bed do not repeat, so only means are compared.{}</p><div class=\"plots\">{}</div><table><tr><th>"
+        "condition</th><th>number</th><th>measured</th><th>baseline</th><th>off by</th>{}<th>scatter of one run</th>"
+        "</tr>{}</table><p class=\"small\">&plusmn;: standard error. Off by: measured less simulated, in standard "
+        "errors "
+        "of the difference. The scatter is the simulation's, from run to run.</p>",
+        confirmed, plots, extended ? "<th>extended</th><th>off by</th>" : "", rows);
+}
+
+std::string bed_small_print(const Diagnosis& diagnosis, const std::string& warnings, const std::string& version) {
+    return fmt::format(
+        "<h2>Small print</h2>{}<p class=\"small\">{} numbers of {} seeds each; their scatter is known with {:.0f} "
+        "degrees "
+        "of freedom, from all runs of the response table together. Adequacy of the baseline p = {:.2g}, of the "
+        "extension "
+        "p = {:.2g} (Hotelling's T squared). Causes were run at two amplitudes each and are read between them, which "
+        "the "
+        "runs at the fitted value check. {} runs now, {:.3g} s simulated. Scene {}, data {} ({}). tumble {}.</p>",
+        warnings.empty() ? "" : "<ul>" + warnings + "</ul>", diagnosis.readings,
+        diagnosis.beds.empty() ? 0 : diagnosis.beds[0].seeds, diagnosis.evidence.degrees,
+        diagnosis.decision.baseline.p(), diagnosis.decision.winner.p(), diagnosis.runs, diagnosis.simulated,
+        escaped(diagnosis.scene.string()), escaped(diagnosis.data.string()), diagnosis.hash, version);
+}
+
+} // namespace tumble::report

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "scene/scene.h"
+
+namespace tumble::scene {
+
+/// From one instant to another, s.
+struct Stretch {
+    double from = 0, until = 0;
+};
+
+/// When a bed is worth averaging: the second half of the time in which all moves that moves, by when the bulk has
+/// forgotten how it lay; from the last body put in where nothing does. In whole pairs of the slowest period where walls
+/// vibrate, for a shaken bed may answer every second shake alike.
+Stretch settled(const Scene& scene);
+
+} // namespace tumble::scene

@@ -1,0 +1,106 @@
+// Something hidden in beds of discs, found through response tables that are kept in the repository: no test runs a bed.
+// tests/blind/beds/README.md tells how the cases and the tables were made.
+#include "base/table.h"
+#include "diagnose/bed_diagnosis.h"
+#include "diagnose/verdict.h"
+#include "scene/read_file.h"
+
+#include <cmath>
+#include <doctest/doctest.h>
+#include <set>
+#include <unistd.h>
+
+namespace {
+
+using namespace tumble;
+using namespace tumble::diagnose;
+
+Diagnosis diagnosed(const std::string& scene, const std::string& data, int seeds = 4) {
+    const std::filesystem::path root(TUMBLE_ROOT), file = root / scene;
+    const auto text = scene::read_file(file, std::uintmax_t{1} << 20);
+    REQUIRE(text);
+    const auto measurement = load_measurement(root / data);
+    REQUIRE_MESSAGE(measurement, to_string(measurement.problems()));
+    const Simulate nothing = [](const scene::Scene& missing) -> Result<observe::Series> {
+        return Problem{.what = "the stored table lacks a run of seed " + std::to_string(missing.seed)};
+    };
+    // A copy: a run that is missing would be noted down as one that breaks down.
+    const std::filesystem::path copy =
+        std::filesystem::temp_directory_path() / ("tumble-" + std::to_string(::getpid()) + ".response.csv");
+    std::filesystem::path table = file;
+    std::filesystem::copy_file(table.replace_extension(".response.csv"), copy,
+                               std::filesystem::copy_options::overwrite_existing);
+    auto diagnosis =
+        diagnose_beds({*text, file}, *measurement, nothing, {.table = copy, .seeds = seeds, .any_date = true});
+    std::filesystem::remove(copy);
+    REQUIRE_MESSAGE(diagnosis, to_string(diagnosis.problems()));
+    CHECK(diagnosis->runs == 0);
+    return std::move(*diagnosis);
+}
+
+std::set<std::string> ids_of(const Diagnosis& diagnosis) {
+    std::set<std::string> ids;
+    for (const int k : diagnosis.decision.causes)
+        ids.insert(diagnosis.causes[static_cast<std::size_t>(k)].id);
+    return ids;
+}
+
+constexpr const char* trough = "scenes/measured/trough/trough.toml";
+
+} // namespace
+
+TEST_CASE("rolling resistance in a heap of discs is named, with its amplitude, and borne out by runs of other seeds") {
+    const Diagnosis diagnosis = diagnosed("tests/blind/beds/heap.toml", "tests/blind/beds/rolling.toml");
+    REQUIRE_MESSAGE(diagnosis.decision.outcome == Outcome::named, verdict_of(diagnosis));
+    CHECK_MESSAGE(diagnosis.decision.sure, verdict_of(diagnosis));
+    CHECK(ids_of(diagnosis) == std::set<std::string>{"roll.coulomb"});
+    const Refit& best = *diagnosis.decision.best;
+    CHECK(std::abs(best.amplitude[0] - 0.15) < 4 * best.error[0]);
+    CHECK(best.error[0] < 0.15 / 5);
+    CHECK(diagnosis.confirmation->p > 0.005);
+    CHECK(diagnosis.extended->pair(0, 0).rolling_friction > 0.1);
+}
+
+TEST_CASE("a phase dropped from the trough's excitation: it or rocking, and the table tells what would part them") {
+    const Diagnosis diagnosis = diagnosed(trough, "scenes/measured/trough/measurement.toml", 3);
+    REQUIRE_MESSAGE(diagnosis.decision.outcome == Outcome::ambiguous, verdict_of(diagnosis));
+    CHECK(ids_of(diagnosis) == std::set<std::string>{"exc.phase", "exc.rocking"});
+    REQUIRE(!diagnosis.proposals.empty());
+    CHECK(diagnosis.proposals[0].sentence == "measure rms_velocity_x of the bed, too");
+    CHECK(diagnosis.proposals[0].separation > 5);
+}
+
+TEST_CASE("with the number that was asked for, the phase is named") {
+    const Diagnosis diagnosis = diagnosed(trough, "scenes/measured/trough/measurement-2.toml", 3);
+    REQUIRE_MESSAGE(diagnosis.decision.outcome == Outcome::named, verdict_of(diagnosis));
+    CHECK_MESSAGE(diagnosis.decision.sure, verdict_of(diagnosis));
+    CHECK(ids_of(diagnosis) == std::set<std::string>{"exc.phase"});
+    const Refit& best = *diagnosis.decision.best;
+    CHECK(std::abs(best.amplitude[0] - 90) < 4 * best.error[0]);
+    CHECK(diagnosis.confirmation->p > 0.005);
+}
+
+TEST_CASE("a load that differs from the record is found") {
+    const Diagnosis diagnosis = diagnosed(trough, "tests/blind/beds/fill.toml", 3);
+    REQUIRE_MESSAGE(diagnosis.decision.outcome == Outcome::named, verdict_of(diagnosis));
+    CHECK(ids_of(diagnosis) == std::set<std::string>{"load.fill"});
+    const Refit& best = *diagnosis.decision.best;
+    CHECK(std::abs(best.amplitude[0] + 1.0 / 6) < 4 * best.error[0] + 0.01); // discs come in whole numbers
+}
+
+TEST_CASE("a trough in which nothing is hidden agrees with its record, though seeds, step and sizes are others") {
+    const Diagnosis diagnosis = diagnosed(trough, "tests/blind/beds/nothing.toml", 3);
+    CHECK_MESSAGE(diagnosis.decision.outcome == Outcome::consistent, verdict_of(diagnosis));
+}
+
+TEST_CASE("a diagnosis that may not look at the table's causes cannot name them") {
+    // The power of the tests above: without runs of rolling resistance its heap is none of the known causes.
+    const std::filesystem::path root(TUMBLE_ROOT);
+    auto measurement = *load_measurement(root / "tests/blind/beds/rolling.toml");
+    measurement.causes = {"rest.factor", "grav.tilt_x"};
+    const auto text = scene::read_file(root / "tests/blind/beds/heap.toml", std::uintmax_t{1} << 20);
+    const auto without = diagnose_beds({*text, root / "tests/blind/beds/heap.toml"}, measurement, {},
+                                       {.table = root / "tests/blind/beds/heap.response.csv", .any_date = true});
+    REQUIRE(without);
+    CHECK_MESSAGE(without->decision.outcome == Outcome::none_known, verdict_of(*without));
+}

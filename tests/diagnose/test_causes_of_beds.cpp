@@ -1,0 +1,70 @@
+#include "about.h"
+#include "beds_of_a_formula.h"
+#include "scene/to_toml.h"
+
+#include <doctest/doctest.h>
+
+namespace test_causes_of_beds {
+
+using namespace tumble;
+using namespace tumble::diagnose;
+using tumble::test::about;
+
+namespace {
+
+scene::Scene box() {
+    return *scene::load_scene_text(test::shaken_box, "box.toml");
+}
+
+scene::Scene with(const std::string& id, double amplitude) {
+    scene::Scene scene = box();
+    choose_causes({id}, Data::beds)->front().extend(scene, amplitude);
+    return scene;
+}
+
+} // namespace
+
+TEST_CASE("rocking lifts one side while it lowers the other, in time with the upright shaking") {
+    const scene::Scene scene = with("exc.rocking", 0.2);
+    const double quarter = 0.25 / 25; // s: the shaking is at its highest
+    const scene::WallPose pose = scene::pose_at(scene.walls[0].motion, quarter);
+    const double lift = 0.3 * std::sin(0.2 / 57.29577951308232);
+    const auto height_at = [&](double x) { return (pose.rotation * Eigen::Vector3d(x, 0, 0) + pose.translation).y(); };
+    CHECK(height_at(0.3) == about(0.001 + lift));
+    CHECK(height_at(-0.3) == about(0.001 - lift));
+}
+
+TEST_CASE("sideways shaking, load and restitution are scaled, and nothing else") {
+    CHECK(with("exc.sideways", std::log(2)).walls[0].motion.harmonics[1].amplitude == about(0.002));
+    CHECK(with("exc.sideways", 1).walls[0].motion.harmonics[0].amplitude == 0.001);
+    CHECK(*with("load.fill", -0.25).fills[0].count == 75);
+    CHECK(with("rest.factor", std::log(0.8)).pair(0, 0).restitution == about(0.4));
+    CHECK(with("rest.factor", 1).pair(0, 0).restitution == 1);
+}
+
+TEST_CASE("wall friction acts on walls alone, also where they are of the bodies' material") {
+    const scene::Scene scene = with("fric.wall", std::log(3));
+    REQUIRE(scene.materials.size() == 2);
+    CHECK(scene.walls[0].material == 1);
+    CHECK(scene.bodies[0].material == 0);
+    CHECK(scene.pair(0, 0).friction == 0.5);
+    CHECK(scene.pair(0, 1).friction == about(1.5));
+    CHECK(scene.pair(1, 0).friction == about(1.5));
+    CHECK(scene::load_scene_text(scene::to_toml(scene), "again.toml")); // it can be written and run
+}
+
+TEST_CASE("what beds alone can show is not asked of single bodies, and instruments not of beds") {
+    const auto has = [](const std::vector<Cause>& causes, const std::string& id) {
+        return std::any_of(causes.begin(), causes.end(), [&](const Cause& cause) { return cause.id == id; });
+    };
+    const auto records = *choose_causes({}), beds = *choose_causes({}, Data::beds);
+    CHECK(!has(records, "load.fill"));
+    CHECK(has(records, "ins.gain"));
+    CHECK(has(beds, "load.fill"));
+    CHECK(!has(beds, "ins.gain"));
+    CHECK(has(*choose_causes({"friction"}, Data::beds), "fric.wall"));
+    CHECK(!has(*choose_causes({"friction"}), "fric.wall"));
+    CHECK(has(*choose_causes({"fric.wall"}), "fric.wall")); // who asks for it gets it
+}
+
+} // namespace test_causes_of_beds

@@ -10,6 +10,7 @@ import json
 import os
 import pathlib
 import shutil
+import socket
 import subprocess
 import sys
 import tempfile
@@ -250,6 +251,10 @@ def main():
     for needed in ("chromium", "chromedriver"):
         if not shutil.which(needed):
             skip(f"{needed} is not installed")
+    try:
+        socket.getaddrinfo("localhost", 80)
+    except OSError:
+        skip("this machine does not know the name localhost, by which chromedriver finds its browser: it belongs into /etc/hosts")
     with tempfile.TemporaryDirectory() as place:
         folder = pathlib.Path(place)
         (folder / "shaken.toml").write_text(SCENE)

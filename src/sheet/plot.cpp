@@ -107,7 +107,8 @@ std::string gnuplot_script(const Figure& figure, const std::filesystem::path& fi
     std::string script = canvas(figure, file.extension() == ".svg");
     script += fmt::format("set output {}\nset title {}\n", in_gnuplots_quotes(file.string()),
                           in_gnuplots_quotes(figure.title));
-    script += "set grid lc rgb '#cccccc'\nset key above\nset autoscale noextend\nset offsets graph 0.02, graph 0.02, "
+    script += "set grid lc rgb '#cccccc'\nset key below height 1\nset autoscale noextend\nset offsets graph 0.02, "
+              "graph 0.02, "
               "graph 0.05, graph 0.05\n";
     script += axis('x', figure.x) + axis('y', figure.y);
     std::string plots;

@@ -384,7 +384,7 @@ TEST_CASE(
     }
     // Six slopes scatter by 1.1 degrees: their mean by 0.45, the mean difference of two sides by 0.9.
     CHECK(sum / 6 == about(15.9, 0.08));
-    CHECK(std::abs(skew / 3) < 2.7);
+    CHECK(std::abs(skew / 3) < 2);
 }
 
 TEST_CASE("trough-2d: moved round a circle, the trough makes its flat load circulate clockwise and its surface slope") {
@@ -401,8 +401,13 @@ TEST_CASE("trough-2d: moved round a circle, the trough makes its flat load circu
             CHECK(flat.mean("circulation", from, from + 0.4) < -0.25);
             CHECK(flat.mean("circulation", from, from + 0.4) > -0.9);
         }
-        turns += 0.5 * flat.mean("circulation", 2.0, 3.0);
-        slope += 0.5 * flat.mean("surface_slope", 2.0, 3.0);
+        const double turned = flat.mean("circulation", 2.0, 3.0), sloped = flat.mean("surface_slope", 2.0, 3.0);
+        if (turns == 0) { // the scene's own seed
+            CHECK(turned == about(-0.53, 0.25));
+            CHECK(sloped == about(-9.2, 0.25));
+        }
+        turns += 0.5 * turned;
+        slope += 0.5 * sloped;
         CHECK(std::abs(flat.summary.books.closure) < 0.01 * flat.summary.energy_turnover);
     }
     CHECK(std::abs(turns + 0.51) < 0.13);
@@ -451,5 +456,5 @@ TEST_CASE("drum-2d: the surface of a slowly turning drum keeps its dynamic angle
             CHECK(drum.mean("surface_slope", from, from + 0.4) < 27.5);
         }
     }
-    CHECK(std::abs(mean - 22.6) < 1.2);
+    CHECK(mean == about(22.6, 0.05));
 }

@@ -27,6 +27,14 @@ template <class Change> void excite(Scene& scene, Change change) {
     }
 }
 
+/// Every harmonic of every wall that does not go up and down.
+template <class Change> void shake_sideways(Scene& scene, Change change) {
+    for (scene::Wall& wall : scene.walls)
+        for (scene::Harmonic& part : wall.motion.harmonics)
+            if (part.axis != 1)
+                change(part);
+}
+
 const scene::Harmonic* largest_upright(const scene::WallMotion& motion) {
     const scene::Harmonic* largest = nullptr;
     for (const scene::Harmonic& part : motion.harmonics)
@@ -155,13 +163,7 @@ std::vector<Cause> of_the_excitation() {
          .name = "sideways shaking that is ahead of the upright one",
          .look = "the orbit opens to an ellipse; circulation changes its sign with it",
          .keys = "wall.motion.phase_deg of harmonics along x and z",
-         .extend =
-             [](Scene& s, double d) {
-                 for (scene::Wall& wall : s.walls)
-                     for (scene::Harmonic& part : wall.motion.harmonics)
-                         if (part.axis != 1)
-                             part.phase += d * degree;
-             }},
+         .extend = [](Scene& s, double d) { shake_sideways(s, [&](auto& part) { part.phase += d * degree; }); }},
         {.id = "exc.sideways",
          .family = "excitation",
          .symbol = "ln(amplitude factor)",
@@ -172,13 +174,7 @@ std::vector<Cause> of_the_excitation() {
          .name = "sideways shaking that is wider or narrower than the scene's",
          .look = "drives circulation the harder the wider; nothing where it is in phase with the upright shaking",
          .keys = "wall.motion.amplitude_m of harmonics along x and z, times a factor",
-         .extend =
-             [](Scene& s, double d) {
-                 for (scene::Wall& wall : s.walls)
-                     for (scene::Harmonic& part : wall.motion.harmonics)
-                         if (part.axis != 1)
-                             part.amplitude *= std::exp(d);
-             }},
+         .extend = [](Scene& s, double d) { shake_sideways(s, [&](auto& part) { part.amplitude *= std::exp(d); }); }},
         {.id = "exc.rocking",
          .family = "excitation",
          .symbol = "rocking",

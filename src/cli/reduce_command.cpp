@@ -168,6 +168,12 @@ void add_reduce_command(CLI::App& program, Action& action) {
         ->type_name("N")
         ->check(whole_number_from(2, 100));
     command
+        ->add_option("--reference", options.references,
+                     "Folder of a run of the scene as written that is over, instead of running it; may be repeated")
+        ->type_name("RUN")
+        ->expected(1)
+        ->take_all();
+    command
         ->add_option(
             "--budget", options.budget,
             "Wall time for all runs, s: those that would go beyond are left out, the dearest first. The fullest "

@@ -134,10 +134,13 @@ sheet::Sheet sheet_of(const Account& account) {
         return sheet;
     }
     sheet.parts.emplace_back(table_of(account));
+    const std::size_t references = account.climb.rungs[*account.reference].runs.size();
+    const std::string aside =
+        static_cast<int>(references) == account.seeds ? "" : fmt::format(" ({} of the reference)", references);
     sheet.say(
-        fmt::format("Means from {:.4g} to {:.4g} s over {} seeds. Errors are those against the reference, ± half of "
+        fmt::format("Means from {:.4g} to {:.4g} s over {} seeds{}. Errors are those against the reference, ± half of "
                     "a 95 % interval; one in brackets is not told apart from chance.",
-                    account.climb.stick.from(), account.climb.stick.until(), account.seeds));
+                    account.climb.stick.from(), account.climb.stick.until(), account.seeds, aside));
     if (!account.reference_is_whole())
         sheet.say(
             fmt::format("The scene as written was not run to its end: errors are against \"{}\", the fullest that "

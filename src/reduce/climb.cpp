@@ -1,5 +1,6 @@
 #include "reduce/climb.h"
 
+#include "reduce/given_run.h"
 #include "reduce/kept_run.h"
 #include "run/scene_check.h"
 
@@ -35,6 +36,8 @@ public:
     Result<Climb> climb() {
         for (Climbed& rung : result_.rungs)
             weigh(rung);
+        if (const Result<Done> taken = take_references(); !taken)
+            return taken.problems();
         std::vector<Climbed*> order;
         for (Climbed& rung : result_.rungs)
             if (rung.standing == Standing::waiting)
@@ -63,6 +66,23 @@ private:
         rung.mass = check->mass;
         rung.bodies = static_cast<double>(check->wanted);
         rung.work = check->body_steps * static_cast<double>(check->parts) / std::max(1.0, rung.bodies);
+    }
+
+    Result<Done> take_references() {
+        Climbed& whole = result_.rungs.front();
+        for (const std::filesystem::path& folder : options_.references) {
+            const auto given = read_given(folder, whole.rung.scene, result_.stick, whole.mass);
+            if (!given)
+                return given.problems();
+            for (const Seeded& run : whole.runs)
+                if (run.seed == given->seed)
+                    return Problem{.file = folder.string(),
+                                   .what = fmt::format("seed {} is among the references already", given->seed),
+                                   .fix = "give each run once, and only runs of different seeds"};
+            whole.runs.push_back(*given);
+            whole.standing = Standing::finished;
+        }
+        return Done{};
     }
 
     [[nodiscard]] scene::Scene prepared(const Climbed& rung, int nth) const {

@@ -365,6 +365,7 @@ void RunInWork::take_stock() {
         summary_.phases[k].seconds += before.phases[k].seconds;
     summary_.stepping_s = before.stepping_s + pace_.seconds();
     summary_.wall_s = before.wall_s + pace_.since_made();
+    summary_.processor_s = before.processor_s + pace_.processor_since_made();
     summary_.frames_s = before.frames_s + queue_->worked_s();
     summary_.waited_s = before.waited_s + queue_->waited_s();
     summary_.frames = queue_->taken() + (resumed_ ? resumed_->shots : 0);

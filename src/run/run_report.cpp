@@ -77,6 +77,7 @@ nlohmann::ordered_json to_json(const RunSummary& summary) {
     json["video_slowdown"] = summary.video_slowdown;
     json["video_file"] = summary.video_file.string();
     json["wall_s"] = number(summary.wall_s);
+    json["processor_s"] = number(summary.processor_s);
     json["frames_s"] = number(summary.frames_s);
     json["waited_for_frames_s"] = number(summary.waited_s);
     const double stepping = summary.stepping_s;

@@ -84,6 +84,7 @@ struct RunSummary {
     std::filesystem::path video_file; // empty without a video
     double video_slowdown = 1;        // s of watching per s of the run
     double wall_s = 0;                // s, all
+    double processor_s = 0;           // s, of the program's threads together while it went on
     double stepping_s = 0;            // s, inside the solver
     double frames_s = 0;              // s, drawing and writing frames, beside the steps
     double waited_s = 0;              // s, in which the steps stood still for that

@@ -101,6 +101,65 @@ TEST_CASE("a ladder is climbed from its cheapest rung, goes on where it was stop
         "rung,standing,verdict,runs,core_s,speed_up,overlap,kinetic_energy_per_mass_mean,"));
 }
 
+TEST_CASE("runs that were made before stand for the scene as written, if they are runs of it") {
+    const test::Folder folder, ladder_folder;
+    const auto run_of = [&](const std::string& name, const std::vector<scene::Override>& sets) {
+        SceneText text = test::small_trough();
+        text.sets.insert(text.sets.end(), sets.begin(), sets.end());
+        const auto scene = text.load();
+        REQUIRE_MESSAGE(scene, to_string(scene.problems()));
+        run::RunListener nobody;
+        run::RunOptions options;
+        options.folder = folder.path / name;
+        const auto done = run::run_scene(*scene, options, nobody);
+        REQUIRE_MESSAGE(done, to_string(done.problems()));
+        REQUIRE(done->state == "finished");
+        CHECK(done->processor_s > 0);
+        return folder.path / name;
+    };
+    // What is drawn and how long it goes on makes no other run of it.
+    const std::filesystem::path whole =
+        run_of("whole", {{"seed=11"},
+                         {"render.color=vy"},
+                         {"title=mine"},
+                         {R"(observe.measures=["kinetic_energy", "circulation", "surface_slope", "bodies"])"}});
+    Witness witness;
+    const std::vector<Wish> wishes{*read_wish("softening=4")};
+    const Climb climb = climbed(ladder_folder, witness, wishes, {.references = {whole}});
+    CHECK(witness.began == std::vector<std::string>{"softening 4", "softening 4"});
+    REQUIRE(climb.rungs[0].runs.size() == 1);
+    CHECK(climb.rungs[0].runs[0].seed == 11);
+    const Account account = account_of("small.toml", climb, 0.1, 2);
+    CHECK(account.reference_is_whole());
+    CHECK(account.prices.rungs[1].errors[0].relative != 0);
+
+    // The same run, made by the ladder itself.
+    const auto own = test::small_trough().load();
+    const auto stick = Yardstick::of(*own, {}, std::nullopt, std::nullopt);
+    scene::Scene seeded = *own;
+    seeded.seed = 11;
+    Witness again;
+    const Climb straight =
+        reduce::climb({{"as written", {}, seeded}}, *stick, {.folder = ladder_folder.path}, again).value();
+    CHECK(straight.rungs[0].runs[0].values == climb.rungs[0].runs[0].values);
+
+    const auto refused = [&](const std::vector<std::filesystem::path>& references) {
+        Witness nobody;
+        const auto tried = reduce::climb(*ladder(test::small_trough(), wishes), *stick,
+                                         {.folder = ladder_folder.path, .references = references}, nobody);
+        REQUIRE_FALSE(tried);
+        return tried.problems().front().what;
+    };
+    CHECK(refused({whole, whole}) == "seed 11 is among the references already");
+    CHECK(refused({run_of("other", {{"pair.media-media.friction=0.3"}})})
+              .starts_with("it is a run of another scene: pair."));
+    CHECK(refused({run_of("short", {{"duration_s=0.5"}})}) ==
+          "it has come to t = 0.5 s, and what counts ends at 0.6 s");
+    CHECK(refused({run_of("blind", {{R"(observe.measures=["bodies"])"}})}) ==
+          "its series.csv has no column 'kinetic_energy'");
+    CHECK(refused({folder.path}).starts_with("is not the folder of a run"));
+}
+
 TEST_CASE("a budget leaves out what would go beyond it") {
     const test::Folder folder;
     Witness witness;

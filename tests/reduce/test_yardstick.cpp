@@ -42,7 +42,8 @@ TEST_CASE("a bowl is measured by layers over its wall and by its sensor") {
     CHECK(stick->from() == about(1.2, 1e-12)); // it turns from 0.4 to 2 s
     CHECK(names_of(*stick) == std::vector<std::string>{"kinetic energy per mass", "rms velocity y", "speed 0 to 42 mm",
                                                        "speed 42 to 84 mm", "speed 84 to 126 mm", "speed 126 to 168 mm",
-                                                       "speed 168 to 210 mm", "sensor cycle", "sensor amplitude"});
+                                                       "speed 168 to 210 mm", "vortex depth", "fall at the axis",
+                                                       "sensor cycle", "sensor amplitude"});
 }
 
 TEST_CASE("the mean over a stretch takes each phase of a period once, and what is no number not at all") {

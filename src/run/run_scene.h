@@ -59,6 +59,7 @@ struct Resumption {
     std::string checkpoint; // in the folder of the run
     std::int64_t step = 0;
     double time = 0;                  // s
+    std::string build_mark;           // of the program that wrote it (run/build_mark.h)
     std::vector<std::string> changes; // of the scene since then, a sentence each
 };
 

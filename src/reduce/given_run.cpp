@@ -2,6 +2,7 @@
 
 #include "observe/series.h"
 #include "observe/whole_file.h"
+#include "run/build_mark.h"
 #include "run/mesh_copies.h"
 #include "run/run_folder.h"
 #include "run/run_report.h"
@@ -105,6 +106,8 @@ Result<Seeded> read_given(const std::filesystem::path& root, const scene::Scene&
         for (const auto& warning : summary["warnings"])
             if (warning.is_string())
                 given.doubts.push_back(warning);
+    if (!summary.contains("build_mark") || summary["build_mark"] != run::build_mark())
+        given.doubts.push_back("another build of the program made it, which may have moved bodies otherwise");
     return given;
 }
 

@@ -102,7 +102,11 @@ TEST_CASE("carried round an axis, a sensor off its body's centre feels the centr
     CHECK(row.at("felt_y_m_s2") == about(g));
     CHECK(row.at("spin_y_rad_s") == about(rate));
     CHECK(std::hypot(row.at("point_vx_m_s"), row.at("point_vz_m_s")) == about(rate * (radius + 0.02)));
+    CHECK(std::hypot(row.at("point_x_m"), row.at("point_z_m")) == about(radius + 0.02));
+    CHECK(std::atan2(-row.at("point_z_m"), row.at("point_x_m")) == about(rate * 0.01)); // beside the centre, not behind
     CHECK(std::hypot(row.at("ax_m_s2"), row.at("az_m_s2")) == about(rate * rate * radius, 1e-3));
+    CHECK(std::hypot(row.at("point_ax_m_s2"), row.at("point_az_m_s2")) == about(rate * rate * (radius + 0.02), 1e-3));
+    CHECK(std::abs(row.at("point_ay_m_s2")) < 1e-12);
 }
 
 TEST_CASE("a tracer follows the body of its shape with the lowest id, and is not a number while there is none") {

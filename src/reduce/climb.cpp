@@ -139,16 +139,13 @@ private:
         return true;
     }
 
-    /// False when it was stopped. A run that was taken up again is charged its whole stepping time, at the share of it
-    /// that the processor was ours in the part just run.
+    /// False when it was stopped. Problems: what it failed by lies outside of the scene.
     Result<bool> perform(const scene::Scene& scene, const std::filesystem::path& folder, KeptRun& kept) {
         run::RunOptions options;
         options.folder = folder;
         options.threads = options_.threads;
         options.resume = true;
         options.stop = options_.stop;
-        const std::clock_t cpu = std::clock();
-        const Clock::time_point wall = Clock::now();
         const Result<run::RunSummary> summary = run::run_scene(scene, options, listener_);
         if (stop_wanted(options_.stop) && (!summary || summary->state == "stopped")) {
             result_.stopped = true;
@@ -156,9 +153,9 @@ private:
         }
         if (!summary)
             return summary.problems();
-        const double spent = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
-        const bool whole = summary->resumed.empty();
-        kept.core_s = whole ? spent : summary->stepping_s * spent / std::max(since(wall), 1e-9);
+        if (summary->state == "failed" && !summary->own_fault) // a full disk: the same command goes on once it is not
+            return summary->reason;
+        kept.core_s = summary->processor_s;
         kept.overlap = summary->overlap_ratio_max;
         kept.doubts = summary->warnings;
         if (summary->state == "failed")

@@ -14,7 +14,7 @@ namespace tumble::reduce {
 
 struct ClimbOptions {
     std::filesystem::path folder{};                          // runs go to runs/ in it
-    int seeds = 2;                                           // the scene's own and those after it
+    int seeds = 4;                                           // the scene's own and those after it
     std::vector<std::filesystem::path> references{};         // runs of the scene as written that are over, in its place
     double budget = std::numeric_limits<double>::infinity(); // s of wall time for all that is still to run
     int threads = 1;

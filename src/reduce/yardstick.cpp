@@ -109,7 +109,7 @@ Result<Yardstick> Yardstick::of(const scene::Scene& scene, const std::vector<std
             stick.measures_.push_back(name);
             const std::string body = name.substr(7);
             stick.quantities_.push_back({body + " cycle", "s", From::cycle, name + "_y"});
-            stick.quantities_.push_back({body + " amplitude", "m", From::amplitude, name + "_y"});
+            stick.quantities_.push_back({body + " peak to peak", "m", From::peak_to_peak, name + "_y"});
         }
     for (const std::string& name : more)
         for (const Problem& problem : add(name))
@@ -152,7 +152,7 @@ double Yardstick::of_series(const Quantity& quantity, const observe::Series& ser
         return nothing;
     if (quantity.from == Quantity::From::cycle)
         return cycle_in(times, *column, {from_, until_}).period;
-    if (quantity.from == Quantity::From::amplitude)
+    if (quantity.from == Quantity::From::peak_to_peak)
         return cycle_in(times, *column, {from_, until_}).peak_to_peak;
     return observe::mean_over(times, *column, from_, until_, every_) /
            (quantity.from == Quantity::From::energy_per_mass ? mass : 1);

@@ -15,7 +15,7 @@ namespace tumble::reduce {
 
 /// One number of a run: a mean over the stretch that counts, or what a body's path in it is like.
 struct Quantity {
-    enum class From { column, energy_per_mass, layer_speed, vortex_depth, fall_at_axis, cycle, amplitude };
+    enum class From { column, energy_per_mass, layer_speed, vortex_depth, fall_at_axis, cycle, peak_to_peak };
     std::string name; // "circulation", "speed 0 to 42 mm"
     std::string unit;
     From from = From::column;

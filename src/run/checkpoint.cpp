@@ -14,15 +14,15 @@ template <class Archive, As<Resumption> R> void carry(Archive& archive, R& resum
 }
 
 template <class Archive, As<RunSummary> S> void carry(Archive& archive, S& summary) {
-    auto& [state, reason, folder, scene, title, duration, solver, time_step, seed, threads, time, steps, bodies, rows,
-           frames, pictures, video, video_file, video_slowdown, wall_s, processor_s, stepping_s, frames_s, waited_s,
-           body_steps, phases, books, energy_turnover, overlap_ratio_max, unfilled, warnings, checkpoint, checkpoints,
-           checkpoint_bytes, checkpoints_s, resumed] = summary;
+    auto& [state, reason, own_fault, folder, scene, title, duration, solver, time_step, seed, threads, time, steps,
+           bodies, rows, frames, pictures, video, video_file, video_slowdown, wall_s, processor_s, stepping_s, frames_s,
+           waited_s, body_steps, phases, books, energy_turnover, overlap_ratio_max, unfilled, warnings, checkpoint,
+           checkpoints, checkpoint_bytes, checkpoints_s, resumed] = summary;
     archive(time, steps, bodies, rows, frames, pictures, wall_s, processor_s, stepping_s, frames_s, waited_s,
             body_steps, phases, books, energy_turnover, overlap_ratio_max, warnings, checkpoint, checkpoints,
             checkpoint_bytes, checkpoints_s, resumed);
-    // How a run ends is its own: state, reason, unfilled. What was asked for comes with the asking: folder, scene,
-    // title, duration, solver, time_step, seed, threads, and those of the video.
+    // How a run ends is its own: state, reason, own_fault, unfilled. What was asked for comes with the asking: folder,
+    // scene, title, duration, solver, time_step, seed, threads, and those of the video.
 }
 
 template <class Archive, As<Outputs> O> void carry(Archive& archive, O& outputs) {

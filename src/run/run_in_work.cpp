@@ -251,10 +251,12 @@ void RunInWork::step_to_the_end() {
         const std::int64_t done = simulation_->steps() - step;
         pace_.stop(done);
         summary_.body_steps += static_cast<double>(done) * static_cast<double>(simulation_->books().bodies);
-        if (problem)
+        if (problem) {
+            summary_.own_fault = summary_.state != "failed";
             fail({*problem});
-        else
+        } else {
             observe_now();
+        }
         if (summary_.state == "running" && pace_.since_made() >= kept_at_ + keep_every_)
             keep_checkpoint();
         refresh_summary();

@@ -65,8 +65,9 @@ struct Resumption {
 
 /// What run.json says; docs/run-folder.md explains each value.
 struct RunSummary {
-    std::string state; // running, finished, stopped, failed
-    Problems reason;   // why it failed
+    std::string state;      // running, finished, stopped, failed
+    Problems reason;        // why it failed
+    bool own_fault = false; // it failed by what the scene does, and would again; not by files or memory
     std::filesystem::path folder;
     std::filesystem::path scene;
     std::string title;

@@ -1,4 +1,5 @@
 #include "base/archive.h"
+#include "base/make_folder.h"
 #include "observe/frame_file.h"
 #include "observe/whole_file.h"
 #include "run/build_mark.h"
@@ -25,9 +26,13 @@ void RunInWork::keep_checkpoint() {
     if (const Problems problems = queue_->problems(); !problems.empty())
         return fail(problems);
     take_stock();
-    Result<Done> ready = wait_for_outputs();
+    Result<Done> ready = wait_for_beginnings();
+    if (ready)
+        ready = wait_for_outputs();
     const Result<std::int64_t> kept = ready ? run::keep_checkpoint(folder_.paths().checkpoints(), checkpoint_now())
                                             : Result<std::int64_t>(ready.problems());
+    if (!ready)
+        keep_every_ = 0; // a disk that lost what it was given may not say so again when asked once more
     kept_at_ = pace_.since_made();
     if (kept) {
         kept_step_ = simulation_->steps();
@@ -62,6 +67,26 @@ Checkpoint RunInWork::checkpoint_now() const {
     now.tracers = tracers.take();
     now.world = simulation_->state();
     return now;
+}
+
+/// Once, before the first checkpoint: what a run that is resumed reads beside it, and the names of all that.
+Result<Done> RunInWork::wait_for_beginnings() {
+    if (begun_to_last_)
+        return Done{};
+    const RunFolder& paths = folder_.paths();
+    if (Result<Done> made = make_folder(paths.checkpoints()); !made)
+        return made;
+    std::vector<std::filesystem::path> places{paths.scene(), observe::layout_path(paths.frames())};
+    for (const MeshMark& mesh : meshes_)
+        places.push_back(paths.root / mesh.name);
+    if (!meshes_.empty())
+        places.push_back(paths.meshes());
+    for (const std::filesystem::path& place : places)
+        if (Result<Done> there = observe::wait_for_disk(place); !there)
+            return there;
+    Result<Done> named = folder_.wait_for_names();
+    begun_to_last_ = named.ok();
+    return named;
 }
 
 /// A checkpoint counts on rows and frames: they must be on the disk before it is.

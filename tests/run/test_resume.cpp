@@ -266,6 +266,28 @@ TEST_CASE("a scene that was changed is refused with what changed, unless told to
     CHECK(content_of(place / "scene.toml").find("friction = 0.2") != std::string::npos);
 }
 
+TEST_CASE("laws that remember more may be taken up or left in the midst of a run, where changes are accepted") {
+    const std::vector<std::string> nothing;
+    for (const std::vector<std::string>& added :
+         {std::vector<std::string>{"contact.rolling=\"epsd\"", "pair.glass-glass.rolling_friction=0.1"},
+          {"contact.adhesion=\"jkr\"", "pair.glass-glass.work_of_adhesion_J_m2=0.1"},
+          {"pair.glass-glass.restitution_exponent=0.2", "pair.glass-glass.restitution_speed_m_s=1"}})
+        for (const bool taken_up : {true, false}) {
+            CAPTURE(added[0]);
+            CAPTURE(taken_up);
+            const Folder folder;
+            run::RunOptions options = in(folder.path / "pour");
+            REQUIRE(ran(loaded(pouring, taken_up ? nothing : added), options, 900).problems.empty());
+            options = going_on_in(options.folder);
+            const scene::Scene changed = loaded(pouring, taken_up ? added : nothing);
+            CHECK_FALSE(ran(changed, options).problems.empty());
+            options.accept_changes = true;
+            const Outcome outcome = ran(changed, options);
+            CHECK_MESSAGE(outcome.summary.state == "finished", to_string(outcome.problems));
+            CHECK(outcome.summary.resumed.back().changes.size() >= 1);
+        }
+}
+
 TEST_CASE("how long a run is and what is drawn may change freely") {
     const Folder folder;
     const fs::path place = folder.path / "pour";

@@ -7,8 +7,10 @@
 #include "cli/scene_arguments.h"
 #include "cli/sheet_flags.h"
 #include "cli/stop_flag.h"
+#include "fem/component.h"
 #include "run/part_loads.h"
 #include "sheet/show.h"
+#include "stress/pictures.h"
 #include "stress/recorded.h"
 #include "stress/study.h"
 #include "stress/study_sheet.h"
@@ -29,6 +31,8 @@ struct StressArguments {
     std::vector<double> depths_mm;
     run::LoadOptions loads;
     stress::StudyOptions study;
+    stress::PictureOptions pictures;
+    bool draw = false;
     fs::path out;
     bool force = false;
     bool quiet = false;
@@ -52,12 +56,14 @@ Result<stress::Recorded> simulated(StressArguments& arguments) {
         return made.problems();
     arguments.loads.threads = arguments.study.threads;
     arguments.loads.stop = &watch_for_stop();
+    arguments.loads.frames = arguments.out / "frames";
     ProgressLine line(arguments.quiet);
     auto loads = run::record_loads(recorded->scene, recorded->wall, arguments.loads, line);
     line.end();
     if (!loads)
         return loads.problems();
     recorded->loads = std::move(*loads);
+    recorded->frames = arguments.loads.frames;
     if (const auto written = stress::write_recorded(*recorded, arguments.out); !written)
         return written.problems();
     return recorded;
@@ -87,9 +93,15 @@ int solve_it(StressArguments& arguments) {
     const auto study = stress::study(recorded->scene, recorded->specimen(), recorded->loads, arguments.study);
     if (!study)
         return refuse(study.problems(), arguments.json, failed);
-    const auto files = stress::write_study(*study, recorded->specimen(), arguments.out);
+    auto files = stress::write_study(*study, recorded->specimen(), arguments.out);
     if (!files)
         return refuse(files.problems(), arguments.json, failed);
+    if (arguments.draw) {
+        const auto pictures = stress::draw_pictures(*recorded, *study, arguments.pictures, arguments.out);
+        if (!pictures)
+            return refuse(pictures.problems(), arguments.json, failed);
+        files->insert(files->end(), pictures->begin(), pictures->end());
+    }
     const sheet::Sheet sheet = stress::sheet_of(*study, arguments.study);
     if (arguments.json)
         say_json(sheet::to_json(sheet));
@@ -132,6 +144,18 @@ void add_stress_command(CLI::App& program, Action& action) {
         ->expected(1)
         ->take_all();
     command->add_flag("--means", study.means, "Solve the mean loads between the instants instead of the instants");
+    command->add_flag("--pictures", arguments->draw,
+                      "Draw the worst case: the part among the media, cuts through it, its slices rolled out");
+    command
+        ->add_option("--show", arguments->pictures.component,
+                     "Stress on surface and cuts of the pictures; von_mises without it")
+        ->type_name("NAME")
+        ->check(one_of(fem::component_names()));
+    command
+        ->add_option("--veil", arguments->pictures.veil,
+                     "Opacity of the media before the part in its picture; 0.2 without it, 0: none")
+        ->type_name("X")
+        ->check(number_from(0, 1));
     command->add_option("--every", arguments->loads.every, "s between instants; 1/60 without it, as the thesis")
         ->type_name("S")
         ->check(number_above_zero());

@@ -1,5 +1,7 @@
 #include "run/part_loads.h"
 
+#include "base/make_folder.h"
+#include "observe/frame_file.h"
 #include "observe/measures.h"
 #include "run/schedule.h"
 #include "run/simulation.h"
@@ -67,7 +69,7 @@ public:
         for (const observe::Measure& measure : measures_)
             row.push_back(measure.value(seen));
         loads_.bulk.append(row);
-        return std::nullopt;
+        return keep_frame(frame);
     }
 
     PartLoads finish() {
@@ -78,6 +80,14 @@ public:
 private:
     [[nodiscard]] const scene::WallShape& wall_shape() const {
         return scene_.walls[static_cast<std::size_t>(wall_)].shape;
+    }
+
+    [[nodiscard]] std::optional<Problem> keep_frame(const observe::Frame& frame) const {
+        if (options_.frames.empty())
+            return std::nullopt;
+        const auto number = static_cast<std::int64_t>(loads_.instants.size()) - 1;
+        const auto written = observe::write_frame(observe::frame_path(options_.frames, number), frame);
+        return written ? std::nullopt : std::optional(written.problems()[0]);
     }
 
     [[nodiscard]] std::optional<Problem> body_inside(const observe::Frame& frame) const {
@@ -115,6 +125,18 @@ Progress progress_of(const Simulation& simulation, const scene::Scene& scene, st
         now.left_s = static_cast<double>(last - now.step) / steps_per_s;
     now.books = simulation.books();
     return now;
+}
+
+/// Frames of an earlier run are taken away.
+std::optional<Problems> begin_frames(const std::filesystem::path& folder, const observe::FrameLayout& layout) {
+    if (const auto made = make_folder(folder); !made)
+        return made.problems();
+    std::error_code failed;
+    for (const std::filesystem::path& old : observe::list_frames(folder))
+        std::filesystem::remove(old, failed);
+    if (const auto written = observe::write_layout(observe::layout_path(folder), layout); !written)
+        return written.problems();
+    return std::nullopt;
 }
 
 double seconds_since(std::chrono::steady_clock::time_point begun) {
@@ -161,6 +183,9 @@ Result<PartLoads> record_loads(const scene::Scene& scene, int wall, const LoadOp
     auto simulation = simulate(scene, options.threads, options.stop);
     if (!simulation)
         return simulation.problems();
+    if (!options.frames.empty())
+        if (const auto problems = begin_frames(options.frames, *(*simulation)->layout()))
+            return *problems;
     LoadRecorder recorder(scene, wall, options, std::move(*measures));
     Schedule instants(options.every, scene.time_step);
     const std::int64_t last = std::llround(scene.duration / scene.time_step);

@@ -19,6 +19,7 @@ struct LoadOptions {
     double every = 1.0 / 60; // s, between instants; the thesis' dumps
     double from = 0;         // s, nothing before counts
     int threads = 1;
+    std::filesystem::path frames; // folder that gets a frame an instant, under the instant's number; empty: none
     StopFlag stop = nullptr;
 };
 
@@ -49,7 +50,7 @@ struct PartLoads {
 Result<int> find_specimen(const scene::Scene& scene, const std::string& name);
 
 /// Runs the scene and looks at the specimen after every step. Problems: those of the run; a periodic domain; a body
-/// that lies inside the part; contacts that nodal forces cannot bear (solid::nodal_loads).
+/// that lies inside the part; contacts that nodal forces cannot bear (solid::nodal_loads); frames that cannot be written.
 Result<PartLoads> record_loads(const scene::Scene& scene, int wall, const LoadOptions& options, RunListener& listener);
 
 /// Loads as files of a folder: contacts.csv (all instants), means.csv (nodes with a mean force), facets.csv,

@@ -1,5 +1,6 @@
 #include "stress/recorded.h"
 
+#include "observe/frame_file.h"
 #include "observe/whole_file.h"
 #include "scene/load.h"
 #include "scene/specimen.h"
@@ -24,7 +25,7 @@ Result<Recorded> specimen_in(scene::Scene scene, const std::string& part) {
     const auto wall = run::find_specimen(scene, part);
     if (!wall)
         return wall.problems();
-    return Recorded{std::move(scene), *wall, {}};
+    return Recorded{std::move(scene), *wall, {}, {}};
 }
 
 bool holds_loads(const fs::path& folder) {
@@ -53,6 +54,8 @@ Result<Recorded> read_recorded(const fs::path& folder, const std::string& part) 
     if (!loads)
         return loads.problems();
     recorded->loads = std::move(*loads);
+    if (std::error_code ignored; fs::exists(observe::layout_path(folder / "frames"), ignored))
+        recorded->frames = folder / "frames";
     return recorded;
 }
 

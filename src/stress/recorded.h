@@ -15,6 +15,7 @@ struct Recorded {
     scene::Scene scene;
     int wall = 0; // the specimen, into scene.walls
     run::PartLoads loads;
+    std::filesystem::path frames{}; // folder with a frame an instant; empty: none were kept
 
     [[nodiscard]] const scene::SpecimenShape& specimen() const;
     [[nodiscard]] const std::string& name() const;

@@ -46,8 +46,9 @@ Result<std::vector<Support>> encastre(const solid::HexMesh& mesh, const std::str
             names += (names.empty() ? "" : ", ") + name;
         return Problem{.file = mesh.file,
                        .what = fmt::format("the mesh has no node set '{}'", set),
-                       .fix =
-                           names.empty() ? "give the nodes that are held a name: *NSET, NSET=held, or a physical group of gmsh" : "it has " + names};
+                       .fix = names.empty()
+                                  ? "give the nodes that are held a name: *NSET, NSET=held, or a physical group of gmsh"
+                                  : "it has " + names};
     }
     std::vector<Support> supports;
     for (const int node : found->second)

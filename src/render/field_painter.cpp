@@ -205,10 +205,11 @@ Result<FieldPicture> paint_field(const scene::Render& settings, const Field& fie
     const auto look_into = [&](const Area& area) { return *make_camera(settings, box, area); };
     FieldPicture painted;
     painted.layout = make_layout(settings.width, settings.height, false, [&](const Area& area) {
-        const Camera camera = look_into(area);
-        return camera.pixels_per_metre(camera.target);
+        const Camera fitted = look_into(area);
+        return fitted.pixels_per_metre(fitted.target);
     });
-    Camera camera = look_into(painted.layout.scene);
+    painted.camera = look_into(painted.layout.scene);
+    Camera& camera = painted.camera;
     camera.enclose(around ? bounds.merged(bounds_of(*around)) : bounds);
     ColorRange range(look.span, field.has_sign);
     painted.span = range.next(field.values);

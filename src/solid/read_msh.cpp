@@ -14,11 +14,11 @@ namespace {
 constexpr int hexahedron = 5; // gmsh's number of the type
 
 /// gmsh's types of solid elements that are no hexahedra of eight nodes.
-const std::map<int, const char*> other_solids{
-    {4, "tetrahedra of 4 nodes"},  {6, "prisms of 6 nodes"},      {7, "pyramids of 5 nodes"},
-    {11, "tetrahedra of 10 nodes"}, {12, "hexahedra of 27 nodes"}, {13, "prisms of 18 nodes"},
-    {14, "pyramids of 14 nodes"},  {17, "hexahedra of 20 nodes"}, {18, "prisms of 15 nodes"},
-    {19, "pyramids of 13 nodes"}};
+const std::map<int, const char*> other_solids{{4, "tetrahedra of 4 nodes"},  {6, "prisms of 6 nodes"},
+                                              {7, "pyramids of 5 nodes"},    {11, "tetrahedra of 10 nodes"},
+                                              {12, "hexahedra of 27 nodes"}, {13, "prisms of 18 nodes"},
+                                              {14, "pyramids of 14 nodes"},  {17, "hexahedra of 20 nodes"},
+                                              {18, "prisms of 15 nodes"},    {19, "pyramids of 13 nodes"}};
 
 using Words = std::vector<std::string_view>;
 using Place = std::pair<int, std::int64_t>; // dimension and number, of an entity or a physical group
@@ -72,7 +72,8 @@ private:
         if (broken_ || gathered_.tired())
             return false;
         if (!next() || words_.front().starts_with('$')) {
-            fail(fmt::format("${} ends too early", section), "its first lines say how many follow; save the mesh again");
+            fail(fmt::format("${} ends too early", section),
+                 "its first lines say how many follow; save the mesh again");
             return false;
         }
         if (words_.size() < least) {
@@ -181,8 +182,7 @@ private:
         for (std::int64_t left = value(0); left > 0 && next_of("Elements", 3); --left) {
             const auto tags = static_cast<std::size_t>(std::max<std::int64_t>(value(2), 0));
             const std::int64_t group = tags > 0 ? value(3) : 0; // 0: none
-            element(static_cast<int>(value(1)), 3 + tags,
-                    group > 0 ? std::vector{group} : std::vector<std::int64_t>{});
+            element(static_cast<int>(value(1)), 3 + tags, group > 0 ? std::vector{group} : std::vector<std::int64_t>{});
         }
         end("Elements");
     }
@@ -206,8 +206,9 @@ private:
         if (broken_)
             return;
         if (const auto solid = other_solids.find(type); solid != other_solids.end())
-            return fail(fmt::format("{} (type {}) are not read", solid->second, type),
-                        "mesh the part with hexahedra of eight nodes: transfinite and recombined, Mesh.ElementOrder = 1");
+            return fail(
+                fmt::format("{} (type {}) are not read", solid->second, type),
+                "mesh the part with hexahedra of eight nodes: transfinite and recombined, Mesh.ElementOrder = 1");
         const auto number = gathered_.whole(words_[0], line_);
         std::vector<int> nodes;
         for (std::size_t word = first; word < words_.size(); ++word)

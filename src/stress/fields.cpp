@@ -89,8 +89,8 @@ render::Field surface_field(const solid::HexMesh& mesh, const observe::WallPlace
     return field;
 }
 
-render::Field section_field(const solid::HexMesh& mesh, const solid::Section& section,
-                            const observe::WallPlace& place, const std::vector<double>& values) {
+render::Field section_field(const solid::HexMesh& mesh, const solid::Section& section, const observe::WallPlace& place,
+                            const std::vector<double>& values) {
     render::Field field;
     for (const solid::CutPoint& point : section.points) {
         field.points.push_back(placed(place, point.of(mesh.nodes)));

@@ -17,8 +17,8 @@ render::Field surface_field(const solid::HexMesh& mesh, const observe::WallPlace
                             const std::vector<double>& values);
 
 /// A cut through the part at its place in the world, with the edges of its hexahedra.
-render::Field section_field(const solid::HexMesh& mesh, const solid::Section& section,
-                            const observe::WallPlace& place, const std::vector<double>& values);
+render::Field section_field(const solid::HexMesh& mesh, const solid::Section& section, const observe::WallPlace& place,
+                            const std::vector<double>& values);
 
 /// A slice rolled out flat: along x its contour, anticlockwise about the axis, from the middle of the side; along y
 /// its height above the part's base. A side that goes all the way round is cut open behind the axis from `ahead`, a

@@ -133,7 +133,8 @@ private:
         const Vector3d up = Vector3d::UnitY();
         Vector3d from = place_.rotation * outward_;
         from = (from - up.dot(from) * up).normalized() * std::cos(lifted) + up * std::sin(lifted);
-        look_at(settings, place_.rotation * bounds_.center() + place_.translation, from, room * bounds_.diagonal().norm());
+        look_at(settings, place_.rotation * bounds_.center() + place_.translation, from,
+                room * bounds_.diagonal().norm());
         render::FieldLook look{.title = recorded_.scene.title + ": " + recorded_.name(), .note = time()};
         look.part = recorded_.wall;
         look.veil = options_.veil;
@@ -161,9 +162,8 @@ private:
     Failure draw_slices() {
         for (const fem::Slice& slice : study_.slices) {
             const Eigen::VectorXd normal = fem::components_on(slice, mesh_, study_.worst.stress).row(0);
-            render::Field field =
-                unrolled_field(mesh_, slice, recorded_.specimen().place.base, axis_, outward_,
-                               std::vector<double>(normal.data(), normal.data() + normal.size()));
+            render::Field field = unrolled_field(mesh_, slice, recorded_.specimen().place.base, axis_, outward_,
+                                                 std::vector<double>(normal.data(), normal.data() + normal.size()));
             field.label = "normal stress";
             scene::Render settings = settings_;
             settings.camera = "side";
@@ -175,8 +175,8 @@ private:
                 .note = time(),
                 .lit = false,
                 .axes = false};
-            if (auto failure = paint(fmt::format("slice-{}-{}", slice.side, depth), settings, std::move(field), look,
-                                     nullptr))
+            if (auto failure =
+                    paint(fmt::format("slice-{}-{}", slice.side, depth), settings, std::move(field), look, nullptr))
                 return failure;
         }
         return std::nullopt;
@@ -201,8 +201,8 @@ private:
 
 } // namespace
 
-Result<std::vector<fs::path>> draw_pictures(const Recorded& recorded, const Study& study,
-                                            const PictureOptions& options, const fs::path& folder) {
+Result<std::vector<fs::path>> draw_pictures(const Recorded& recorded, const Study& study, const PictureOptions& options,
+                                            const fs::path& folder) {
     return Album(recorded, study, options, folder).draw();
 }
 

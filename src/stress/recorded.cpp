@@ -5,6 +5,7 @@
 #include "scene/load.h"
 #include "scene/specimen.h"
 #include "scene/to_toml.h"
+#include "solid/facet_load.h"
 #include "solid/inp.h"
 
 #include <fmt/format.h>
@@ -56,6 +57,33 @@ Result<Recorded> read_recorded(const fs::path& folder, const std::string& part) 
     recorded->loads = std::move(*loads);
     if (std::error_code ignored; fs::exists(observe::layout_path(folder / "frames"), ignored))
         recorded->frames = folder / "frames";
+    return recorded;
+}
+
+Result<Recorded> read_remeshed(const fs::path& folder, const std::string& part, const std::vector<std::string>& sets) {
+    auto recorded = read_recorded(folder, part);
+    if (!recorded)
+        return recorded;
+    std::vector<scene::Override> overrides;
+    for (const std::string& set : sets)
+        overrides.push_back({fmt::format("wall.{}.{}", recorded->name(), set)});
+    auto changed = scene::load_scene(folder / "scene.toml", overrides);
+    if (!changed)
+        return changed.problems();
+    recorded->scene = std::move(*changed);
+    recorded->loads.means.clear();
+    const solid::HexMesh& mesh = *recorded->specimen().mesh;
+    for (run::LoadInstant& instant : recorded->loads.instants)
+        for (observe::WallPush& push : instant.pushes) {
+            auto moved = solid::moved_to(mesh, {0, push.foot, push.force}, push.normal);
+            if (!moved)
+                return Problem{.file = folder.string(),
+                               .what =
+                                   fmt::format("a contact at {:.6g} s finds no facet of the new mesh", instant.time),
+                               .fix = "change the mesh, not the part"};
+            push.triangle = 2 * moved->facet;
+            push.foot = moved->point;
+        }
     return recorded;
 }
 

@@ -60,8 +60,8 @@ struct Study {
     std::size_t nodes = 0, hexes = 0, unknowns = 0;
     std::int64_t factor_entries = 0;
     double factor_operations = 0; // multiplications and additions
-    double prepare_s = 0; // s, of wall time: assembly and factorisation
-    double solve_s = 0;   // s, all cases: loads, displacements, stresses, slices
+    double prepare_s = 0;         // s, of wall time: assembly and factorisation
+    double solve_s = 0;           // s, all cases: loads, displacements, stresses, slices
     std::vector<std::string> warnings;
 };
 

@@ -214,7 +214,8 @@ sheet::Sheet sheet_of(const Study& study, const StudyOptions& options) {
                     options.trivial));
     sheet.parts.emplace_back(signs(study, sheet));
     sheet.parts.emplace_back(over_time(study));
-    sheet.parts.emplace_back(surface_over_time(study));
+    if (!options.means) // what touches is known of instants
+        sheet.parts.emplace_back(surface_over_time(study));
     sheet.parts.emplace_back(loads_over_time(study));
     return sheet;
 }

@@ -16,8 +16,9 @@ TEST_CASE("stress runs a scene, keeps its loads, solves them, and solves them ag
     const auto facts = nlohmann::json::parse(first.out)["facts"];
     CHECK(facts["cases"]["value"] == 6);
     CHECK(facts["unbalance"]["value"] < 1e-10);
-    for (const char* file : {"scene.toml", "contacts.csv", "means.csv", "touches.csv", "bulk.csv", "cases.csv",
-                             "slices.csv", "worst.vtu", "normal-stress.png"})
+    for (const char* file :
+         {"scene.toml", "contacts.csv", "means.csv", "touches.csv", "bulk.csv", "cases.csv", "slices.csv", "worst.vtu",
+          "normal-stress.png", "surface-stress.png", "loads.png", "frames/frame_000005.tumble"})
         CHECK_MESSAGE(fs::file_size(folder.path / "out/ball-stress" / file) > 10, file);
 
     const std::string loads = content_of(folder.path / "out/ball-stress/contacts.csv");
@@ -28,6 +29,11 @@ TEST_CASE("stress runs a scene, keeps its loads, solves them, and solves them ag
     CHECK(nlohmann::json::parse(again.out)["facts"].contains("normal_+x_0.4mm"));
     CHECK(content_of(folder.path / "out/ball-stress/contacts.csv") == loads);
     CHECK(fs::exists(folder.path / "second/slices.csv"));
+    const Outcome drawn = tumble_in(folder, {"stress", "out/ball-stress", "--side", "+x", "--depth", "0.4", "--out",
+                                             "third", "--pictures", "--show", "compression", "--json"});
+    REQUIRE_MESSAGE(drawn.code == 0, drawn.err);
+    for (const char* file : {"part.png", "cut-along.png", "cut-across.png", "slice-+x-0.4mm.png"})
+        CHECK_MESSAGE(fs::file_size(folder.path / "third" / file) > 1000, file);
 
     const Outcome exported = tumble_in(folder, {"export", "out/ball-stress", "--to", "calculix"});
     REQUIRE_MESSAGE(exported.code == 0, exported.err);

@@ -76,14 +76,17 @@ TEST_CASE("what is wrong with a file of gmsh is said at its line, with what to d
     CHECK(problem(changed(in_2, "2 1 0 0", "2 1 0")).starts_with("part.msh:13: a line of $Nodes needs 4 values, here"));
     CHECK(problem(changed(in_2, "2 1 0 0", "1 1 0 0")).starts_with("part.msh:13: node 1 is there twice"));
     CHECK(problem(changed(in_2, "$Nodes\n12", "$Nodes\n13")).starts_with("part.msh:24: $Nodes ends too early"));
-    CHECK(problem(changed(in_2, "$Nodes\n12", "$Nodes\n11")).starts_with("part.msh:23: $Nodes goes on where it should"));
+    CHECK(
+        problem(changed(in_2, "$Nodes\n12", "$Nodes\n11")).starts_with("part.msh:23: $Nodes goes on where it should"));
     CHECK(problem(changed(in_2, "$Nodes\n12", "$Nodes\ntwo")).starts_with("part.msh:11: 'two' is no whole number"));
     CHECK(problem(changed(in_2, "3 5 2 3 1 1 2", "3 5 2 3 1 1 21"))
               .starts_with("part.msh:29: element 3 names node 21, which is not there\n    list it under $Nodes"));
-    CHECK(problem(changed(in_2, "5 6 7 8\n4", "5 6 7\n4")).starts_with("part.msh:29: element 3 has 7 nodes instead of 8"));
+    CHECK(problem(changed(in_2, "5 6 7 8\n4", "5 6 7\n4"))
+              .starts_with("part.msh:29: element 3 has 7 nodes instead of 8"));
     CHECK(problem(changed(in_2, "4 5 2 3 1 5", "3 5 2 3 1 5")).starts_with("part.msh:30: element 3 is there twice"));
-    CHECK(problem(changed(in_2, "3 5 2 3 1 1 2 3 4 5 6 7 8", "3 4 2 3 1 1 2 3 5"))
-              .starts_with("part.msh:29: tetrahedra of 4 nodes (type 4) are not read\n    mesh the part with hexahedra"));
+    CHECK(
+        problem(changed(in_2, "3 5 2 3 1 1 2 3 4 5 6 7 8", "3 4 2 3 1 1 2 3 5"))
+            .starts_with("part.msh:29: tetrahedra of 4 nodes (type 4) are not read\n    mesh the part with hexahedra"));
     CHECK(problem(changed(in_2, "1 2 3 4 5 6 7 8", "4 3 2 1 8 7 6 5")).find("element 3 is inside out") !=
           std::string::npos);
     CHECK(problem(changed(changed(in_2, "$Nodes\n12", "$Nodes\n13"), "14 0 1 2\n", "14 0 1 2\n15 3 3 3\n"))

@@ -24,16 +24,16 @@ Eigen::Vector3d principal(const Stress& s) {
 
 const std::vector<Component>& components() {
     static const std::vector<Component> all{
-        {"von_mises", "von Mises stress", false, von_mises},
-        {"mean", "mean normal stress", true, [](const Stress& s) { return (s[0] + s[1] + s[2]) / 3; }},
-        {"compression", "least principal stress", true, [](const Stress& s) { return principal(s)[0]; }},
-        {"tension", "largest principal stress", true, [](const Stress& s) { return principal(s)[2]; }},
-        {"xx", "stress xx", true, [](const Stress& s) { return s[0]; }},
-        {"yy", "stress yy", true, [](const Stress& s) { return s[1]; }},
-        {"zz", "stress zz", true, [](const Stress& s) { return s[2]; }},
-        {"xy", "stress xy", true, [](const Stress& s) { return s[3]; }},
-        {"yz", "stress yz", true, [](const Stress& s) { return s[4]; }},
-        {"zx", "stress zx", true, [](const Stress& s) { return s[5]; }},
+        {"von_mises", "von Mises", false, von_mises},
+        {"mean", "mean", true, [](const Stress& s) { return (s[0] + s[1] + s[2]) / 3; }},
+        {"compression", "compression", true, [](const Stress& s) { return principal(s)[0]; }},
+        {"tension", "tension", true, [](const Stress& s) { return principal(s)[2]; }},
+        {"xx", "xx", true, [](const Stress& s) { return s[0]; }},
+        {"yy", "yy", true, [](const Stress& s) { return s[1]; }},
+        {"zz", "zz", true, [](const Stress& s) { return s[2]; }},
+        {"xy", "xy", true, [](const Stress& s) { return s[3]; }},
+        {"yz", "yz", true, [](const Stress& s) { return s[4]; }},
+        {"zx", "zx", true, [](const Stress& s) { return s[5]; }},
     };
     return all;
 }

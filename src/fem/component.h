@@ -8,10 +8,11 @@
 
 namespace tumble::fem {
 
-/// One number of a stress that a picture can show, Pa.
+/// One number of a stress that a picture can show, Pa. compression and tension are the least and the largest principal
+/// stress.
 struct Component {
     std::string name;
-    std::string label;
+    std::string label; // short: a legend has room for little more than its unit
     bool has_sign = false;
     double (*of)(const Stress&) = nullptr;
 };

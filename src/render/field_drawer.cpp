@@ -55,7 +55,7 @@ out vec4 shade;
 void main() { shade = ink; }
 )";
 
-constexpr float line_cover = 0.35F;
+constexpr float line_cover = 0.2F;
 constexpr float line_nearer = 1e-4F; // of the depth, so that a line lies on its own surface
 
 void set_matrix(GLuint program, const Camera& camera, const Canvas& canvas, float nearer) {

@@ -181,8 +181,9 @@ OverlayContent content_of(const Field& field, const FieldLook& look, const Camer
     }
     content.pixels_per_metre = camera.pixels_per_metre(camera.target);
     content.scale_note = camera.perspective ? " at the centre" : "";
-    for (int i = 0; look.axes && i < 3; ++i)
-        content.axes[static_cast<std::size_t>(i)] = {camera.axes(0, i), -camera.axes(1, i)};
+    for (int i = 0; i < 3; ++i)
+        content.axes[static_cast<std::size_t>(i)] =
+            look.axes ? Eigen::Vector2d(camera.axes(0, i), -camera.axes(1, i)) : Eigen::Vector2d::Zero();
     return content;
 }
 

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 using Eigen::Vector3d;
 
 constexpr double lifted = 25 * std::numbers::pi / 180; // the eye above the horizon
-constexpr double room = 1.5;                           // what is seen, times the part
+constexpr double room = 1.25;                          // what is seen, times the part
 
 /// A free camera that looks at a box from a direction, and sees `height` m at its middle.
 void look_at(scene::Render& settings, const Vector3d& target, const Vector3d& from, double height) {
@@ -135,7 +135,7 @@ private:
         from = (from - up.dot(from) * up).normalized() * std::cos(lifted) + up * std::sin(lifted);
         look_at(settings, place_.rotation * bounds_.center() + place_.translation, from,
                 room * bounds_.diagonal().norm());
-        render::FieldLook look{.title = recorded_.scene.title + ": " + recorded_.name(), .note = time()};
+        render::FieldLook look{.title = recorded_.scene.title + ": stress on " + recorded_.name(), .note = time()};
         look.part = recorded_.wall;
         look.veil = options_.veil;
         return paint("part", settings, std::move(field), look, frame_ ? &*frame_ : nullptr);
@@ -153,9 +153,10 @@ private:
         scene::Render settings = settings_;
         settings.projection = "orthographic";
         look_at(settings, box.center(), place_.rotation * normal, 1.1 * box.diagonal().norm());
-        const render::FieldLook look{.title = fmt::format("{}, cut {} through the worst node", recorded_.name(), how),
-                                     .note = time(),
-                                     .lit = false};
+        const render::FieldLook look{
+            .title = fmt::format("{}, stress in a cut {} through the worst node", recorded_.name(), how),
+            .note = time(),
+            .lit = false};
         return paint(file, settings, std::move(field), look, nullptr);
     }
 
@@ -164,19 +165,19 @@ private:
             const Eigen::VectorXd normal = fem::components_on(slice, mesh_, study_.worst.stress).row(0);
             render::Field field = unrolled_field(mesh_, slice, recorded_.specimen().place.base, axis_, outward_,
                                                  std::vector<double>(normal.data(), normal.data() + normal.size()));
-            field.label = "normal stress";
+            field.label = "normal";
             scene::Render settings = settings_;
             settings.camera = "side";
             settings.projection = "orthographic";
             settings.view.reset();
-            const std::string depth = fmt::format("{:.4g}mm", 1e3 * slice.depth);
-            const render::FieldLook look{
-                .title = fmt::format("{}, {} beneath '{}', rolled out", recorded_.name(), depth, slice.side),
-                .note = time(),
-                .lit = false,
-                .axes = false};
-            if (auto failure =
-                    paint(fmt::format("slice-{}-{}", slice.side, depth), settings, std::move(field), look, nullptr))
+            const double depth = 1e3 * slice.depth; // mm
+            const render::FieldLook look{.title = fmt::format("{}, normal stress {:.4g} mm beneath '{}', rolled out",
+                                                              recorded_.name(), depth, slice.side),
+                                         .note = time(),
+                                         .lit = false,
+                                         .axes = false};
+            if (auto failure = paint(fmt::format("slice-{}-{:.4g}mm", slice.side, depth), settings, std::move(field),
+                                     look, nullptr))
                 return failure;
         }
         return std::nullopt;

@@ -18,14 +18,12 @@ const char* const field_vertex = R"(#version 400 core
 layout(location = 0) in vec3 place;
 layout(location = 1) in float share;
 uniform mat4 clip;
-uniform float nearer;
 out vec3 at;
 out float where;
 void main() {
     at = place;
     where = share;
     gl_Position = clip * vec4(place, 1.0);
-    gl_Position.z -= nearer * gl_Position.w;
 }
 )";
 
@@ -56,12 +54,11 @@ void main() { shade = ink; }
 )";
 
 constexpr float line_cover = 0.2F;
-constexpr float line_nearer = 1e-4F; // of the depth, so that a line lies on its own surface
+constexpr double line_nearer = 1e-3; // of the way to the eye, so that a line lies on its own surface
 
-void set_matrix(GLuint program, const Camera& camera, const Canvas& canvas, float nearer) {
+void set_matrix(GLuint program, const Camera& camera, const Canvas& canvas) {
     const Eigen::Matrix4f clip = camera.clip_matrix(canvas.width, canvas.height);
     glUniformMatrix4fv(glGetUniformLocation(program, "clip"), 1, GL_FALSE, clip.data());
-    glUniform1f(glGetUniformLocation(program, "nearer"), nearer);
 }
 
 } // namespace
@@ -107,7 +104,7 @@ void FieldDrawer::draw(const Field& field, const Span& span, const Camera& camer
         }
     const GLuint program = surface_program_.name();
     glUseProgram(program);
-    set_matrix(program, camera, canvas, 0);
+    set_matrix(program, camera, canvas);
     glUniform1f(glGetUniformLocation(program, "colors"), static_cast<float>(colors_));
     glUniform1i(glGetUniformLocation(program, "perspective"), camera.perspective ? 1 : 0);
     glUniform1f(glGetUniformLocation(program, "light"), lit ? 1.0F : 0.0F);
@@ -126,12 +123,16 @@ void FieldDrawer::draw(const Field& field, const Span& span, const Camera& camer
 
 void FieldDrawer::draw_lines(const Field& field, const Camera& camera, const Canvas& canvas) {
     std::vector<FieldCorner> ends;
+    const double way = (camera.eye - camera.target).norm();
     for (const auto& line : field.lines)
-        for (const int point : line)
-            ends.push_back({camera.to_view(field.points[static_cast<std::size_t>(point)]).cast<float>(), 0});
+        for (const int point : line) {
+            Vector3d place = camera.to_view(field.points[static_cast<std::size_t>(point)]);
+            place += line_nearer * (camera.perspective ? Vector3d(-place) : Vector3d(0, 0, way));
+            ends.push_back({place.cast<float>(), 0});
+        }
     const GLuint program = line_program_.name();
     glUseProgram(program);
-    set_matrix(program, camera, canvas, line_nearer);
+    set_matrix(program, camera, canvas);
     const Vector3f ink = ink_.cast<float>();
     glUniform4f(glGetUniformLocation(program, "ink"), ink.x(), ink.y(), ink.z(), line_cover);
     glEnable(GL_BLEND);

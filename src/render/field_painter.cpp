@@ -101,8 +101,6 @@ struct FieldCanvas {
         if (bare)
             glClear(GL_DEPTH_BUFFER_BIT);
         fields.draw(field, span, camera, canvas, lit);
-        if (around)
-            walls.draw_translucent(*around, camera, canvas, std::max(1.2, 1.5 * layout.unit));
         glDisable(GL_SCISSOR_TEST);
         resolve(GL_COLOR_BUFFER_BIT);
         return read_picture(canvas);
@@ -152,6 +150,7 @@ struct FieldCanvas {
         if (size > 0)
             crevices.draw(canvas, camera, shade_radius * size, shade_strength);
         keep_to_window();
+        walls.draw_translucent(frame, camera, canvas, std::max(1.2, 1.5 * layout.unit));
     }
 
     void keep_to_window() const {

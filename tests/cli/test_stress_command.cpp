@@ -46,6 +46,32 @@ TEST_CASE("stress runs a scene, keeps its loads, solves them, and solves them ag
     CHECK(tumble_in(folder, {"export", "out/ball-stress", "--to", "calculix"}).code == 2); // is there already
 }
 
+TEST_CASE("stress goes on where it was stopped, and solves the same contacts on another mesh") {
+    const Folder folder;
+    put(folder.path / "ball.toml", ball_on_prism);
+    const std::vector<std::string> every{"--every", "0.04", "--json"};
+    const auto stress = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), "stress");
+        words.insert(words.end(), every.begin(), every.end());
+        const Outcome outcome = tumble_in(folder, words);
+        REQUIRE_MESSAGE(outcome.code == 0, outcome.err);
+        return nlohmann::json::parse(outcome.out)["facts"];
+    };
+    stress({"ball.toml", "--out", "whole"});
+    stress({"ball.toml", "--out", "parts", "--set", "duration_s=0.13"});
+    const auto rest = stress({"ball.toml", "--out", "parts", "--resume"});
+    CHECK(rest["cases"]["value"] == 7);
+    for (const char* file : {"contacts.csv", "means.csv", "touches.csv", "bulk.csv", "cases.csv"})
+        CHECK_MESSAGE(content_of(folder.path / "parts" / file) == content_of(folder.path / "whole" / file), file);
+
+    const auto finer = stress({"parts", "--out", "finer", "--remesh", "along=20", "--remesh", "middle_cells=8"});
+    CHECK(finer["cases"]["value"] == 7);
+    CHECK(finer["unbalance"]["value"] < 1e-10);
+    const Outcome early = tumble_in(folder, {"stress", "ball.toml", "--remesh", "along=20"});
+    CHECK(early.code == 2);
+    CHECK_MESSAGE(contains(early.err, "--remesh is for a folder with loads"), early.err);
+}
+
 TEST_CASE("stress refuses scenes without a specimen, folders without loads, and changes to what was run") {
     const Folder folder;
     put(folder.path / "ball.toml", ball_on_prism);

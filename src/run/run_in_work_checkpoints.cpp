@@ -1,6 +1,7 @@
 #include "base/archive.h"
 #include "observe/frame_file.h"
 #include "observe/whole_file.h"
+#include "run/build_mark.h"
 #include "run/checkpoint_files.h"
 #include "run/run_in_work.h"
 #include "run/run_report.h"
@@ -42,6 +43,7 @@ void RunInWork::keep_checkpoint() {
 
 Checkpoint RunInWork::checkpoint_now() const {
     Checkpoint now;
+    now.build_mark = build_mark();
     now.scene = toml_;
     now.meshes = meshes_;
     now.summary = summary_;
@@ -90,7 +92,8 @@ Result<std::unique_ptr<RunInWork>> RunInWork::go_on(const scene::Scene& scene, c
         run->done_before_ = true;
         return run;
     }
-    run->summary_.resumed.push_back({found->name, run->resumed_->step, run->resumed_->time, found->changes});
+    run->summary_.resumed.push_back(
+        {found->name, run->resumed_->step, run->resumed_->time, run->resumed_->build_mark, found->changes});
     if (const Result<Done> opened = run->open_all(meshes); !opened)
         return in_scene(opened.problems(), scene);
     const Result<std::vector<std::int64_t>> missing = cut_back(place, *run->resumed_);

@@ -3,6 +3,7 @@
 #include "scene/load.h"
 #include "scene/to_toml.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
@@ -93,8 +94,15 @@ TEST_CASE("a cone of fewer spheres has as many as asked for, its volume and near
     const fit::UnionMoments before = fit::union_moments(many.bodies[0].spheres);
     const fit::UnionMoments after = fit::union_moments(few.bodies[0].spheres);
     CHECK(after.volume == about(before.volume, 1e-6));
-    // `tumble fit` with 20 spheres: a moment 5.9 % smaller about the axis and two 8.7 % larger across it.
-    CHECK(after.second.trace() == about(before.second.trace(), 0.06));
+    // `tumble fit` with 20 spheres: a moment of inertia 5.9 % smaller about the axis, the least, and two 8.7 % larger
+    // across it (docs/reduced-order.md), to the digits of that page; across it a clump need not be quite round.
+    const auto moments = [](const fit::UnionMoments& of) {
+        const Eigen::Matrix3d inertia = of.second.trace() * Eigen::Matrix3d::Identity() - of.second;
+        const Eigen::Vector3d sorted = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia).eigenvalues();
+        return Eigen::Vector2d(sorted[0], (sorted[1] + sorted[2]) / 2);
+    };
+    CHECK(std::abs(moments(after)[0] / moments(before)[0] - 0.941) < 0.001);
+    CHECK(std::abs(moments(after)[1] / moments(before)[1] - 1.087) < 0.001);
     CHECK(few.time_step == many.time_step);
 }
 

@@ -21,7 +21,7 @@ Result<Resumable> resumable_from(const fs::path& file, const scene::Scene& scene
                                  const RunOptions& options, Checkpoint checkpoint) {
     std::error_code error;
     const std::uintmax_t size = fs::file_size(folder.series(), error);
-    if (error || size < checkpoint.series_size)
+    if (checkpoint.series_size > 0 && (error || size < checkpoint.series_size))
         return Problem{.file = file.string(),
                        .what = "counts on rows of series.csv that are not there",
                        .fix = "put series.csv back as the run left it, or run the scene again"};

@@ -3,36 +3,36 @@
 namespace tumble::render {
 
 namespace isa_baseline {
-void draw_tile(const TileJob& job);
+const Kernels& kernels();
 }
 #if defined(TUMBLE_HAS_isa_v3)
 namespace isa_v3 {
-void draw_tile(const TileJob& job);
+const Kernels& kernels();
 }
 #endif
 #if defined(TUMBLE_HAS_isa_v4)
 namespace isa_v4 {
-void draw_tile(const TileJob& job);
+const Kernels& kernels();
 }
 #endif
 
-DrawTile tile_drawer_named(std::string_view name) {
+const Kernels* kernels_named(std::string_view name) {
 #if defined(TUMBLE_HAS_isa_v4)
     if (name == "x86-64-v4" && __builtin_cpu_supports("x86-64-v4"))
-        return isa_v4::draw_tile;
+        return &isa_v4::kernels();
 #endif
 #if defined(TUMBLE_HAS_isa_v3)
     if (name == "x86-64-v3" && __builtin_cpu_supports("x86-64-v3"))
-        return isa_v3::draw_tile;
+        return &isa_v3::kernels();
 #endif
-    return name == "baseline" ? isa_baseline::draw_tile : nullptr;
+    return name == "baseline" ? &isa_baseline::kernels() : nullptr;
 }
 
-DrawTile choose_tile_drawer() {
+const Kernels& choose_kernels() {
     for (const char* name : {"x86-64-v4", "x86-64-v3"})
-        if (const DrawTile found = tile_drawer_named(name))
-            return found;
-    return isa_baseline::draw_tile;
+        if (const Kernels* found = kernels_named(name))
+            return *found;
+    return isa_baseline::kernels();
 }
 
 } // namespace tumble::render

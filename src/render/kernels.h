@@ -69,13 +69,39 @@ struct TileJob {
     std::ptrdiff_t row = 0; // samples from a row of the picture to the one above it
 };
 
-/// Colour and depth (1 where there is no ball) of every sample of a tile: each ball meets each sample's line of sight
-/// where the true sphere does, the nearest is seen, of equals the first.
-using DrawTile = void (*)(const TileJob& job);
+/// Some rows of a picture whose crevices are darkened. All pictures are rows from the lowest on, `row` entries apart,
+/// with room for eight entries before and sixteen behind each row's `width`.
+struct CreviceJob {
+    int width = 0, height = 0;     // pixels
+    int first = 0, last = 0;       // rows to work on, the last not included
+    std::ptrdiff_t row = 0;        // entries from a row to the one above it
+    const float* depth = nullptr;  // OpenGL's; width entries a row, without room
+    bool perspective = false;      //
+    float nearest = 0;             // m, of depth 0
+    float farthest = 1;            // m, of depth 1, which also says that there is nothing
+    float radius = 0;              // m, of the ball about each point
+    float scale = 1;               // pixels a metre; perspective: pixels a unit of the tangent
+    float strength = 1;            // 0: no shade
+    float* distance = nullptr;     // m; infinite where there is nothing
+    float* sky = nullptr;          // share of the ball that is in front of the surface
+    std::uint8_t* shade = nullptr; // what colours are multiplied by, 255 is 1
+};
+
+struct Kernels {
+    /// Colour and depth (1 where there is no ball) of every sample of a tile: each ball meets each sample's line of
+    /// sight where the true sphere does, the nearest is seen, of equals the first.
+    void (*draw_tile)(const TileJob& job);
+    /// depth -> distance
+    void (*measure_distances)(const CreviceJob& job);
+    /// distance of all rows -> sky
+    void (*gather_sky)(const CreviceJob& job);
+    /// distance and sky of all rows -> shade
+    void (*blur_sky)(const CreviceJob& job);
+};
 
 /// "x86-64-v4", "x86-64-v3" or "baseline"; null when this processor or this build lacks it.
-DrawTile tile_drawer_named(std::string_view name);
+const Kernels* kernels_named(std::string_view name);
 /// The best that the processor has.
-DrawTile choose_tile_drawer();
+const Kernels& choose_kernels();
 
 } // namespace tumble::render

@@ -1,5 +1,7 @@
 #include "render/painter.h"
 
+#include "base/parallel_for.h"
+#include "base/thrown.h"
 #include "render/color_range.h"
 #include "render/crevice_shade.h"
 #include "render/disc_drawer.h"
@@ -63,6 +65,7 @@ struct Painter::Inside {
     bool sketching = false;
     std::optional<Overlay> overlay; // its letters depend on the arrangement
     SphereRaster raster;
+    std::unique_ptr<Crew> crew; // that draws beside the graphics library
     PhaseClock clock;
 
     AlignedBox3d fitted;
@@ -73,9 +76,9 @@ struct Painter::Inside {
     Span span;
 
     Inside(GlContext made, const scene::Render& wanted, const PainterOptions& chosen,
-           std::shared_ptr<const observe::FrameLayout> scenery, Style shown, SphereRaster spheres)
+           std::shared_ptr<const observe::FrameLayout> scenery, Style shown, std::unique_ptr<Crew> threads)
         : context(std::move(made)), settings(wanted), options(chosen), layout(std::move(scenery)),
-          style(std::move(shown)), raster(std::move(spheres)) {}
+          style(std::move(shown)), crew(std::move(threads)) {}
     Inside(const Inside&) = delete;
     Inside& operator=(const Inside&) = delete;
     ~Inside() {
@@ -149,6 +152,16 @@ static std::optional<Drawers> open_drawers(const scene::Render& settings, const 
     return Drawers{std::move(*canvas), std::move(*spheres), std::move(*discs), std::move(*walls), std::move(*crevices)};
 }
 
+/// Problems: the system refuses a thread.
+static Result<std::unique_ptr<Crew>> gather_crew() {
+    const unsigned cores = std::thread::hardware_concurrency();
+    try {
+        return std::make_unique<Crew>(static_cast<int>(std::clamp(cores, 1U, most_threads)));
+    } catch (const std::exception& refused) {
+        return problem_of(refused);
+    }
+}
+
 Result<Painter> Painter::open(const scene::Render& settings, std::shared_ptr<const observe::FrameLayout> layout,
                               const PainterOptions& options) {
     auto style = find_style(settings, layout->dimension);
@@ -157,13 +170,12 @@ Result<Painter> Painter::open(const scene::Render& settings, std::shared_ptr<con
     }
     Problems problems;
     auto context = GlContext::open();
-    auto raster =
-        SphereRaster::open(static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, most_threads)));
-    if (!context || !raster) {
-        return context ? raster.problems() : context.problems();
+    auto crew = gather_crew();
+    if (!context || !crew) {
+        return context ? crew.problems() : context.problems();
     }
     auto inside =
-        std::make_unique<Inside>(*context, settings, options, std::move(layout), std::move(*style), std::move(*raster));
+        std::make_unique<Inside>(*context, settings, options, std::move(layout), std::move(*style), std::move(*crew));
     const GlContext::Current current(inside->context);
     // Opened again once the arrangement is known; here it shows whether it can be.
     const auto overlay = Overlay::open(Layout{}, inside->style.theme);
@@ -309,7 +321,8 @@ void Painter::Inside::draw_spheres(const observe::Frame& frame, const std::vecto
         clip.emplace(settings.clip->lo, settings.clip->hi);
     }
     const SphereLook look{arrangement.window, style.theme.rim, options.lighting, options.skip_hidden};
-    drawers->spheres.draw(collect_spheres(frame, showing, colors, camera, clip), camera, drawers->canvas, look, raster);
+    drawers->spheres.draw(collect_spheres(frame, showing, colors, camera, clip), camera, drawers->canvas, look, raster,
+                          *crew);
 }
 
 void Painter::Inside::draw_discs(const observe::Frame& frame, const std::vector<std::uint32_t>& colors) {
@@ -333,7 +346,7 @@ void Painter::Inside::shade_crevices() {
     }
     resolve(GL_DEPTH_BUFFER_BIT);
     const double size = *std::max_element(reach.begin(), reach.end());
-    drawers->crevices.draw(drawers->canvas, camera, crevice_radius * size, crevice_strength);
+    drawers->crevices.draw(drawers->canvas, camera, crevice_radius * size, crevice_strength, *crew);
 }
 
 /// What is drawn from here on stays in the scene's window.

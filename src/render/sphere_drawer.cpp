@@ -78,7 +78,7 @@ Result<SphereDrawer> SphereDrawer::open(const Canvas& canvas) {
 }
 
 void SphereDrawer::draw(std::span<const SphereMark> marks, const Camera& camera, const Canvas& canvas,
-                        const SphereLook& look, SphereRaster& raster) {
+                        const SphereLook& look, SphereRaster& raster, Crew& crew) {
     raster.take(marks, camera, canvas.width, canvas.height, look.window, sampling_, look.skip_hidden);
     const std::size_t a_row = raster.row_length() * static_cast<std::size_t>(raster.tile_height());
     const int at_once = std::max(static_cast<int>(samples_at_once_travelling / a_row), 1);
@@ -98,7 +98,7 @@ void SphereDrawer::draw(std::span<const SphereMark> marks, const Camera& camera,
             return; // memory ran out; there is no picture to lose yet
         }
         const auto runs =
-            raster.draw(row, at_once, {look.lit, look.rim}, colors, reinterpret_cast<float*>(colors + room_));
+            raster.draw(row, at_once, {look.lit, look.rim}, colors, reinterpret_cast<float*>(colors + room_), crew);
         glUnmapBuffer(GL_TEXTURE_BUFFER);
         if (!runs.empty()) {
             bring(runs, row * raster.tile_height(), canvas, raster);

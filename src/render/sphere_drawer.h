@@ -27,7 +27,7 @@ public:
 
     /// Into the canvas' samples.
     void draw(std::span<const SphereMark> marks, const Camera& camera, const Canvas& canvas, const SphereLook& look,
-              SphereRaster& raster);
+              SphereRaster& raster, Crew& crew);
 
 private:
     void bring(const std::vector<SphereRaster::Run>& runs, int bottom, const Canvas& canvas,

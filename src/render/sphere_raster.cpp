@@ -1,7 +1,5 @@
 #include "render/sphere_raster.h"
 
-#include "base/thrown.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -58,16 +56,6 @@ Ball ball_of(const SphereMark& mark, const Camera& camera, int height) {
 }
 
 } // namespace
-
-Result<SphereRaster> SphereRaster::open(int threads) {
-    SphereRaster raster;
-    try {
-        raster.crew_ = std::make_unique<Crew>(threads);
-    } catch (const std::exception& refused) {
-        return problem_of(refused);
-    }
-    return raster;
-}
 
 void SphereRaster::take(std::span<const SphereMark> marks, const Camera& camera, int width, int height,
                         const Area& window, const Sampling& sampling, bool skip_hidden) {
@@ -150,7 +138,7 @@ void SphereRaster::deal_to_tiles() {
 }
 
 std::vector<SphereRaster::Run> SphereRaster::draw(int first, int count, const Light& light, std::uint32_t* colors,
-                                                  float* depths) {
+                                                  float* depths, Crew& crew) {
     const int width = sampling_.tile_width(), height = sampling_.tile_height();
     std::vector<TileJob> jobs;
     std::vector<Run> runs;
@@ -181,7 +169,7 @@ std::vector<SphereRaster::Run> SphereRaster::draw(int first, int count, const Li
                 runs.push_back({job.left, job.bottom, job.left, job.bottom + height});
             runs.back().right = job.left + width;
         }
-    crew_->share(static_cast<int>(jobs.size()), [&](int k) { draw_tile_(jobs[static_cast<std::size_t>(k)]); });
+    crew.share(static_cast<int>(jobs.size()), [&](int k) { kernels_->draw_tile(jobs[static_cast<std::size_t>(k)]); });
     return runs;
 }
 

@@ -1,14 +1,12 @@
 #pragma once
 
 #include "base/parallel_for.h"
-#include "base/problem.h"
 #include "render/area.h"
 #include "render/camera.h"
 #include "render/kernels.h"
 #include "render/sphere_list.h"
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -23,9 +21,6 @@ public:
     struct Run {
         int left, bottom, right, top;
     };
-
-    /// Problems: the system refuses a thread.
-    static Result<SphereRaster> open(int threads);
 
     /// Takes up the spheres of a picture of that size (pixels). What lies outside the window (pixels from the top) is
     /// left out, whole tiles at a time.
@@ -42,16 +37,14 @@ public:
     /// Draws `count` rows of tiles from the `first` on; colours (bytes red, green, blue, opacity) and depths (OpenGL's,
     /// 0 near to 1 far) have room for row_length() * tile_height() * count samples, the lowest row of pixels first.
     /// Only what lies in the runs is written.
-    std::vector<Run> draw(int first, int count, const Light& light, std::uint32_t* colors, float* depths);
+    std::vector<Run> draw(int first, int count, const Light& light, std::uint32_t* colors, float* depths, Crew& crew);
 
 private:
-    SphereRaster() = default;
     void place(std::span<const SphereMark> marks, const Camera& camera, int height);
     void sort_from_front();
     void deal_to_tiles();
 
-    std::unique_ptr<Crew> crew_;
-    DrawTile draw_tile_ = choose_tile_drawer();
+    const Kernels* kernels_ = &choose_kernels();
     Sampling sampling_;
     Sight sight_;
     bool skip_hidden_ = true;

@@ -89,8 +89,9 @@ private:
     std::optional<render::Painter> painter_;
     std::optional<render::PanelCanvas> panel_;
     bool panel_shown_ = true;
-    int panel_width_ = 0;  // pixels
-    bool resized_ = false; // and not yet drawn so
+    bool panel_toggled_ = false; // by a hand
+    int panel_width_ = 0;        // pixels
+    bool resized_ = false;       // and not yet drawn so
     Hands hands_;
     std::optional<Orbit> orbit_;
     std::optional<int> dragged_; // button that holds the camera

@@ -60,13 +60,13 @@ struct Drawn {
 
 Drawn draw(int threads, const std::vector<SphereMark>& marks, const Camera& camera, int width, int height,
            bool skip_hidden) {
-    auto raster = SphereRaster::open(threads);
-    REQUIRE(raster.ok());
+    Crew crew(threads);
+    SphereRaster raster;
     const Area window{0, 0, static_cast<double>(width), static_cast<double>(height)};
-    raster->take(marks, camera, width, height, window, four_samples(), skip_hidden);
-    const std::size_t samples = raster->row_length() * static_cast<std::size_t>(raster->tile_height() * raster->rows());
+    raster.take(marks, camera, width, height, window, four_samples(), skip_hidden);
+    const std::size_t samples = raster.row_length() * static_cast<std::size_t>(raster.tile_height() * raster.rows());
     Drawn drawn{std::vector<std::uint32_t>(samples), std::vector<float>(samples, 1)};
-    raster->draw(0, raster->rows(), {true, 0.1F}, drawn.colors.data(), drawn.depths.data());
+    raster.draw(0, raster.rows(), {true, 0.1F}, drawn.colors.data(), drawn.depths.data(), crew);
     return drawn;
 }
 
@@ -85,8 +85,8 @@ TEST_CASE("any number of threads draws the same bits, and so does drawing what i
 }
 
 TEST_CASE("every instruction set draws the same bits") {
-    REQUIRE(bool(tile_drawer_named("baseline")));
-    CHECK(!tile_drawer_named("68000"));
+    REQUIRE(kernels_named("baseline") != nullptr);
+    CHECK(kernels_named("68000") == nullptr);
     std::mt19937 random(7);
     std::uniform_real_distribution<float> place(-5, 40), depth(-3, -1), radius(0.01F, 0.2F);
     std::vector<Ball> balls(200);
@@ -117,12 +117,12 @@ TEST_CASE("every instruction set draws the same bits") {
         job.row = job.sampling.tile_width() * job.sampling.samples;
         std::vector<Drawn> all;
         for (const char* name : {"baseline", "x86-64-v3", "x86-64-v4"})
-            if (const DrawTile draw_tile = tile_drawer_named(name)) {
+            if (const Kernels* kernels = kernels_named(name)) {
                 Drawn& drawn = all.emplace_back(
                     Drawn{std::vector<std::uint32_t>(samples_in_tile), std::vector<float>(samples_in_tile)});
                 job.colors = drawn.colors.data();
                 job.depths = drawn.depths.data();
-                draw_tile(job);
+                kernels->draw_tile(job);
             }
         for (const Drawn& drawn : all) {
             CHECK(drawn.colors == all.front().colors);

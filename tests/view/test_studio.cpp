@@ -212,6 +212,31 @@ TEST_CASE("a window that is hidden or tiny keeps the view alive, a larger one ge
     CHECK(opened.picture.width == 1400);
 }
 
+TEST_CASE("in a window as narrow as a phone the scene comes first, and the panel takes all of it when asked for") {
+    Opened opened(test::pouring);
+    CHECK(opened.state["panel"] == true);
+    const double wide = opened.state["places"]["play"][2].get<double>();
+    opened.studio->take(Resized{780, 1688, 2}); // 390 x 844 on a screen of two pixels a pixel
+    opened.draw();
+    CHECK(opened.picture.width == 780);
+    CHECK(opened.picture.height == 1688);
+    CHECK(opened.state["panel"] == false);
+    const render::Picture scene = opened.picture;
+    opened.drag(300, 800, 380, 800); // where a panel of 300 would be: it turns the camera
+    opened.settle();
+    CHECK(differences(scene, opened.picture, 0, 780) > 500);
+    opened.studio->take(PanelToggled{});
+    opened.draw();
+    CHECK(opened.picture.width == 780);
+    CHECK(opened.state["places"]["play"][2].get<double>() > 1.5 * wide); // letters and buttons of twice the pixels
+    opened.click("steps");
+    CHECK(opened.eventually([&] { return opened.state["step"] == 100; }));
+    // Who asked for it keeps it, whatever the window does.
+    opened.studio->take(Resized{800, 1688, 2});
+    opened.draw();
+    CHECK(opened.state["panel"] == true);
+}
+
 TEST_CASE("a picture is kept as PNG and a film as MP4, under names that nothing had") {
     Opened opened(test::pouring);
     test::put(opened.folder.path / "shaken-001.png", "not ours");

@@ -61,6 +61,26 @@ TUMBLE_INLINE bool any(Words mask) {
     return together != 0;
 #endif
 }
+TUMBLE_INLINE Words larger(Words a, Words b) {
+    return a > b ? a : b;
+}
+TUMBLE_INLINE Words smaller(Words a, Words b) {
+    return a < b ? a : b;
+}
+TUMBLE_INLINE Lanes within(Lanes x, Lanes lo, Lanes hi) {
+    return smaller(larger(x, lo), hi);
+}
+/// from[index] for every lane.
+TUMBLE_INLINE Lanes look_up(const float* from, Words index) {
+#if defined(__AVX2__)
+    return Lanes(_mm256_i32gather_ps(from, __m256i(index), sizeof(float)));
+#else
+    Lanes r;
+    for (int lane = 0; lane < samples_at_once; ++lane)
+        r[lane] = from[index[lane]];
+    return r;
+#endif
+}
 TUMBLE_INLINE float least(Lanes x) {
     float s = x[0];
     for (int lane = 1; lane < samples_at_once; ++lane)

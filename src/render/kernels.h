@@ -53,6 +53,13 @@ struct Light {
     float rim = 0;   // added where a body bends away from the eye
 };
 
+/// A ball in a tile: what tells whether it is hidden stands together, since most are.
+struct ListedBall {
+    std::uint32_t ball;                    // index
+    float nearest;                         // m, of the ball
+    std::uint8_t left, right, bottom, top; // pixels of the tile in which it may be seen, ends included
+};
+
 struct TileJob {
     Sampling sampling;
     Sight sight;
@@ -60,11 +67,11 @@ struct TileJob {
     int left = 0;   // pixels
     int bottom = 0; // pixels
     const Ball* balls = nullptr;
-    const std::uint32_t* listed = nullptr; // those that may be seen in this tile, the nearest first
-    int count = 0;                         // of them
-    float disorder = 0;                    // m, how much nearer than one before it one of them may be
-    bool skip_hidden = true;               // false: draws what lies behind others too, for the same picture
-    std::uint32_t* colors = nullptr;       // of the tile's first sample
+    const ListedBall* listed = nullptr; // those that may be seen in this tile, the nearest first
+    int count = 0;                      // of them
+    float disorder = 0;                 // m, how much nearer than one before it one of them may be
+    bool skip_hidden = true;            // false: draws what lies behind others too, for the same picture
+    std::uint32_t* colors = nullptr;    // of the tile's first sample
     float* depths = nullptr;
     std::ptrdiff_t row = 0; // samples from a row of the picture to the one above it
 };

@@ -124,17 +124,27 @@ void SphereRaster::deal_to_tiles() {
         const int high = std::min(ball.top / height, high_ - 1);
         for (int row = low; row <= high; ++row)
             for (int column = left; column <= right; ++column)
-                visit(static_cast<std::size_t>(row * columns_ + column));
+                visit(row, column, static_cast<std::size_t>(row * columns_ + column));
+    };
+    const auto within = [](int pixel, int begin, int side) {
+        return static_cast<std::uint8_t>(std::clamp(pixel - begin, 0, side - 1));
     };
     begins_.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
     for (const Ball& ball : balls_)
-        for_tiles(ball, [&](std::size_t tile) { ++begins_[tile + 1]; });
+        for_tiles(ball, [&](int, int, std::size_t tile) { ++begins_[tile + 1]; });
     for (std::size_t t = 1; t < begins_.size(); ++t)
         begins_[t] += begins_[t - 1];
     listed_.resize(begins_.back());
     std::vector<std::uint32_t> next(begins_.begin(), begins_.end() - 1);
-    for (std::size_t b = 0; b < balls_.size(); ++b)
-        for_tiles(balls_[b], [&](std::size_t tile) { listed_[next[tile]++] = static_cast<std::uint32_t>(b); });
+    for (std::size_t b = 0; b < balls_.size(); ++b) {
+        const Ball& ball = balls_[b];
+        for_tiles(ball, [&](int row, int column, std::size_t tile) {
+            const int left = column * width, low = row * height;
+            listed_[next[tile]++] = {static_cast<std::uint32_t>(b),    ball.nearest,
+                                     within(ball.left, left, width),   within(ball.right, left, width),
+                                     within(ball.bottom, low, height), within(ball.top, low, height)};
+        });
+    }
 }
 
 std::vector<SphereRaster::Run> SphereRaster::draw(int first, int count, const Light& light, std::uint32_t* colors,

@@ -56,7 +56,7 @@ private:
     std::vector<std::uint32_t> order_;  // how many of each depth
     float disorder_ = 0;                // m, between balls that the sorting takes for equal
     std::vector<std::uint32_t> begins_; // of each tile's part of listed_, and its end
-    std::vector<std::uint32_t> listed_;
+    std::vector<ListedBall> listed_;
 };
 
 } // namespace tumble::render

@@ -90,7 +90,7 @@ TEST_CASE("every instruction set draws the same bits") {
     std::mt19937 random(7);
     std::uniform_real_distribution<float> place(-5, 40), depth(-3, -1), radius(0.01F, 0.2F);
     std::vector<Ball> balls(200);
-    std::vector<std::uint32_t> listed;
+    std::vector<ListedBall> listed;
     for (Ball& ball : balls) {
         ball = {place(random),
                 place(random),
@@ -103,7 +103,7 @@ TEST_CASE("every instruction set draws the same bits") {
                 -100,
                 100};
         ball.nearest = ball.z + 1.001F * ball.radius;
-        listed.push_back(static_cast<std::uint32_t>(listed.size()));
+        listed.push_back({static_cast<std::uint32_t>(listed.size()), ball.nearest, 0, 31, 0, 15});
     }
     for (const bool perspective : {false, true}) {
         TileJob job;

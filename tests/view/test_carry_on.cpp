@@ -112,10 +112,10 @@ TEST_CASE("a table goes over to other factors from where it stands, no faster th
         return with(motion);
     };
     const scene::Scene running = table(1, 1), wanted = table(3, 2);
-    const double now = 0.1 + 0.517; // 1.4 mm out
+    const double now = 0.1 + 0.517; // on the way back from row 51, 0.6 mm out
     const CarriedOn on = carry_on(running, wanted, now);
     CHECK(!on.next);
-    CHECK(pose_at(running.walls[0].motion, now).translation.x() == about(1.4e-3, 1e-9));
+    CHECK(pose_at(running.walls[0].motion, now).translation.x() == about(0.6e-3, 1e-9));
     CHECK(jump(running, on.scene, now) < 1e-12);
     double last = pose_at(on.scene.walls[0].motion, now).translation.x();
     for (double t = now + step; t < now + 0.05; t += step) {

@@ -8,7 +8,8 @@ namespace {
 
 constexpr int block_side = 8; // pixels; what is hidden is asked block by block
 constexpr int most_blocks = 32;
-constexpr int between_looks = 16; // balls drawn until the tile's farthest sample is looked for again
+constexpr int between_looks = 16; // balls until the tile's farthest sample is looked for again
+constexpr int ahead = 12; // balls are sent for before they are needed: they lie all over the memory
 constexpr float nowhere = -__builtin_inff();
 
 /// What the samples of a tile see so far.
@@ -37,18 +38,17 @@ public:
         clear();
         if (perspective)
             measure_slants();
-        int drawn = 0;
         for (int i = 0; i < job_.count; ++i) {
-            const auto k = static_cast<std::int32_t>(job_.listed[i]);
-            const Ball& ball = job_.balls[k];
-            if (job_.skip_hidden && ball.nearest + job_.disorder <= farthest_)
-                break; // and so are all that follow
-            const Patch patch = patch_of(ball);
-            if (job_.skip_hidden && is_hidden(patch, ball.nearest))
-                continue;
-            put<perspective>(ball, k, patch);
-            if (++drawn % between_looks == 0)
+            const ListedBall& listed = job_.listed[i];
+            if (i + ahead < job_.count)
+                __builtin_prefetch(job_.balls + job_.listed[i + ahead].ball);
+            if (i % between_looks == between_looks - 1)
                 look_for_farthest();
+            if (job_.skip_hidden && listed.nearest + job_.disorder <= farthest_)
+                break; // and so are all that follow
+            const Patch patch = patch_of(listed);
+            if (!job_.skip_hidden || !is_hidden(patch, listed.nearest))
+                put<perspective>(job_.balls[listed.ball], static_cast<std::int32_t>(listed.ball), patch);
         }
         shade<perspective>();
     }
@@ -85,14 +85,9 @@ private:
 
     TUMBLE_INLINE int at(int row, int pack) const { return (row * packs_ + pack) * samples_at_once; }
 
-    TUMBLE_INLINE Patch patch_of(const Ball& ball) const {
+    TUMBLE_INLINE Patch patch_of(const ListedBall& listed) const {
         const int per_pack = job_.sampling.pixels_at_once();
-        const int left = ball.left > job_.left ? ball.left - job_.left : 0;
-        const int right = ball.right - job_.left;
-        const int low = ball.bottom > job_.bottom ? ball.bottom - job_.bottom : 0;
-        const int high = ball.top - job_.bottom;
-        const int last = right / per_pack;
-        return {left / per_pack, last < packs_ ? last : packs_ - 1, low, high < rows_ ? high : rows_ - 1};
+        return {listed.left / per_pack, listed.right / per_pack, listed.bottom, listed.top};
     }
 
     TUMBLE_INLINE void look_at_block(int block) {

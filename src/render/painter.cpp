@@ -3,14 +3,12 @@
 #include "base/parallel_for.h"
 #include "base/thrown.h"
 #include "render/color_range.h"
-#include "render/crevice_shade.h"
-#include "render/disc_drawer.h"
+#include "render/drawers.h"
 #include "render/gl_context.h"
+#include "render/mark_key.h"
 #include "render/overlay.h"
 #include "render/phase_clock.h"
 #include "render/quantity.h"
-#include "render/sphere_drawer.h"
-#include "render/wall_drawer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,15 +32,6 @@ constexpr double crevice_strength = 0.8;
 constexpr double disc_line = 1.2;
 constexpr double disc_line_share = 0.25;
 
-/// Everything that holds a name in the GL context, to be dropped as one while the context is current.
-struct Drawers {
-    Canvas canvas;
-    SphereDrawer spheres;
-    DiscDrawer discs;
-    WallDrawer walls;
-    CreviceShade crevices;
-};
-
 /// What a picture shows of a frame: settled by words that may be wrong.
 struct Style {
     Theme theme;
@@ -57,6 +46,7 @@ struct Painter::Inside {
     PainterOptions options;
     std::shared_ptr<const observe::FrameLayout> layout;
     Style style;
+    MarkMaker mark_maker;
     std::vector<std::vector<int>> showing;
     std::vector<double> reach;     // per shape, m: radius about the centre of mass that holds it
     std::vector<double> spokes;    // per shape, m, in two dimensions
@@ -78,7 +68,7 @@ struct Painter::Inside {
     Inside(GlContext made, const scene::Render& wanted, const PainterOptions& chosen,
            std::shared_ptr<const observe::FrameLayout> scenery, Style shown, std::unique_ptr<Crew> threads)
         : context(std::move(made)), settings(wanted), options(chosen), layout(std::move(scenery)),
-          style(std::move(shown)), crew(std::move(threads)) {}
+          style(std::move(shown)), mark_maker(wanted.marks), crew(std::move(threads)) {}
     Inside(const Inside&) = delete;
     Inside& operator=(const Inside&) = delete;
     ~Inside() {
@@ -103,6 +93,8 @@ struct Painter::Inside {
     void shade_crevices();
     void keep_to_window() const;
     void resolve(GLbitfield what);
+    [[nodiscard]] MarkView mark_view() const;
+    void draw_marks(const observe::Frame& frame);
     void write(const observe::Frame& frame, const PlotLine& plot, const Legend& legend);
 };
 
@@ -116,6 +108,9 @@ static Result<Style> find_style(const scene::Render& settings, int dimension) {
     auto theme = find_theme(settings.background);
     auto quantity = find_quantity(settings.color, dimension);
     auto map = find_color_map(settings.colormap, quantity.ok() && quantity->has_sign);
+    if (theme.ok() && quantity.ok() && quantity->label.empty()) {
+        map = plain_color_map(theme->plain);
+    }
     const auto camera = make_camera(settings, AlignedBox3d(Vector3d::Zero(), Vector3d::Ones()), {0, 0, 100, 100});
     Problems problems;
     for (const Problems& found : {theme.problems(), quantity.problems(), map.problems(), camera.problems()}) {
@@ -130,26 +125,6 @@ static Result<Style> find_style(const scene::Render& settings, int dimension) {
     const auto fixed =
         settings.range ? std::optional<Span>({(*settings.range)[0], (*settings.range)[1]}) : std::nullopt;
     return Style{*theme, *quantity, *map, ColorRange(fixed, quantity->has_sign)};
-}
-
-static std::optional<Drawers> open_drawers(const scene::Render& settings, const observe::FrameLayout& layout,
-                                           const Theme& theme, int samples, Problems& problems) {
-    auto canvas = make_canvas(settings.width, settings.height, samples);
-    if (!canvas) {
-        problems = canvas.problems();
-        return std::nullopt;
-    }
-    auto spheres = SphereDrawer::open(*canvas);
-    auto discs = DiscDrawer::open();
-    auto walls = WallDrawer::open(layout, theme, *canvas);
-    auto crevices = CreviceShade::open(*canvas);
-    for (const Problems& found : {spheres.problems(), discs.problems(), walls.problems(), crevices.problems()}) {
-        problems.insert(problems.end(), found.begin(), found.end());
-    }
-    if (!problems.empty()) {
-        return std::nullopt;
-    }
-    return Drawers{std::move(*canvas), std::move(*spheres), std::move(*discs), std::move(*walls), std::move(*crevices)};
 }
 
 /// Problems: the system refuses a thread.
@@ -197,8 +172,9 @@ Result<Painter> Painter::open(const scene::Render& settings, std::shared_ptr<con
 bool Painter::Inside::take_drawers(int samples, Problems& problems) {
     auto found = opened.find(samples);
     if (found == opened.end()) {
-        auto made = open_drawers(settings, *layout, style.theme, samples, problems);
+        auto made = Drawers::open(settings, *layout, style.theme, samples);
         if (!made) {
+            problems = made.problems();
             return false;
         }
         found = opened.emplace(samples, std::move(*made)).first;
@@ -236,10 +212,15 @@ Result<Done> Painter::restyle(const scene::Render& settings) {
     if (wanted.color != in.settings.color || wanted.range != in.settings.range) {
         in.style.range = style->range; // else what an automatic range has seen goes on to count
     }
+    const bool was_plain = in.style.quantity.label.empty();
     in.style.quantity = style->quantity;
     in.style.map = style->map;
     in.settings = std::move(wanted);
-    if (in.arranged) {
+    const int rows = in.mark_maker.key(*in.layout, in.mark_view()).rows();
+    in.mark_maker.restyle(in.settings.marks);
+    if (in.mark_maker.key(*in.layout, in.mark_view()).rows() != rows || in.style.quantity.label.empty() != was_plain) {
+        in.arranged = false; // their key takes or leaves room
+    } else if (in.arranged) {
         in.camera = *make_camera(in.settings, in.box(), in.arrangement.scene);
     }
     return Done{};
@@ -258,6 +239,7 @@ void Painter::Inside::arrange() {
         return tried.pixels_per_metre(tried.target);
     };
     arrangement = make_layout(settings.width, settings.height, settings.plot, zoom);
+    take_key(arrangement, mark_maker.key(*layout, mark_view()).rows(), !style.quantity.label.empty());
     if (!options.lettering) {
         arrangement = Layout{};
         arrangement.lettered = false;
@@ -333,11 +315,14 @@ void Painter::Inside::draw_discs(const observe::Frame& frame, const std::vector<
         }
     }
     const double pixels = smallest * camera.pixels_per_metre(camera.target);
-    const DiscLook look{style.theme.outline,
+    // Bodies without a colour step back behind what is drawn over them.
+    const bool plain = style.quantity.label.empty();
+    const DiscLook look{plain ? style.theme.plain_edge : style.theme.outline,
                         std::min(disc_line * std::max(1.0, arrangement.unit), disc_line_share * pixels)};
+    const auto turns = plain ? std::vector<SpokeMark>{} : collect_spokes(frame, spokes, camera);
     glBindFramebuffer(GL_FRAMEBUFFER, drawers->canvas.samples.name());
-    drawers->discs.draw(collect_discs(frame, colors, camera), collect_spokes(frame, spokes, camera), camera,
-                        drawers->canvas.width, drawers->canvas.height, look);
+    drawers->discs.draw(collect_discs(frame, colors, camera), turns, camera, drawers->canvas.width,
+                        drawers->canvas.height, look);
 }
 
 void Painter::Inside::shade_crevices() {
@@ -372,6 +357,7 @@ void Painter::Inside::write(const observe::Frame& frame, const PlotLine& plot, c
     content.title = layout->title;
     content.time = time_stamp(frame.time, settings.every);
     content.legend = legend;
+    content.key = mark_maker.key(*layout, mark_view());
     content.plot = settings.plot && !plot.label.empty() ? &plot : nullptr;
     content.now = frame.time;
     content.pixels_per_metre = camera.pixels_per_metre(camera.target);
@@ -389,7 +375,36 @@ std::vector<std::uint32_t> Painter::Inside::take_in(const observe::Frame& frame,
         arrange();
     }
     enclose(frame);
+    mark_maker.take_in(frame, mark_view());
     return colors_of(frame, legend);
+}
+
+MarkView Painter::Inside::mark_view() const {
+    MarkView view{camera, arrangement.window, arrangement.unit, style.theme, {}};
+    if (settings.clip && layout->dimension == 3) {
+        view.clip.emplace(settings.clip->lo, settings.clip->hi);
+    }
+    return view;
+}
+
+void Painter::Inside::draw_marks(const observe::Frame& frame) {
+    if (!mark_maker.any()) {
+        return;
+    }
+    const Canvas& canvas = drawers->canvas;
+    glBindFramebuffer(GL_FRAMEBUFFER, canvas.samples.name());
+    drawers->patches.draw(mark_maker.patches(frame, mark_view()), canvas.width, canvas.height);
+}
+
+void Painter::foresee(const observe::Frame& frame) {
+    const GlContext::Current current(inside_->context);
+    if (inside_->fitted.isEmpty()) {
+        fit(bounds_of(frame));
+    }
+    if (!inside_->arranged) {
+        inside_->arrange();
+    }
+    inside_->mark_maker.foresee(frame, inside_->mark_view());
 }
 
 void Painter::pass_over(const observe::Frame& frame) {
@@ -431,6 +446,7 @@ Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
     const double line = thickness * std::max(1.2, 1.5 * in.arrangement.unit);
     in.keep_to_window();
     in.drawers->walls.draw_translucent(frame, in.camera, canvas, line);
+    in.draw_marks(frame);
     glDisable(GL_SCISSOR_TEST);
     in.clock.lap("walls");
     in.resolve(GL_COLOR_BUFFER_BIT);
@@ -455,6 +471,9 @@ const Area& Painter::legend_bar() const {
 }
 const Span& Painter::range() const {
     return inside_->span;
+}
+MarkKey Painter::mark_key() const {
+    return inside_->mark_maker.key(*inside_->layout, inside_->mark_view());
 }
 const std::vector<PhaseTime>& Painter::phase_times() const {
     return inside_->clock.times();

@@ -6,6 +6,7 @@
 #include "render/area.h"
 #include "render/camera.h"
 #include "render/layout.h"
+#include "render/marks.h"
 #include "render/picture.h"
 #include "render/plot_line.h"
 #include "render/ticks.h"
@@ -41,6 +42,10 @@ public:
     /// before.
     void fit(const Eigen::AlignedBox3d& box);
 
+    /// Before the first picture: a frame that the mean field of arrows is to hold, which then stays the same in all
+    /// pictures. Without it the field is the mean of the frames up to the one drawn.
+    void foresee(const observe::Frame& frame);
+
     /// frame.layout must be the painter's. With an empty label the plot's place stays free. A frame without bodies
     /// shows its walls.
     Picture draw(const observe::Frame& frame, const PlotLine& plot = {});
@@ -62,6 +67,8 @@ public:
     [[nodiscard]] const Layout& layout() const;
     [[nodiscard]] const Area& legend_bar() const;
     [[nodiscard]] const Span& range() const;
+    /// What its lines over the bodies mean (scene::Render::marks); for callers with a legend of their own.
+    [[nodiscard]] MarkKey mark_key() const;
     /// Of all pictures so far, when phases are timed; wall time.
     [[nodiscard]] const std::vector<PhaseTime>& phase_times() const;
 

@@ -263,13 +263,16 @@ void Studio::grant(const Wishes& wishes) {
         save_scene();
     if (wishes.film_ends)
         source_->film_no_more();
-    if (wishes.film) {
-        scene::Render settings = look_;
-        settings.plot = settings_.plot && source_->can_seek(); // a film of what goes on knows no series
-        if (!settings.range)
-            settings.range = {painter_->range().lo, painter_->range().hi};
-        source_->film(settings, free_name(".mp4"));
-    }
+    if (wishes.film)
+        source_->film(film_settings(), free_name(".mp4"));
+}
+
+scene::Render Studio::film_settings() const {
+    scene::Render settings = look_;
+    settings.plot = settings_.plot && source_->can_seek(); // a film of what goes on knows no series
+    if (!settings.range)
+        settings.range = {painter_->range().lo, painter_->range().hi};
+    return settings;
 }
 
 bool Studio::is_at_rest() const {
@@ -288,6 +291,9 @@ void Studio::draw_scene() {
     for (const Result<Done>& done : {painter_->restyle(look_), painter_->set_sketching(sketched_)})
         if (!done)
             notice_ = to_string(done.problems().front());
+    source_->show_contacts(look_.marks.chains);
+    if (look_changed_ && source_->state().filming)
+        source_->restyle_film(film_settings());
     plots_.take(*moment_);
     scene_picture_ = painter_->draw(moment_->frame);
     drawn_ = moment_->number;
@@ -359,6 +365,7 @@ void Studio::save_scene() {
     scene->render.width = settings_.width;
     scene->render.height = settings_.height;
     scene->render.plot = settings_.plot;
+    scene->observe.contacts = scene->observe.contacts || look_.marks.chains; // without them no chain can be drawn
     const std::filesystem::path file = free_name(".toml");
     const auto written = observe::write_whole(file, scene::to_toml(*scene));
     notice_ = written ? file.string() : to_string(written.problems().front());

@@ -67,6 +67,7 @@ private:
     void draw_scene();
     [[nodiscard]] bool is_at_rest() const;
     void grant(const Wishes& wishes);
+    [[nodiscard]] scene::Render film_settings() const;
     void keep_picture();
     void save_scene();
     [[nodiscard]] std::filesystem::path free_name(const std::string& extension);

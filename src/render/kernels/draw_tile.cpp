@@ -9,7 +9,7 @@ namespace {
 constexpr int block_side = 8; // pixels; what is hidden is asked block by block
 constexpr int most_blocks = 32;
 constexpr int between_looks = 16; // balls until the tile's farthest sample is looked for again
-constexpr int ahead = 12; // balls are sent for before they are needed: they lie all over the memory
+constexpr int ahead = 12;         // balls are sent for before they are needed: they lie all over the memory
 constexpr float nowhere = -__builtin_inff();
 
 /// What the samples of a tile see so far.

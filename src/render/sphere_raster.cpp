@@ -1,7 +1,9 @@
 #include "render/sphere_raster.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 
 namespace tumble::render {
 
@@ -117,11 +119,14 @@ void SphereRaster::sort_from_front() {
 
 void SphereRaster::deal_to_tiles() {
     const int width = sampling_.tile_width(), height = sampling_.tile_height();
+    // Both sides are powers of 2.
+    const int across = std::countr_zero(static_cast<unsigned>(width));
+    const int up = std::countr_zero(static_cast<unsigned>(height));
     const auto for_tiles = [&](const Ball& ball, const auto& visit) {
-        const int left = std::max(ball.left < 0 ? 0 : ball.left / width, left_);
-        const int right = std::min(ball.right / width, right_ - 1);
-        const int low = std::max(ball.bottom < 0 ? 0 : ball.bottom / height, low_);
-        const int high = std::min(ball.top / height, high_ - 1);
+        const int left = std::max(ball.left >> across, left_);
+        const int right = std::min(ball.right >> across, right_ - 1);
+        const int low = std::max(ball.bottom >> up, low_);
+        const int high = std::min(ball.top >> up, high_ - 1);
         for (int row = low; row <= high; ++row)
             for (int column = left; column <= right; ++column)
                 visit(row, column, static_cast<std::size_t>(row * columns_ + column));

@@ -12,10 +12,8 @@
 
 namespace tumble::view {
 
-namespace {
-
 /// How pictures are to look, from that number on: a frame is drawn some time after it was shot.
-class Looks {
+class FilmLooks {
 public:
     void set(std::int64_t shot, const scene::Render& look) {
         const std::lock_guard lock(mutex_);
@@ -37,9 +35,11 @@ private:
     std::map<std::int64_t, scene::Render> looks_;
 };
 
+namespace {
+
 class FilmSink final : public run::FrameSink {
 public:
-    FilmSink(render::Painter painter, run::PictureFiles files, std::shared_ptr<Looks> looks)
+    FilmSink(render::Painter painter, run::PictureFiles files, std::shared_ptr<FilmLooks> looks)
         : painter_(std::move(painter)), files_(std::move(files)), looks_(std::move(looks)) {}
 
     Result<Done> take(const run::Shot& shot) override {
@@ -53,15 +53,16 @@ public:
 private:
     render::Painter painter_;
     run::PictureFiles files_;
-    std::shared_ptr<Looks> looks_;
+    std::shared_ptr<FilmLooks> looks_;
 };
 
 } // namespace
 
 struct Film::Inside {
-    std::shared_ptr<Looks> looks;
+    std::shared_ptr<FilmLooks> looks;
     run::FrameQueue queue;
-    Inside(std::shared_ptr<Looks> shared, run::FrameSinks sinks) : looks(std::move(shared)), queue(std::move(sinks)) {}
+    Inside(std::shared_ptr<FilmLooks> shared, run::FrameSinks sinks)
+        : looks(std::move(shared)), queue(std::move(sinks)) {}
 };
 
 Film::Film(std::unique_ptr<Inside> inside, const scene::Render& look, run::Schedule schedule,
@@ -80,7 +81,7 @@ Result<std::unique_ptr<Film>> Film::open(const scene::Render& settings,
     Result<run::PictureFiles> files = run::PictureFiles::open(settings, {.folder = {}, .video = file});
     if (!files)
         return files.problems();
-    auto looks = std::make_shared<Looks>();
+    auto looks = std::make_shared<FilmLooks>();
     run::FrameSinks sinks;
     sinks.push_back(std::make_unique<FilmSink>(std::move(*painter), std::move(*files), looks));
     auto inside = std::make_unique<Inside>(std::move(looks), std::move(sinks));

@@ -193,6 +193,19 @@ def moves_a_slider(page):
     page.wait("a scene", lambda: page.state()["notice"].endswith(".toml"))
 
 
+def draws_over_the_bodies(page):
+    page.click("tab Look")
+    page.wait("the tab", lambda: "arrows" in page.state()["places"])
+    for box, choice in (("arrows", "arrows bodies"), ("trail", "trail ball"), (None, "force chains")):
+        page.wait_for_rest()
+        before = picture_of(page)
+        if box:
+            page.click(box)
+            page.wait("the choice", lambda: choice in page.state()["places"])
+        page.click(choice)
+        page.wait("another picture", lambda: picture_of(page) != before)
+
+
 def films(page):
     page.click("tab Keep")
     page.wait("the tab", lambda: "film" in page.state()["places"])
@@ -337,6 +350,15 @@ def scrubs(page):
     later = page.state()["time"]
     page.press(",")
     page.wait("the frame before", lambda: page.state()["time"] < later)
+    page.click("tab Look")
+    page.wait("the tab", lambda: "trail" in page.state()["places"])
+    assert "force chains" not in page.state()["places"], "this run has kept no contacts"
+    page.click("trail")
+    page.wait("the choice", lambda: "trail ball" in page.state()["places"])
+    page.wait_for_rest()
+    before = picture_of(page)
+    page.click("trail ball")
+    page.wait("the way of a ball", lambda: picture_of(page) != before)
     page.press(Keys.SPACE)
     page.wait("the end", lambda: page.state()["ended"])
 
@@ -368,7 +390,7 @@ def main():
             page = Page(driver)
             with View(program, "shaken.toml", folder) as view:
                 page.open(view.link)
-                for part in (opens_and_runs, drags_the_camera, obeys_keys, moves_a_slider, films, resizes, fits_a_phone):
+                for part in (opens_and_runs, drags_the_camera, obeys_keys, moves_a_slider, draws_over_the_bodies, films, resizes, fits_a_phone):
                     part(page)
                     print(f"{part.__name__}: fine", flush=True)
                 shares(page, view, folder)

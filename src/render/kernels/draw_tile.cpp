@@ -8,8 +8,9 @@ namespace {
 
 constexpr int block_side = 8; // pixels; what is hidden is asked block by block
 constexpr int most_blocks = 32;
-constexpr int between_looks = 16; // balls until the tile's farthest sample is looked for again
-constexpr int ahead = 12;         // balls are sent for before they are needed: they lie all over the memory
+constexpr int most_rows = 32, most_packs = 32; // of a tile
+constexpr int between_looks = 16;              // balls until the tile's farthest sample is looked for again
+constexpr int ahead = 12; // balls are sent for before they are needed: they lie all over the memory
 constexpr float nowhere = -__builtin_inff();
 
 /// What the samples of a tile see so far.
@@ -17,8 +18,10 @@ struct Board {
     alignas(64) float z[samples_in_tile]; // m, view space
     alignas(64) std::int32_t ball[samples_in_tile];
     alignas(64) float slant[samples_in_tile]; // perspective: cosine between a sample's line of sight and the axis
-    float farthest[most_blocks];              // m, of a block's samples, or farther
-    bool stale[most_blocks];                  // something has been drawn since
+    alignas(32) float across[most_packs][samples_at_once]; // pixels from the axis to the samples of a pack,
+    alignas(32) float up[most_rows][samples_at_once];      // and of a row
+    float farthest[most_blocks];                           // m, of a block's samples, or farther
+    bool stale[most_blocks];                               // something has been drawn since
 };
 
 /// Packs of eight samples and rows of a tile, ends included.
@@ -31,8 +34,9 @@ public:
     Painting(const TileJob& job, Board& board)
         : job_(job), board_(board), packs_(job.sampling.tile_width() / job.sampling.pixels_at_once()),
           rows_(job.sampling.tile_height()), block_columns_(job.sampling.tile_width() / block_side),
-          blocks_(block_columns_ * (rows_ / block_side)), across_(load(job.sampling.across)),
-          up_(load(job.sampling.up)) {}
+          block_rows_(rows_ / block_side),
+          pack_shift_(__builtin_ctz(static_cast<unsigned>(job.sampling.pixels_at_once()))),
+          block_shift_(__builtin_ctz(static_cast<unsigned>(packs_ / block_columns_))) {}
 
     template <bool perspective> TUMBLE_INLINE void paint() {
         clear();
@@ -59,20 +63,22 @@ private:
             store(all(nowhere), board_.z + s);
             store(all(-1), board_.ball + s);
         }
-        for (int b = 0; b < blocks_; ++b) {
+        for (int b = 0; b < block_columns_ * block_rows_; ++b) {
             board_.farthest[b] = nowhere;
             board_.stale[b] = false;
         }
+        for (int pack = 0; pack < packs_; ++pack) {
+            const int pixel = job_.left + (pack << pack_shift_);
+            store(load(job_.sampling.across) + all(static_cast<float>(pixel) - job_.sight.centre_x),
+                  board_.across[pack]);
+        }
+        for (int row = 0; row < rows_; ++row)
+            store(load(job_.sampling.up) + all(static_cast<float>(job_.bottom + row) - job_.sight.centre_y),
+                  board_.up[row]);
     }
 
-    /// Pixels from the axis to the samples of a pack, or of a row.
-    TUMBLE_INLINE Lanes across(int pack) const {
-        const int pixel = job_.left + pack * job_.sampling.pixels_at_once();
-        return across_ + all(static_cast<float>(pixel) - job_.sight.centre_x);
-    }
-    TUMBLE_INLINE Lanes up(int row) const {
-        return up_ + all(static_cast<float>(job_.bottom + row) - job_.sight.centre_y);
-    }
+    TUMBLE_INLINE Lanes across(int pack) const { return load(board_.across[pack]); }
+    TUMBLE_INLINE Lanes up(int row) const { return load(board_.up[row]); }
 
     TUMBLE_INLINE void measure_slants() {
         const Lanes per_pixel = all(1 / job_.sight.scale);
@@ -86,48 +92,44 @@ private:
     TUMBLE_INLINE int at(int row, int pack) const { return (row * packs_ + pack) * samples_at_once; }
 
     TUMBLE_INLINE Patch patch_of(const ListedBall& listed) const {
-        const int per_pack = job_.sampling.pixels_at_once();
-        return {listed.left / per_pack, listed.right / per_pack, listed.bottom, listed.top};
+        return {listed.left >> pack_shift_, listed.right >> pack_shift_, listed.bottom, listed.top};
     }
 
-    TUMBLE_INLINE void look_at_block(int block) {
-        const int block_packs = packs_ / block_columns_;
-        const int pack = block % block_columns_ * block_packs, row = block / block_columns_ * block_side;
-        Lanes z = load(board_.z + at(row, pack));
-        for (int r = row; r < row + block_side; ++r)
-            for (int p = pack; p < pack + block_packs; ++p)
+    /// m, of a block's samples.
+    TUMBLE_INLINE float farthest_in(int row, int column) {
+        const int block = row * block_columns_ + column;
+        if (!board_.stale[block])
+            return board_.farthest[block];
+        const int pack = column << block_shift_, end = pack + (1 << block_shift_);
+        Lanes z = load(board_.z + at(row * block_side, pack));
+        for (int r = row * block_side; r < (row + 1) * block_side; ++r)
+            for (int p = pack; p < end; ++p)
                 z = smaller(z, load(board_.z + at(r, p)));
-        board_.farthest[block] = least(z);
         board_.stale[block] = false;
+        return board_.farthest[block] = least(z);
     }
 
     TUMBLE_INLINE void look_for_farthest() {
         farthest_ = __builtin_inff();
-        for (int b = 0; b < blocks_; ++b) {
-            if (board_.stale[b])
-                look_at_block(b);
-            farthest_ = board_.farthest[b] < farthest_ ? board_.farthest[b] : farthest_;
-        }
+        for (int row = 0; row < block_rows_; ++row)
+            for (int column = 0; column < block_columns_; ++column) {
+                const float farthest = farthest_in(row, column);
+                farthest_ = farthest < farthest_ ? farthest : farthest_;
+            }
     }
 
     /// Whether everything that the patch's blocks show is at least as near as `nearest` (m).
     TUMBLE_INLINE bool is_hidden(const Patch& patch, float nearest) {
-        const int block_packs = packs_ / block_columns_;
         for (int row = patch.low / block_side; row <= patch.high / block_side; ++row)
-            for (int column = patch.first / block_packs; column <= patch.last / block_packs; ++column) {
-                const int block = row * block_columns_ + column;
-                if (board_.stale[block])
-                    look_at_block(block);
-                if (board_.farthest[block] < nearest)
+            for (int column = patch.first >> block_shift_; column <= patch.last >> block_shift_; ++column)
+                if (farthest_in(row, column) < nearest)
                     return false;
-            }
         return true;
     }
 
     TUMBLE_INLINE void soil(const Patch& patch) {
-        const int block_packs = packs_ / block_columns_;
         for (int row = patch.low / block_side; row <= patch.high / block_side; ++row)
-            for (int column = patch.first / block_packs; column <= patch.last / block_packs; ++column)
+            for (int column = patch.first >> block_shift_; column <= patch.last >> block_shift_; ++column)
                 board_.stale[row * block_columns_ + column] = true;
     }
 
@@ -273,9 +275,9 @@ private:
     const TileJob& job_;
     Board& board_;
     const int packs_, rows_; // of the tile
-    const int block_columns_, blocks_;
-    const Lanes across_, up_;
-    float farthest_ = nowhere; // m, of all samples, or farther
+    const int block_columns_, block_rows_;
+    const int pack_shift_, block_shift_; // powers of 2: pixels of a pack, packs of a block's row
+    float farthest_ = nowhere;           // m, of all samples, or farther
 };
 
 } // namespace

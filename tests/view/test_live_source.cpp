@@ -150,7 +150,7 @@ TEST_CASE("a simulation that dies says why and stands still, and its source live
 
 TEST_CASE("moments say who touches whom while that is wanted, also of a simulation that stands still") {
     Live live(test::pouring);
-    live.source->step(1500); // 30 ms at 1 m/s and more: the lowest lie on the floor by then
+    live.source->step(1500); // 30 ms at 1 m/s and more: they meet the floor and each other
     REQUIRE(live.reaches(1500));
     CHECK(live.source->can_show_contacts());
     CHECK(!live.source->newest()->frame.contacts);
@@ -158,12 +158,9 @@ TEST_CASE("moments say who touches whom while that is wanted, also of a simulati
     REQUIRE(live.eventually([&] { return live.source->newest()->frame.contacts.has_value(); }));
     const observe::Frame frame = live.source->newest()->frame;
     CHECK(frame.step == 1500);
-    std::size_t on_floor = 0;
-    for (const observe::FrameContact& contact : *frame.contacts) {
+    CHECK(!frame.contacts->empty());
+    for (const observe::FrameContact& contact : *frame.contacts)
         CHECK(std::find(frame.id.begin(), frame.id.end(), contact.a) != frame.id.end());
-        on_floor += contact.wall == 0 ? 1 : 0;
-    }
-    CHECK(on_floor > 0);
     live.source->show_contacts(false);
     CHECK(live.eventually([&] { return !live.source->newest()->frame.contacts; }));
 }

@@ -78,6 +78,25 @@ void add_render_settings(CLI::App& command, std::vector<std::string>& sets) {
     add("--color", "QUANTITY", "What colours the bodies: " + words_of("color"), word("render.color"));
     add("--range", "LO,HI", "Values at the ends of the colour scale, SI", list("render.range"));
     add("--colormap", "NAME", "Colour scale: " + words_of("colormap"), word("render.colormap"));
+    add("--arrows", "none|bodies|field", "Velocities: of bodies, or their mean over the frames on a grid",
+        word("render.arrows"));
+    const auto number = [](const char* key) {
+        return [key](std::vector<std::string>& all, const std::string& text) {
+            all.push_back(std::string(key) + "=" + text);
+        };
+    };
+    add("--arrow", "M_S", "Speed of the legend's arrow, m/s", number("render.arrow_m_s"));
+    command.add_flag_callback(
+        "--force-chains", [&sets] { sets.emplace_back("render.force_chains=true"); },
+        "Lines as thick as the force between bodies (of a run with observe.contacts)");
+    add("--chain", "N", "Force of the thickest line, N", number("render.chain_N"));
+    add("--trails", "BODY,...", "Bodies whose way is drawn, by name or id",
+        [](std::vector<std::string>& all, const std::string& text) {
+            std::string names;
+            for (const std::string_view name : split(text, ','))
+                names += (names.empty() ? "" : ", ") + quoted(std::string(trimmed(name)));
+            all.push_back("render.trails=[" + names + "]");
+        });
     add("--background", "dark|white", "Behind the picture", word("render.background"));
     add("--plot", "MEASURE", "Measure in the small plot", word("render.plot_measure"));
     add("--size", "WxH", "Pixels, such as 1920x1080", [](std::vector<std::string>& all, const std::string& text) {

@@ -8,6 +8,7 @@
 #include "scene/motion.h"
 #include "scene/scene.h"
 #include "scene/time_step.h"
+#include "solver/contact_push.h"
 
 #include <cstdint>
 #include <memory>
@@ -22,6 +23,7 @@ namespace tumble::hard2d {
 
 using discs::BodyShape;
 using discs::BodyState;
+using solver::ContactPush;
 
 struct World;
 
@@ -51,6 +53,8 @@ const std::vector<BodyShape>& shapes_of(const World& world);
 std::vector<BodyState> bodies_of(const World& world);
 /// Poses of scene.walls at the world's time.
 std::vector<scene::WallPose> walls_of(const World& world);
+/// Who touches whom, and the mean force over the last step: its impulse over its length.
+std::vector<ContactPush> contacts_of(const World& world);
 /// What a fill still owes after its last attempt, a sentence each.
 std::vector<std::string> unfilled(const World& world);
 /// Seconds spent per phase since the world was built.

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,19 @@ struct WallPlace {
     Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero(); // rad/s
 };
 
+/// A place where a body touches another body, or a wall. In two dimensions every z is 0.
+struct FrameContact {
+    std::int64_t a = 0;                               // id
+    std::int64_t b = -1;                              // id of the other body; -1: it is a wall
+    int wall = -1;                                    // index into layout->walls; -1: it is a body
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();  // m, where a is (b may be seen through a periodic side)
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero(); // unit, towards a
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();  // N, on a
+
+    /// N, above 0: pressed.
+    [[nodiscard]] double pressing() const { return force.dot(normal); }
+};
+
 /// One instant of a run: all that pictures, measures and exports need, and nothing that can disturb the solver.
 struct Frame {
     std::shared_ptr<const FrameLayout> layout;
@@ -62,6 +76,8 @@ struct Frame {
     std::vector<Eigen::Vector3d> velocity;         // m/s
     std::vector<Eigen::Vector3d> angular_velocity; // rad/s, world frame
     std::vector<WallPlace> walls;                  // parallel to layout->walls
+    // Those of the last step taken, one step before `time`. Nothing where nobody asked for them: observe.contacts.
+    std::optional<std::vector<FrameContact>> contacts;
 
     [[nodiscard]] std::size_t bodies() const { return position.size(); }
 };

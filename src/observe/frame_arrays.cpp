@@ -2,6 +2,7 @@
 
 #include "observe/array_rows.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace tumble::observe {
@@ -45,6 +46,49 @@ void read_wall_places(Taker& taker, Frame& frame) {
     }
 }
 
+std::vector<Array> contact_arrays(const std::vector<FrameContact>& contacts) {
+    std::vector<Array> arrays{whole("contact_bodies", 2), whole("contact_wall", 1), reals("contact_point_m", 3),
+                              reals("contact_normal", 3), reals("contact_force_N", 3)};
+    for (const FrameContact& contact : contacts) {
+        arrays[0].integers.insert(arrays[0].integers.end(), {contact.a, contact.b});
+        arrays[1].integers.push_back(contact.wall);
+        push(arrays[2], contact.point);
+        push(arrays[3], contact.normal);
+        push(arrays[4], contact.force);
+    }
+    return arrays;
+}
+
+/// Frames have them only where a run was asked to keep them.
+void read_contacts(Taker& taker, const ArrayFile& content, Frame& frame) {
+    const auto kept = [](const Array& array) { return array.name == "contact_bodies"; };
+    if (std::none_of(content.arrays.begin(), content.arrays.end(), kept))
+        return;
+    const Array& bodies = taker.take("contact_bodies", 2, true);
+    const Array& wall = taker.take("contact_wall", 1, true);
+    const Array& point = taker.take("contact_point_m", 3, false);
+    const Array& normal = taker.take("contact_normal", 3, false);
+    const Array& force = taker.take("contact_force_N", 3, false);
+    for (const Array* other : {&wall, &point, &normal, &force})
+        taker.same_rows(bodies, *other);
+    for (const Array* array : {&point, &normal, &force})
+        taker.finite(*array);
+    if (!taker.problems.empty())
+        return;
+    const auto known = [&](std::int64_t id) { return std::binary_search(frame.id.begin(), frame.id.end(), id); };
+    frame.contacts.emplace();
+    for (std::size_t i = 0; i < bodies.rows(); ++i) {
+        const std::int64_t a = bodies.integers[2 * i], b = bodies.integers[2 * i + 1], w = wall.integers[i];
+        const bool on_wall = b == -1 && w >= 0 && w < static_cast<std::int64_t>(frame.walls.size());
+        if (!known(a) || !(on_wall || (w == -1 && known(b)))) {
+            taker.say(fmt::format("contact {} names a body or a wall that is not there", i));
+            return;
+        }
+        frame.contacts->push_back(
+            {a, b, static_cast<int>(w), vector_at(point, i), vector_at(normal, i), vector_at(force, i)});
+    }
+}
+
 } // namespace
 
 ArrayFile to_arrays(const Frame& frame) {
@@ -62,6 +106,9 @@ ArrayFile to_arrays(const Frame& frame) {
                       vectors("angular_velocity_rad_s", frame.angular_velocity)};
     for (Array& array : wall_arrays(frame))
         content.arrays.push_back(std::move(array));
+    if (frame.contacts)
+        for (Array& array : contact_arrays(*frame.contacts))
+            content.arrays.push_back(std::move(array));
     return content;
 }
 
@@ -98,6 +145,7 @@ Result<Frame> frame_from(const ArrayFile& content, const std::shared_ptr<const F
         frame.orientation.emplace_back(q[0], q[1], q[2], q[3]);
     }
     read_wall_places(taker, frame);
+    read_contacts(taker, content, frame);
     if (!taker.problems.empty())
         return taker.problems;
     return frame;

@@ -112,6 +112,14 @@ std::vector<std::string> color_map_names() {
     return {"auto", "viridis", "cividis", "inferno", "coolwarm"};
 }
 
+ColorMap plain_color_map(const Eigen::Vector3d& color) {
+    std::array<std::uint8_t, 3> bytes{};
+    for (int k = 0; k < 3; ++k) {
+        bytes[static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(std::lround(255 * color[k]));
+    }
+    return {"plain", {bytes, bytes}};
+}
+
 Result<ColorMap> find_color_map(const std::string& name, bool has_sign) {
     if (name == "coolwarm" || (name == "auto" && has_sign)) {
         return coolwarm();

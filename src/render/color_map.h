@@ -26,6 +26,9 @@ struct ColorMap {
 /// viridis, cividis, inferno, coolwarm, and auto: coolwarm for quantities with a sign, viridis for the others.
 std::vector<std::string> color_map_names();
 
+/// One colour (sRGB, 0 to 1) whatever the value.
+ColorMap plain_color_map(const Eigen::Vector3d& color);
+
 /// Problem names the nearest right word.
 Result<ColorMap> find_color_map(const std::string& name, bool has_sign);
 

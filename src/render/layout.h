@@ -16,6 +16,7 @@ struct Layout {
     Area title;
     Area time;
     Area legend;
+    Area key;  // of lines over the bodies; empty without them
     Area plot; // empty without a plot
     Area scale_bar;
 };

@@ -1,6 +1,7 @@
 #include "render/overlay.h"
 
 #include "render/imgui_session.h"
+#include "render/mark_key.h"
 #include "render/panel_drawer.h"
 
 #include <imgui.h>
@@ -42,7 +43,11 @@ static Area draw_panels(Pen& pen, const OverlayContent& content, const Layout& l
     const bool in_column = layout.column;
     pen.text(in_column ? layout.time.left : layout.time.right, layout.time.top, content.time, Lettering::large,
              in_column ? Align::left : Align::right, theme.text);
-    const Area bar = draw_legend(pen, layout.legend, content.legend, theme, layout.column);
+    Area bar;
+    if (!content.legend.label.empty())
+        bar = draw_legend(pen, layout.legend, content.legend, theme, layout.column);
+    if (content.key.rows() > 0)
+        draw_key(pen, layout.key, content.key, theme);
     draw_scale_bar(pen, layout.scale_bar, content.pixels_per_metre, content.scale_note, content.axes, theme);
     if (content.plot != nullptr && layout.plot.width() > 0) {
         draw_plot(pen, layout.plot, *content.plot, content.now, theme);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/layout.h"
+#include "render/marks.h"
 #include "render/panels.h"
 
 #include <memory>
@@ -20,7 +21,8 @@ struct OverlayContent {
     std::string title;
     std::vector<Heading> headings;
     std::string time;
-    Legend legend;
+    Legend legend; // without a label there is none
+    MarkKey key;
     const PlotLine* plot = nullptr;
     double now = 0;                        // s
     double pixels_per_metre = 0;           // for the scale bar

@@ -1,21 +1,21 @@
 #include "render/painter.h"
 
+#include "base/parallel_for.h"
+#include "base/thrown.h"
 #include "render/color_range.h"
-#include "render/crevice_shade.h"
-#include "render/depth_pyramid.h"
-#include "render/disc_drawer.h"
+#include "render/drawers.h"
 #include "render/gl_context.h"
+#include "render/mark_key.h"
 #include "render/overlay.h"
+#include "render/phase_clock.h"
 #include "render/quantity.h"
-#include "render/sphere_drawer.h"
-#include "render/wall_drawer.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
-#include <span>
+#include <thread>
 #include <utility>
 
 namespace tumble::render {
@@ -23,25 +23,14 @@ namespace tumble::render {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-constexpr int fine_samples = 4;   // a pixel
-constexpr int sketch_samples = 0; // one, as OpenGL says it: Mesa makes four of 1
-// Below this many spheres looking for hidden ones costs more than drawing them.
-constexpr std::size_t worth_culling = 2000;
-constexpr int culling_rounds = 5;
+constexpr int fine_samples = 4;         // a pixel
+constexpr int sketch_samples = 0;       // one, as OpenGL says it: Mesa makes four of 1
+constexpr unsigned most_threads = 8;    // that draw spheres
 constexpr double crevice_radius = 0.75; // of a body's
 constexpr double crevice_strength = 0.8;
 // Outlines of discs, pixels at a picture's usual size; on small discs no more than this share of the smallest radius.
 constexpr double disc_line = 1.2;
 constexpr double disc_line_share = 0.25;
-
-/// Everything that holds a name in the GL context, to be dropped as one while the context is current.
-struct Drawers {
-    Canvas canvas;
-    SphereDrawer spheres;
-    DiscDrawer discs;
-    WallDrawer walls;
-    CreviceShade crevices;
-};
 
 /// What a picture shows of a frame: settled by words that may be wrong.
 struct Style {
@@ -57,6 +46,7 @@ struct Painter::Inside {
     PainterOptions options;
     std::shared_ptr<const observe::FrameLayout> layout;
     Style style;
+    MarkMaker mark_maker;
     std::vector<std::vector<int>> showing;
     std::vector<double> reach;     // per shape, m: radius about the centre of mass that holds it
     std::vector<double> spokes;    // per shape, m, in two dimensions
@@ -64,6 +54,9 @@ struct Painter::Inside {
     Drawers* drawers = nullptr;    // those at work
     bool sketching = false;
     std::optional<Overlay> overlay; // its letters depend on the arrangement
+    SphereRaster raster;
+    std::unique_ptr<Crew> crew; // that draws beside the graphics library
+    PhaseClock clock;
 
     AlignedBox3d fitted;
     bool arranged = false;
@@ -73,9 +66,9 @@ struct Painter::Inside {
     Span span;
 
     Inside(GlContext made, const scene::Render& wanted, const PainterOptions& chosen,
-           std::shared_ptr<const observe::FrameLayout> scenery, Style shown)
+           std::shared_ptr<const observe::FrameLayout> scenery, Style shown, std::unique_ptr<Crew> threads)
         : context(std::move(made)), settings(wanted), options(chosen), layout(std::move(scenery)),
-          style(std::move(shown)) {}
+          style(std::move(shown)), mark_maker(wanted.marks), crew(std::move(threads)) {}
     Inside(const Inside&) = delete;
     Inside& operator=(const Inside&) = delete;
     ~Inside() {
@@ -95,11 +88,13 @@ struct Painter::Inside {
     std::vector<std::uint32_t> colors_of(const observe::Frame& frame, Legend& legend);
     std::vector<std::uint32_t> take_in(const observe::Frame& frame, Legend& legend);
     void draw_bodies(const observe::Frame& frame, const std::vector<std::uint32_t>& colors);
-    void draw_spheres(std::vector<SphereMark> marks);
+    void draw_spheres(const observe::Frame& frame, const std::vector<std::uint32_t>& colors);
     void draw_discs(const observe::Frame& frame, const std::vector<std::uint32_t>& colors);
     void shade_crevices();
     void keep_to_window() const;
     void resolve(GLbitfield what);
+    [[nodiscard]] MarkView mark_view() const;
+    void draw_marks(const observe::Frame& frame);
     void write(const observe::Frame& frame, const PlotLine& plot, const Legend& legend);
 };
 
@@ -113,6 +108,9 @@ static Result<Style> find_style(const scene::Render& settings, int dimension) {
     auto theme = find_theme(settings.background);
     auto quantity = find_quantity(settings.color, dimension);
     auto map = find_color_map(settings.colormap, quantity.ok() && quantity->has_sign);
+    if (theme.ok() && quantity.ok() && quantity->label.empty()) {
+        map = plain_color_map(theme->plain);
+    }
     const auto camera = make_camera(settings, AlignedBox3d(Vector3d::Zero(), Vector3d::Ones()), {0, 0, 100, 100});
     Problems problems;
     for (const Problems& found : {theme.problems(), quantity.problems(), map.problems(), camera.problems()}) {
@@ -129,24 +127,14 @@ static Result<Style> find_style(const scene::Render& settings, int dimension) {
     return Style{*theme, *quantity, *map, ColorRange(fixed, quantity->has_sign)};
 }
 
-static std::optional<Drawers> open_drawers(const scene::Render& settings, const observe::FrameLayout& layout,
-                                           const Theme& theme, int samples, Problems& problems) {
-    auto canvas = make_canvas(settings.width, settings.height, samples);
-    if (!canvas) {
-        problems = canvas.problems();
-        return std::nullopt;
+/// Problems: the system refuses a thread.
+static Result<std::unique_ptr<Crew>> gather_crew() {
+    const unsigned cores = std::thread::hardware_concurrency();
+    try {
+        return std::make_unique<Crew>(static_cast<int>(std::clamp(cores, 1U, most_threads)));
+    } catch (const std::exception& refused) {
+        return problem_of(refused);
     }
-    auto spheres = SphereDrawer::open();
-    auto discs = DiscDrawer::open();
-    auto walls = WallDrawer::open(layout, theme, *canvas);
-    auto crevices = CreviceShade::open(*canvas);
-    for (const Problems& found : {spheres.problems(), discs.problems(), walls.problems(), crevices.problems()}) {
-        problems.insert(problems.end(), found.begin(), found.end());
-    }
-    if (!problems.empty()) {
-        return std::nullopt;
-    }
-    return Drawers{std::move(*canvas), std::move(*spheres), std::move(*discs), std::move(*walls), std::move(*crevices)};
 }
 
 Result<Painter> Painter::open(const scene::Render& settings, std::shared_ptr<const observe::FrameLayout> layout,
@@ -157,10 +145,12 @@ Result<Painter> Painter::open(const scene::Render& settings, std::shared_ptr<con
     }
     Problems problems;
     auto context = GlContext::open();
-    if (!context) {
-        return context.problems();
+    auto crew = gather_crew();
+    if (!context || !crew) {
+        return context ? crew.problems() : context.problems();
     }
-    auto inside = std::make_unique<Inside>(*context, settings, options, std::move(layout), std::move(*style));
+    auto inside =
+        std::make_unique<Inside>(*context, settings, options, std::move(layout), std::move(*style), std::move(*crew));
     const GlContext::Current current(inside->context);
     // Opened again once the arrangement is known; here it shows whether it can be.
     const auto overlay = Overlay::open(Layout{}, inside->style.theme);
@@ -182,8 +172,9 @@ Result<Painter> Painter::open(const scene::Render& settings, std::shared_ptr<con
 bool Painter::Inside::take_drawers(int samples, Problems& problems) {
     auto found = opened.find(samples);
     if (found == opened.end()) {
-        auto made = open_drawers(settings, *layout, style.theme, samples, problems);
+        auto made = Drawers::open(settings, *layout, style.theme, samples);
         if (!made) {
+            problems = made.problems();
             return false;
         }
         found = opened.emplace(samples, std::move(*made)).first;
@@ -221,10 +212,15 @@ Result<Done> Painter::restyle(const scene::Render& settings) {
     if (wanted.color != in.settings.color || wanted.range != in.settings.range) {
         in.style.range = style->range; // else what an automatic range has seen goes on to count
     }
+    const bool was_plain = in.style.quantity.label.empty();
     in.style.quantity = style->quantity;
     in.style.map = style->map;
     in.settings = std::move(wanted);
-    if (in.arranged) {
+    const int rows = in.mark_maker.key(*in.layout, in.mark_view()).rows();
+    in.mark_maker.restyle(in.settings.marks);
+    if (in.mark_maker.key(*in.layout, in.mark_view()).rows() != rows || in.style.quantity.label.empty() != was_plain) {
+        in.arranged = false; // their key takes or leaves room
+    } else if (in.arranged) {
         in.camera = *make_camera(in.settings, in.box(), in.arrangement.scene);
     }
     return Done{};
@@ -243,6 +239,7 @@ void Painter::Inside::arrange() {
         return tried.pixels_per_metre(tried.target);
     };
     arrangement = make_layout(settings.width, settings.height, settings.plot, zoom);
+    take_key(arrangement, mark_maker.key(*layout, mark_view()).rows(), !style.quantity.label.empty());
     if (!options.lettering) {
         arrangement = Layout{};
         arrangement.lettered = false;
@@ -296,12 +293,18 @@ void Painter::Inside::draw_bodies(const observe::Frame& frame, const std::vector
     if (layout->dimension == 2) {
         draw_discs(frame, colors);
     } else {
-        std::optional<AlignedBox3d> clip;
-        if (settings.clip) {
-            clip.emplace(settings.clip->lo, settings.clip->hi);
-        }
-        draw_spheres(collect_spheres(frame, showing, colors, camera, clip));
+        draw_spheres(frame, colors);
     }
+}
+
+void Painter::Inside::draw_spheres(const observe::Frame& frame, const std::vector<std::uint32_t>& colors) {
+    std::optional<AlignedBox3d> clip;
+    if (settings.clip) {
+        clip.emplace(settings.clip->lo, settings.clip->hi);
+    }
+    const SphereLook look{arrangement.window, style.theme.rim, options.lighting, options.skip_hidden};
+    drawers->spheres.draw(collect_spheres(frame, showing, colors, camera, clip), camera, drawers->canvas, look, raster,
+                          *crew);
 }
 
 void Painter::Inside::draw_discs(const observe::Frame& frame, const std::vector<std::uint32_t>& colors) {
@@ -312,11 +315,14 @@ void Painter::Inside::draw_discs(const observe::Frame& frame, const std::vector<
         }
     }
     const double pixels = smallest * camera.pixels_per_metre(camera.target);
-    const DiscLook look{style.theme.outline,
+    // Bodies without a colour step back behind what is drawn over them.
+    const bool plain = style.quantity.label.empty();
+    const DiscLook look{plain ? style.theme.plain_edge : style.theme.outline,
                         std::min(disc_line * std::max(1.0, arrangement.unit), disc_line_share * pixels)};
+    const auto turns = plain ? std::vector<SpokeMark>{} : collect_spokes(frame, spokes, camera);
     glBindFramebuffer(GL_FRAMEBUFFER, drawers->canvas.samples.name());
-    drawers->discs.draw(collect_discs(frame, colors, camera), collect_spokes(frame, spokes, camera), camera,
-                        drawers->canvas.width, drawers->canvas.height, look);
+    drawers->discs.draw(collect_discs(frame, colors, camera), turns, camera, drawers->canvas.width,
+                        drawers->canvas.height, look);
 }
 
 void Painter::Inside::shade_crevices() {
@@ -325,7 +331,7 @@ void Painter::Inside::shade_crevices() {
     }
     resolve(GL_DEPTH_BUFFER_BIT);
     const double size = *std::max_element(reach.begin(), reach.end());
-    drawers->crevices.draw(drawers->canvas, camera, crevice_radius * size, crevice_strength);
+    drawers->crevices.draw(drawers->canvas, camera, crevice_radius * size, crevice_strength, *crew);
 }
 
 /// What is drawn from here on stays in the scene's window.
@@ -346,41 +352,12 @@ void Painter::Inside::resolve(GLbitfield what) {
     resolve_samples(canvas, what);
 }
 
-/// From front to back in a few rounds; before each, spheres behind what is drawn already are dropped. In a dense bed
-/// that is most of them.
-void Painter::Inside::draw_spheres(std::vector<SphereMark> marks) {
-    const Canvas& canvas = drawers->canvas;
-    auto front = marks.begin();
-    for (int round = 1; front != marks.end(); ++round) {
-        const auto left = marks.end() - front;
-        const bool all = !options.skip_hidden || marks.size() < worth_culling || round == culling_rounds;
-        const auto count = all ? left : std::max<std::ptrdiff_t>(left / (round == 1 ? 12 : 4), 1);
-        std::nth_element(front, front + count, marks.end(),
-                         [](const SphereMark& a, const SphereMark& b) { return a.z + a.radius > b.z + b.radius; });
-        glBindFramebuffer(GL_FRAMEBUFFER, canvas.samples.name());
-        drawers->spheres.draw(std::span(front, front + count), camera, canvas.width, canvas.height, style.theme.rim,
-                              options.lighting);
-        front += count;
-        if (front == marks.end()) {
-            return;
-        }
-        resolve(GL_DEPTH_BUFFER_BIT);
-        std::vector<float> depth(static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height));
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas.resolved.name());
-        glReadPixels(0, 0, canvas.width, canvas.height, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
-        const DepthPyramid pyramid(std::move(depth), canvas.width, canvas.height);
-        marks.erase(
-            std::remove_if(front, marks.end(),
-                           [&](const SphereMark& mark) { return is_hidden(mark, camera, canvas.height, pyramid); }),
-            marks.end());
-    }
-}
-
 void Painter::Inside::write(const observe::Frame& frame, const PlotLine& plot, const Legend& legend) {
     OverlayContent content;
     content.title = layout->title;
     content.time = time_stamp(frame.time, settings.every);
     content.legend = legend;
+    content.key = mark_maker.key(*layout, mark_view());
     content.plot = settings.plot && !plot.label.empty() ? &plot : nullptr;
     content.now = frame.time;
     content.pixels_per_metre = camera.pixels_per_metre(camera.target);
@@ -398,7 +375,36 @@ std::vector<std::uint32_t> Painter::Inside::take_in(const observe::Frame& frame,
         arrange();
     }
     enclose(frame);
+    mark_maker.take_in(frame, mark_view());
     return colors_of(frame, legend);
+}
+
+MarkView Painter::Inside::mark_view() const {
+    MarkView view{camera, arrangement.window, arrangement.unit, style.theme, {}};
+    if (settings.clip && layout->dimension == 3) {
+        view.clip.emplace(settings.clip->lo, settings.clip->hi);
+    }
+    return view;
+}
+
+void Painter::Inside::draw_marks(const observe::Frame& frame) {
+    if (!mark_maker.any()) {
+        return;
+    }
+    const Canvas& canvas = drawers->canvas;
+    glBindFramebuffer(GL_FRAMEBUFFER, canvas.samples.name());
+    drawers->patches.draw(mark_maker.patches(frame, mark_view()), canvas.width, canvas.height);
+}
+
+void Painter::foresee(const observe::Frame& frame) {
+    const GlContext::Current current(inside_->context);
+    if (inside_->fitted.isEmpty()) {
+        fit(bounds_of(frame));
+    }
+    if (!inside_->arranged) {
+        inside_->arrange();
+    }
+    inside_->mark_maker.foresee(frame, inside_->mark_view());
 }
 
 void Painter::pass_over(const observe::Frame& frame) {
@@ -413,6 +419,7 @@ void Painter::pass_over(const observe::Frame& frame) {
 Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
     Inside& in = *inside_;
     const GlContext::Current current(in.context);
+    in.clock.start(in.options.time_phases);
     if (in.fitted.isEmpty()) {
         fit(bounds_of(frame));
     }
@@ -427,22 +434,30 @@ Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
     glClearDepth(1);
     glDepthMask(GL_TRUE);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    in.clock.lap("take in");
     in.keep_to_window();
     in.draw_bodies(frame, colors);
+    in.clock.lap("bodies");
     in.drawers->walls.draw_opaque(frame, in.camera, canvas);
     glDisable(GL_SCISSOR_TEST); // shade needs its surroundings, and there is none where nothing has been drawn
     in.shade_crevices();
+    in.clock.lap("crevices");
     const double thickness = in.layout->dimension == 2 ? 2.0 : 1.0; // walls are nothing but their lines
     const double line = thickness * std::max(1.2, 1.5 * in.arrangement.unit);
     in.keep_to_window();
     in.drawers->walls.draw_translucent(frame, in.camera, canvas, line);
+    in.draw_marks(frame);
     glDisable(GL_SCISSOR_TEST);
+    in.clock.lap("walls");
     in.resolve(GL_COLOR_BUFFER_BIT);
     if (in.overlay) {
         glBindFramebuffer(GL_FRAMEBUFFER, canvas.resolved.name());
         in.write(frame, plot, legend);
     }
-    return read_picture(canvas);
+    in.clock.lap("letters");
+    Picture picture = read_picture(canvas);
+    in.clock.lap("read back");
+    return picture;
 }
 
 const Camera& Painter::camera() const {
@@ -456,6 +471,12 @@ const Area& Painter::legend_bar() const {
 }
 const Span& Painter::range() const {
     return inside_->span;
+}
+MarkKey Painter::mark_key() const {
+    return inside_->mark_maker.key(*inside_->layout, inside_->mark_view());
+}
+const std::vector<PhaseTime>& Painter::phase_times() const {
+    return inside_->clock.times();
 }
 
 } // namespace tumble::render

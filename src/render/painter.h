@@ -1,10 +1,12 @@
 #pragma once
 
+#include "base/phases.h"
 #include "base/problem.h"
 #include "observe/frame.h"
 #include "render/area.h"
 #include "render/camera.h"
 #include "render/layout.h"
+#include "render/marks.h"
 #include "render/picture.h"
 #include "render/plot_line.h"
 #include "render/ticks.h"
@@ -16,9 +18,10 @@ namespace tumble::render {
 
 /// What a caller with an own surface (a viewer, a test) may leave out of the pictures.
 struct PainterOptions {
-    bool lettering = true;   // title, time, legend, scale bar, plot
-    bool lighting = true;    // false: bodies in the bare colours of the colour map
-    bool skip_hidden = true; // false: draws spheres that lie behind others too, for the same picture
+    bool lettering = true;    // title, time, legend, scale bar, plot
+    bool lighting = true;     // false: bodies in the bare colours of the colour map
+    bool skip_hidden = true;  // false: draws spheres that lie behind others too, for the same picture
+    bool time_phases = false; // true: waits after each phase of a picture to see how long it took
 };
 
 /// Draws frames of one run. The view and, with an automatic range, the meaning of the colours stay the same from
@@ -38,6 +41,10 @@ public:
     /// no effect when the settings say what must be in the picture. draw() fits its first frame when nothing was fitted
     /// before.
     void fit(const Eigen::AlignedBox3d& box);
+
+    /// Before the first picture: a frame that the mean field of arrows is to hold, which then stays the same in all
+    /// pictures. Without it the field is the mean of the frames up to the one drawn.
+    void foresee(const observe::Frame& frame);
 
     /// frame.layout must be the painter's. With an empty label the plot's place stays free. A frame without bodies
     /// shows its walls.
@@ -60,6 +67,10 @@ public:
     [[nodiscard]] const Layout& layout() const;
     [[nodiscard]] const Area& legend_bar() const;
     [[nodiscard]] const Span& range() const;
+    /// What its lines over the bodies mean (scene::Render::marks); for callers with a legend of their own.
+    [[nodiscard]] MarkKey mark_key() const;
+    /// Of all pictures so far, when phases are timed; wall time.
+    [[nodiscard]] const std::vector<PhaseTime>& phase_times() const;
 
 private:
     struct Inside;

@@ -2,6 +2,7 @@
 
 #include "render/gl_context.h"
 #include "render/gl_objects.h"
+#include "render/mark_key.h"
 #include "render/overlay.h"
 #include "render/quantity.h"
 
@@ -114,7 +115,11 @@ Result<PairPainter> PairPainter::open(const scene::Render& settings, const Layou
         return Problem{.key = "render.range",
                        .what = "two runs side by side need one range of colours",
                        .fix = "give the values at the ends of the colour scale"};
-    const PairArrangement arrangement = arrange(settings, *layouts[0]);
+    if (settings.marks.arrows == "field" && !settings.marks.arrow_speed)
+        return Problem{.key = "render.arrow_m_s",
+                       .what = "two mean fields side by side need one scale of arrows",
+                       .fix = "give the speed of the legend's arrow"};
+    PairArrangement arrangement = arrange(settings, *layouts[0]);
     const auto theme = find_theme(settings.background);
     auto context = GlContext::open();
     if (!context)
@@ -127,7 +132,9 @@ Result<PairPainter> PairPainter::open(const scene::Render& settings, const Layou
             return painter.problems();
     std::array<Quantity, 2> quantities{*find_quantity(settings.color, layouts[0]->dimension),
                                        *find_quantity(settings.color, layouts[1]->dimension)};
-    const ColorMap map = *find_color_map(settings.colormap, quantities[0].has_sign);
+    take_key(arrangement.lettering, painters[0]->mark_key().rows(), !quantities[0].label.empty());
+    const ColorMap map = quantities[0].label.empty() ? plain_color_map(theme->plain)
+                                                     : *find_color_map(settings.colormap, quantities[0].has_sign);
     std::shared_ptr<Inside> inside(new Inside{*context,
                                               settings,
                                               labels,
@@ -153,6 +160,10 @@ void PairPainter::fit(const Eigen::AlignedBox3d& box) {
         painter.fit(box);
 }
 
+void PairPainter::foresee(std::size_t side, const observe::Frame& frame) {
+    inside_->painters.at(side).foresee(frame);
+}
+
 Legend PairPainter::Inside::legend_for(const observe::Frame& left, const observe::Frame& right) const {
     const Span span{(*settings.range)[0], (*settings.range)[1]};
     Legend legend{quantities[0].label, quantities[0].unit, span, map};
@@ -173,6 +184,7 @@ Picture PairPainter::draw(const observe::Frame& left, const observe::Frame& righ
     content.headings = {{in.arrangement.second_label, in.labels[1]}};
     content.time = time_stamp(left.time, in.settings.every);
     content.legend = in.legend_for(left, right);
+    content.key = in.painters[0].mark_key();
     content.now = left.time;
     content.pixels_per_metre = camera.pixels_per_metre(camera.target);
     content.scale_note = camera.perspective ? " at the centre" : "";

@@ -21,6 +21,9 @@ public:
     /// Makes sure that a box (m) is in both halves.
     void fit(const Eigen::AlignedBox3d& box);
 
+    /// As Painter::foresee, for the left (0) or the right (1).
+    void foresee(std::size_t side, const observe::Frame& frame);
+
     /// The time shown is the left frame's.
     Picture draw(const observe::Frame& left, const observe::Frame& right);
 

@@ -16,6 +16,7 @@ const std::vector<Quantity>& quantities() {
         {"vy", "velocity y", "m/s", true, [](const Frame& f, std::size_t b) { return f.velocity[b].y(); }},
         {"vz", "velocity z", "m/s", true, [](const Frame& f, std::size_t b) { return f.velocity[b].z(); }},
         {"spin", "spin", "rad/s", false, [](const Frame& f, std::size_t b) { return f.angular_velocity[b].norm(); }},
+        {"none", "", "", false, [](const Frame&, std::size_t) { return 0.0; }},
     };
     return all;
 }

@@ -12,7 +12,7 @@ namespace tumble::render {
 /// One number a body that a picture can show as colour.
 struct Quantity {
     std::string name;
-    std::string label;
+    std::string label;     // empty: none is shown, and bodies are all alike
     std::string unit;      // SI
     bool has_sign = false; // zero is the middle of an automatic range
     double (*of)(const observe::Frame& frame, std::size_t body) = nullptr;

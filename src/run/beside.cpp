@@ -145,6 +145,10 @@ Result<Replayed> draw_beside(const std::array<fs::path, 2>& runs, const BesideOp
             return colors.problems();
         settings.range = *colors;
     }
+    auto marks = marks_for(recordings, settings.marks);
+    if (!marks)
+        return marks.problems();
+    settings.marks = std::move(*marks);
     Target pictures(options.targets.folder), video(options.targets.video);
     for (auto [target, extension] : {std::pair{&pictures, ".png"}, std::pair{&video, ".mp4"}})
         if (const auto problem = target->claim(options.overwrite, extension))
@@ -154,6 +158,10 @@ Result<Replayed> draw_beside(const std::array<fs::path, 2>& runs, const BesideOp
     if (!painter)
         return painter.problems();
     painter->fit(recordings[0].bounds.merged(recordings[1].bounds));
+    for (std::size_t side = 0; settings.marks.arrows == "field" && side < 2; ++side)
+        for (const Moment& moment : shown->moments)
+            if (const auto frame = observe::read_frame(side == 0 ? moment.left : moment.right, recordings[side].layout))
+                painter->foresee(side, *frame);
     Result<PictureFiles> files = PictureFiles::open(settings, options.targets);
     if (!files)
         return files.problems();

@@ -1,5 +1,6 @@
 #include "run/picture_sink.h"
 
+#include "observe/frame_file.h"
 #include "render/painter.h"
 
 namespace tumble::run {
@@ -28,12 +29,17 @@ private:
 
 Result<std::unique_ptr<FrameSink>> keep_pictures(const scene::Render& settings,
                                                  std::shared_ptr<const observe::FrameLayout> layout,
-                                                 const PictureTargets& targets, const Eigen::AlignedBox3d& fit) {
+                                                 const PictureTargets& targets, const Eigen::AlignedBox3d& fit,
+                                                 const Recording* to_come) {
     Result<render::Painter> painter = render::Painter::open(settings, std::move(layout));
     if (!painter)
         return painter.problems();
     if (!fit.isEmpty())
         painter->fit(fit);
+    if (to_come && settings.marks.arrows == "field")
+        for (const std::filesystem::path& file : to_come->frames)
+            if (const Result<observe::Frame> frame = observe::read_frame(file, to_come->layout))
+                painter->foresee(*frame);
     Result<PictureFiles> files = PictureFiles::open(settings, targets);
     if (!files)
         return files.problems();

@@ -2,6 +2,7 @@
 
 #include "run/frame_sink.h"
 #include "run/picture_files.h"
+#include "run/replay.h"
 #include "scene/scene.h"
 
 #include <Eigen/Geometry>
@@ -10,8 +11,10 @@ namespace tumble::run {
 
 /// Draws every frame and hands it to PNG files, a video or both. Problems: those of the painter (unknown names, no
 /// OpenGL), a folder or video that cannot be made. `fit` (m) will be in the picture; when it is empty the first frame.
+/// `to_come`: the frames, where all of them are there already; a mean field of arrows is theirs then.
 Result<std::unique_ptr<FrameSink>> keep_pictures(const scene::Render& settings,
                                                  std::shared_ptr<const observe::FrameLayout> layout,
-                                                 const PictureTargets& targets, const Eigen::AlignedBox3d& fit);
+                                                 const PictureTargets& targets, const Eigen::AlignedBox3d& fit,
+                                                 const Recording* to_come = nullptr);
 
 } // namespace tumble::run

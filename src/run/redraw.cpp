@@ -42,8 +42,12 @@ Result<Replayed> redraw(const fs::path& run, const RedrawOptions& options, const
             return colors.problems();
         settings.range = *colors;
     }
+    auto marks = marks_for({&*recording, 1}, settings.marks);
+    if (!marks)
+        return marks.problems();
+    settings.marks = std::move(*marks);
     FrameSinks sinks;
-    auto sink = keep_pictures(settings, recording->layout, options.targets, recording->bounds);
+    auto sink = keep_pictures(settings, recording->layout, options.targets, recording->bounds, &*recording);
     if (!sink)
         return sink.problems();
     sinks.push_back(std::move(*sink));

@@ -4,6 +4,7 @@
 #include "base/stop.h"
 #include "run/frame_sink.h"
 #include "run/run_folder.h"
+#include "scene/scene.h"
 
 #include <array>
 #include <functional>
@@ -51,6 +52,11 @@ Result<Recording> open_recording(const std::filesystem::path& root, const Replay
 /// The ends of one scale of colours for all frames of the recordings, SI. Problems: a quantity that one of them has
 /// not.
 Result<std::array<double, 2>> colors_for(std::span<const Recording> recordings, const std::string& color);
+
+/// Marks whose scales, where they were left open, hold what all frames of the recordings have: 98th percentiles, as for
+/// colours. The mean field's scale stays open: it belongs to a camera. Problems: force chains where no frame has
+/// contacts.
+Result<scene::Marks> marks_for(std::span<const Recording> recordings, const scene::Marks& marks);
 
 /// Hands every frame to every sink in order, under the number it has in the run, and finishes them.
 Replayed replay(const Recording& recording, const ReplayOptions& options, const FrameSinks& sinks,

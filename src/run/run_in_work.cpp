@@ -273,13 +273,20 @@ void RunInWork::break_off(const std::exception& error) {
     fail({problem});
 }
 
+observe::Frame RunInWork::frame_to_keep() const {
+    observe::Frame frame = simulation_->frame();
+    if (scene_.observe.contacts)
+        frame.contacts = simulation_->contacts();
+    return frame;
+}
+
 void RunInWork::observe_now() {
     const std::int64_t step = simulation_->steps();
     const bool row = rows_.due(step);
     const bool shot = frames_.due(step);
     if (!row && !shot)
         return;
-    observe::Frame frame = simulation_->frame();
+    observe::Frame frame = shot ? frame_to_keep() : simulation_->frame();
     rows_.pass(row ? step : step - 1);
     frames_.pass(shot ? step : step - 1);
     if (row)
@@ -297,7 +304,7 @@ void RunInWork::observe_now() {
 void RunInWork::keep_last_state() {
     if (last_shot_ == simulation_->steps())
         return;
-    observe::Frame frame = simulation_->frame();
+    observe::Frame frame = frame_to_keep();
     if (finite(frame))
         queue_->push({std::move(frame), shots_++, plot_});
 }

@@ -71,6 +71,7 @@ private:
     Result<Done> write_beginnings(const std::vector<MeshCopy>& meshes);
     [[nodiscard]] std::filesystem::path video_file() const;
     void bring_back_frames();
+    [[nodiscard]] observe::Frame frame_to_keep() const;
     void observe_now();
     void keep_checkpoint();
     [[nodiscard]] Checkpoint checkpoint_now() const;

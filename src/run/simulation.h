@@ -46,6 +46,8 @@ public:
     [[nodiscard]] virtual std::shared_ptr<const observe::FrameLayout> layout() const = 0;
     /// The world now.
     [[nodiscard]] virtual observe::Frame frame() const = 0;
+    /// Who touches whom, for Frame::contacts; one step before frame(). Costs about as much as a step.
+    [[nodiscard]] virtual std::vector<observe::FrameContact> contacts() const = 0;
     /// What touched that wall in the last step taken; nothing where the solver cannot tell (two dimensions).
     [[nodiscard]] virtual std::vector<observe::WallPush> wall_pushes(int /*wall*/) const { return {}; }
     /// Parallel to the scene's bodies.

@@ -1,4 +1,5 @@
 #include "hard2d/solver.h"
+#include "run/seen_contacts.h"
 #include "run/simulation.h"
 #include "scene/outline.h"
 #include "sim2d/solver.h"
@@ -118,6 +119,10 @@ public:
         for (const scene::WallPose& pose : walls_of(*world_))
             frame.walls.push_back({pose.rotation, pose.translation, pose.velocity, pose.angular_velocity});
         return frame;
+    }
+
+    [[nodiscard]] std::vector<observe::FrameContact> contacts() const override {
+        return seen_contacts(contacts_of(*world_));
     }
 
     [[nodiscard]] std::vector<SimulatedBody> bodies() const override {

@@ -1,3 +1,4 @@
+#include "run/seen_contacts.h"
 #include "run/simulation.h"
 #include "run/wall_triangles.h"
 #include "sim3d/solver.h"
@@ -61,6 +62,10 @@ public:
         for (const scene::WallPose& pose : sim3d::walls_of(*world_))
             frame.walls.push_back({pose.rotation, pose.translation, pose.velocity, pose.angular_velocity});
         return frame;
+    }
+
+    [[nodiscard]] std::vector<observe::FrameContact> contacts() const override {
+        return seen_contacts(sim3d::contacts_of(*world_));
     }
 
     [[nodiscard]] std::vector<observe::WallPush> wall_pushes(int wall) const override {

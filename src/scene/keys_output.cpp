@@ -5,13 +5,16 @@ namespace {
 
 KeyTable observe() {
     KeyTable table{.path = "observe", .head = "[observe]"};
-    table.sentence = "What is written to `series.csv`.";
+    table.sentence = "What is written to `series.csv`, and what frames keep beside bodies and walls.";
     table.keys = {
         number("every_s", "s", above(0, 1e6), "Time between rows.").otherwise(0.01),
         words("measures", {},
               "Which measures, by name or group; `tumble list measures` names them. Without it the usual ones, which "
               "docs/measures.md lists; `tracer:BODY` follows the first body of that name.")
             .otherwise(std::vector<std::string>{}),
+        flag("contacts",
+             "Frames keep every contact: who touches whom, where, and with what force. `force_chains` draws "
+             "them."),
     };
     return table;
 }
@@ -45,7 +48,8 @@ KeyTable render() {
                "Lowest corner of a box: bodies whose centres lie outside are not drawn, which shows a section.")
             .in_3d(),
         vector("clip_hi_m", "m", from(-1e4, 1e4), "Highest corner of it.").in_3d(),
-        word("color", {"speed", "vx", "vy", "vz", "spin"}, "Quantity that colours the bodies.")
+        word("color", {"speed", "vx", "vy", "vz", "spin", "none"},
+             "Quantity that colours the bodies; with none they are all alike and pale, for what is drawn over them.")
             .otherwise(std::string("speed")),
         KeyMaker(
             "range", KeyType::span, "", {},
@@ -54,6 +58,17 @@ KeyTable render() {
         word("colormap", {"auto", "viridis", "cividis", "inferno", "coolwarm"},
              "Colour scale; auto is coolwarm for quantities with a sign, else viridis.")
             .otherwise(std::string("auto")),
+        word("arrows", {"none", "bodies", "field"},
+             "Velocities in the plane of the picture: of bodies, of so many that the picture stays readable; or the "
+             "mean "
+             "over the frames drawn, on a grid.")
+            .otherwise(std::string("none")),
+        number("arrow_m_s", "m/s", above(0, 1e6), "Speed of the legend's arrow; without it what occurs."),
+        flag("force_chains",
+             "Lines between bodies that touch, as thick as the normal force; needs `observe.contacts`."),
+        number("chain_N", "N", above(0, 1e12), "Normal force of the thickest line; without it what occurs."),
+        words("trails", {}, "Bodies whose way is drawn, through the frames up to now: the first of a name, or by id.")
+            .otherwise(std::vector<std::string>{}),
         word("background", {"dark", "white"}, "Behind the picture.").otherwise(std::string("dark")),
         integer("width_px", from(64, 8192), "Width of the picture.").otherwise(std::int64_t{1280}),
         integer("height_px", from(64, 8192), "Height of the picture.").otherwise(std::int64_t{720}),

@@ -1,7 +1,38 @@
 #include "scene/resolve.h"
 
+#include <algorithm>
+#include <cctype>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 namespace tumble::scene {
 namespace {
+
+bool is_number(const std::string& word) {
+    return !word.empty() && word.size() < 16 &&
+           std::all_of(word.begin(), word.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+void resolve_marks(const View& view, const Resolving& to) {
+    Marks& marks = to.scene.render.marks;
+    marks.arrows = view.text("arrows");
+    if (view.given("arrow_m_s"))
+        marks.arrow_speed = view.number("arrow_m_s");
+    marks.chains = view.flag("force_chains");
+    if (marks.chains && !to.scene.observe.contacts)
+        to.refuse(view, "force_chains", "force chains are drawn from contacts, which the frames do not keep",
+                  "write contacts = true in [observe]; a run that is over must be run again with it");
+    if (view.given("chain_N"))
+        marks.chain_force = view.number("chain_N");
+    marks.trails = view.words("trails");
+    std::vector<std::string> names;
+    for (const BodyTemplate& body : to.scene.bodies)
+        names.push_back(body.name);
+    for (const std::string& trail : marks.trails)
+        if (!is_number(trail) && std::find(names.begin(), names.end(), trail) == names.end())
+            to.refuse(view, "trails", fmt::format("no body is called '{}'", trail),
+                      fmt::format("take {}, or a body's id as \"0\"", fmt::join(names, ", ")));
+}
 
 void resolve_render(const View& view, const Resolving& to) {
     Render& render = to.scene.render;
@@ -30,6 +61,7 @@ void resolve_render(const View& view, const Resolving& to) {
     if (render.camera == "free" && has_place && render.eye == render.target)
         to.refuse(view, "camera", "a free camera stands where it looks at",
                   "give eye_m and target_m, two different points, or neither to look from the front, right and above");
+    resolve_marks(view, to);
     render.color = view.text("color");
     if (view.given("range")) {
         const auto ends = view.numbers("range");
@@ -51,6 +83,7 @@ void resolve_output(const View& root, const Resolving& to) {
     const View observe = root.child("observe");
     to.scene.observe.every = observe.number("every_s");
     to.scene.observe.measures = observe.words("measures");
+    to.scene.observe.contacts = observe.flag("contacts");
     resolve_render(root.child("render"), to);
 }
 

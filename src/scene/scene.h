@@ -198,6 +198,18 @@ struct Wall {
 struct Observe {
     double every = 0.01;               // s between rows of series.csv
     std::vector<std::string> measures; // names listed by `tumble list measures`
+    bool contacts = false;             // frames keep who touches whom, and with what force
+};
+
+/// Lines that pictures show over the bodies.
+struct Marks {
+    std::string arrows = "none";       // none, bodies (velocities), field (their mean over the frames)
+    std::optional<double> arrow_speed; // m/s, of the legend's arrow; default: what occurs
+    bool chains = false;               // force chains; they need Observe::contacts
+    std::optional<double> chain_force; // N, of the thickest line; default: what occurs
+    std::vector<std::string> trails;   // paths of bodies: templates, each for its first body, or ids
+
+    friend bool operator==(const Marks&, const Marks&) = default;
 };
 
 struct Render {
@@ -208,6 +220,7 @@ struct Render {
     double field_of_view_deg = 35;
     std::optional<Box> view; // m, what must be in the picture; default: walls and bodies
     std::optional<Box> clip; // m, bodies whose centres lie outside are not drawn
+    Marks marks;
     std::string color = "speed";
     std::optional<std::array<double, 2>> range; // in the quantity's SI unit
     std::string colormap = "auto";              // coolwarm for quantities with a sign, viridis for others

@@ -377,10 +377,21 @@ void write_motion(const WallMotion& motion, int dimension, TomlWriter& to) {
     }
 }
 
+void write_marks(const Marks& marks, TomlWriter& to) {
+    to.text("arrows", marks.arrows);
+    if (marks.arrow_speed)
+        to.number("arrow_m_s", *marks.arrow_speed);
+    to.flag("force_chains", marks.chains);
+    if (marks.chain_force)
+        to.number("chain_N", *marks.chain_force);
+    to.words("trails", marks.trails);
+}
+
 void write_output(const Scene& scene, TomlWriter& to) {
     to.table("observe", "[observe]");
     to.number("every_s", scene.observe.every);
     to.words("measures", scene.observe.measures);
+    to.flag("contacts", scene.observe.contacts);
     const Render& render = scene.render;
     to.table("render", "[render]");
     if (scene.dimension == 3) {
@@ -400,6 +411,7 @@ void write_output(const Scene& scene, TomlWriter& to) {
         to.vector("clip_lo_m", render.clip->lo);
         to.vector("clip_hi_m", render.clip->hi);
     }
+    write_marks(render.marks, to);
     to.text("color", render.color);
     if (render.range)
         to.span("range", (*render.range)[0], (*render.range)[1]);

@@ -5,18 +5,10 @@ namespace tumble::sim2d {
 namespace {
 
 PushContext context_of(World& world, Chunk& chunk, std::size_t kind) {
-    PushContext context{};
+    PushContext context = law_of(world, kind);
     context.rows = world.rows.data();
     context.loads = world.loads.data();
     context.owned = chunk.owned;
-    context.images = world.images.data();
-    context.periodic = world.scene.domain.periodic[0] || world.scene.domain.periodic[1];
-    context.dt = world.dt;
-    Eigen::Map<Eigen::Vector2d>{context.gravity} = world.scene.gravity.head<2>();
-    context.pair = world.pairs[kind];
-    context.normal_law = static_cast<int>(world.scene.contact.normal);
-    context.tangential_law = static_cast<int>(world.scene.contact.tangential);
-    context.limit_force = world.scene.contact.limit_force;
     context.sums = &chunk.sums.contacts;
     return context;
 }
@@ -36,6 +28,19 @@ void hand_on(World& world, const Chunk& chunk) {
 }
 
 } // namespace
+
+PushContext law_of(const World& world, std::size_t kind) {
+    PushContext context{};
+    context.images = world.images.data();
+    context.periodic = world.scene.domain.periodic[0] || world.scene.domain.periodic[1];
+    context.dt = world.dt;
+    Eigen::Map<Eigen::Vector2d>{context.gravity} = world.scene.gravity.head<2>();
+    context.pair = world.pairs[kind];
+    context.normal_law = static_cast<int>(world.scene.contact.normal);
+    context.tangential_law = static_cast<int>(world.scene.contact.tangential);
+    context.limit_force = world.scene.contact.limit_force;
+    return context;
+}
 
 void push_contacts(World& world, Chunk& chunk) {
     chunk.sums.contacts = {};

@@ -7,6 +7,7 @@
 #include "discs/bodies.h"
 #include "scene/motion.h"
 #include "scene/scene.h"
+#include "solver/contact_push.h"
 
 #include <cstdint>
 #include <memory>
@@ -21,6 +22,7 @@ namespace tumble::sim2d {
 using discs::BodyShape;
 using discs::BodyState;
 using discs::Disc;
+using solver::ContactPush;
 
 struct World;
 
@@ -65,6 +67,9 @@ const std::vector<BodyShape>& shapes_of(const World& world);
 std::vector<BodyState> bodies_of(const World& world);
 /// Poses of scene.walls at the world's time.
 std::vector<scene::WallPose> walls_of(const World& world);
+/// Who touched whom in the last step taken, and with what force, one dt before time_of(world); in an order that does
+/// not depend on the threads. Empty before the first step. Costs about as much as a step.
+std::vector<ContactPush> contacts_of(const World& world);
 
 /// What a fill still owes after its last attempt: "asked for 300 of body 'disc', placed 212; ...". Empty when all is
 /// in.

@@ -22,6 +22,8 @@ void push_air(World& world, Chunk& chunk);
 void touch_candidates(World& world, Chunk& chunk);
 /// The law's force on every touching pair, to the chunk's own rows at once, to others' by letter.
 void push_contacts(World& world, Chunk& chunk);
+/// The context of pushes by the law of a pair of materials, before it knows whom they push.
+PushContext law_of(const World& world, std::size_t kind);
 /// Opens the letters from other chunks, in their order, and hands what clumps' discs got to their bodies.
 void collect_pushes(World& world, Chunk& chunk);
 /// Velocities, then positions; angles likewise; the discs of clumps go with their bodies.

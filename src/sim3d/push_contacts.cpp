@@ -5,11 +5,19 @@ namespace tumble::sim3d {
 namespace {
 
 PushContext context_of(World& world, Chunk& chunk, std::size_t kind) {
-    PushContext context{};
+    PushContext context = law_of(world, kind);
     context.motion = world.motion.data();
     context.load = world.load.data();
     context.begin = chunk.begin;
     context.end = chunk.end;
+    context.sums = &chunk.sums.contacts;
+    return context;
+}
+
+} // namespace
+
+PushContext law_of(const World& world, std::size_t kind) {
+    PushContext context{};
     context.images = world.images.data();
     context.dt = world.dt;
     Eigen::Map<Eigen::Vector3d>{context.gravity} = world.scene.gravity;
@@ -17,11 +25,8 @@ PushContext context_of(World& world, Chunk& chunk, std::size_t kind) {
     context.normal_law = static_cast<int>(world.scene.contact.normal);
     context.tangential_law = static_cast<int>(world.scene.contact.tangential);
     context.limit_force = world.scene.contact.limit_force;
-    context.sums = &chunk.sums.contacts;
     return context;
 }
-
-} // namespace
 
 void push_contacts(World& world, Chunk& chunk) {
     chunk.sums.contacts = {};

@@ -6,6 +6,7 @@
 #include "base/stop.h"
 #include "scene/motion.h"
 #include "scene/scene.h"
+#include "solver/contact_push.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -18,6 +19,8 @@
 
 /// The 3D solver as the layers above see it; src/sim3d/step.cpp is what it does.
 namespace tumble::sim3d {
+
+using solver::ContactPush;
 
 struct World;
 
@@ -93,6 +96,9 @@ struct WallPush {
 };
 /// Of scene.walls[wall]; in an order that does not depend on the threads. Empty before the first step.
 std::vector<WallPush> wall_pushes_of(const World& world, int wall);
+/// Who touched whom in the last step taken, and with what force, one dt before time_of(world); in an order that does
+/// not depend on the threads. Empty before the first step. Costs about as much as a step.
+std::vector<ContactPush> contacts_of(const World& world);
 
 /// What a fill still owes after its last attempt: "asked for 300 cones, placed 212; ...". Empty when all is in.
 std::vector<std::string> unfilled(const World& world);

@@ -217,4 +217,33 @@ TEST_CASE("numpy reads a frame in the lines that docs/run-folder.md shows") {
     CHECK(std::system(("cd '" + folder.path.string() + "' && " + python + " read.py > /dev/null").c_str()) == 0);
 }
 
+TEST_CASE("a frame's contacts read back to the same bits, and a frame without any is one of a run that kept none") {
+    const auto layout = some_layout();
+    observe::Frame frame = some_frame(layout);
+    const auto again = [&] { return observe::frame_from(observe::to_arrays(frame), layout); };
+    CHECK(!again()->contacts);
+    frame.contacts.emplace();
+    REQUIRE(again()->contacts);
+    CHECK(again()->contacts->empty());
+    frame.contacts = {{.a = 17, .b = 5, .point = {1.0 / 3, 2, 3}, .normal = {0, 1, 0}, .force = {4, 0.1, -6}},
+                      {.a = 5, .wall = 1, .point = {7, 8, 9}, .normal = {1, 0, 0}, .force = {1e-300, 0, 0}}};
+    const auto back = again();
+    REQUIRE_MESSAGE(back.ok(), to_string(back.problems()));
+    REQUIRE(back->contacts->size() == 2);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const observe::FrameContact &one = (*frame.contacts)[k], &other = (*back->contacts)[k];
+        CHECK(std::tuple(one.a, one.b, one.wall) == std::tuple(other.a, other.b, other.wall));
+        CHECK(one.point == other.point);
+        CHECK(one.normal == other.normal);
+        CHECK(one.force == other.force);
+    }
+    for (const observe::FrameContact& wrong :
+         {observe::FrameContact{.a = 6, .b = 5}, observe::FrameContact{.a = 5},
+          observe::FrameContact{.a = 5, .wall = 2}, observe::FrameContact{.a = 5, .b = 17, .wall = 0}}) {
+        frame.contacts = {wrong};
+        REQUIRE(!again().ok());
+        CHECK(again().problems()[0].what == "contact 0 names a body or a wall that is not there");
+    }
+}
+
 } // namespace test_frame_file

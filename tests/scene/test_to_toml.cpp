@@ -138,6 +138,9 @@ TEST_CASE("a resolved scene loads again to the same walls and motions, bit for b
     }
     CHECK(a.render.clip->lo == b.render.clip->lo);
     CHECK(a.render.clip->hi == b.render.clip->hi);
+    CHECK(b.observe.contacts);
+    CHECK(a.render.marks.arrow_speed == 0.3);
+    CHECK(a.render.marks == b.render.marks);
 }
 
 TEST_CASE("a resolved scene loads again to the same laws, materials and pairs") {
@@ -205,8 +208,15 @@ TEST_CASE("meshes that were copied beside the scene go by the names they have th
 TEST_CASE("every key of the list arrives in the scene and is written again") {
     // Other ways to say what is written as spheres_m, discs_m, rows, harmonic, friction or cohesion energy; three
     // dimensions are usual; of [reduce] what came of it is written.
-    std::set<std::string> other_ways{
-        "clump", "radius_mm", "file", "speed_rpm", "friction_angle_deg", "work_of_adhesion_J_m2", "dimension"};
+    std::set<std::string> other_ways{"clump",
+                                     "radius_mm",
+                                     "file",
+                                     "amplitude_factor",
+                                     "frequency_factor",
+                                     "speed_rpm",
+                                     "friction_angle_deg",
+                                     "work_of_adhesion_J_m2",
+                                     "dimension"};
     for (const int dimension : {3, 2}) {
         if (dimension == 2) // discs have no mesh to scale
             other_ways.insert("scale");

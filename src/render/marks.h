@@ -1,0 +1,115 @@
+#pragma once
+
+#include "observe/frame.h"
+#include "render/area.h"
+#include "render/camera.h"
+#include "render/color_range.h"
+#include "render/patch.h"
+#include "render/theme.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Lines over the bodies: velocities, their mean field, force chains, trails. What is drawn is settled by scene::Marks;
+/// docs/pictures.md says how it is to be read.
+namespace tumble::render {
+
+/// What the lines of a picture mean, for its legend. Lengths in pixels.
+struct MarkKey {
+    struct Arrow {
+        double speed = 0; // m/s, of an arrow of this length
+        double length = 0;
+        bool mean = false; // of the field
+    };
+    struct Chain {
+        double force = 0; // N, of a line of this thickness
+        double thickness = 0;
+    };
+    struct Trail {
+        std::string name;
+        Eigen::Vector3d color = Eigen::Vector3d::Zero();
+    };
+    std::optional<Arrow> arrow;
+    std::optional<Chain> chain;
+    std::vector<Trail> trails;
+
+    [[nodiscard]] int rows() const { return (arrow ? 1 : 0) + (chain ? 1 : 0) + static_cast<int>(trails.size()); }
+};
+
+/// How one picture looks at them.
+struct MarkView {
+    const Camera& camera;
+    Area window;     // pixels: marks of what lies outside are left out
+    double unit = 1; // pixels, render/layout.h
+    const Theme& theme;
+    std::optional<Eigen::AlignedBox3d> clip; // m, bodies whose centres lie outside have no marks
+};
+
+/// Arrows at most of this density, and the grid of the mean field: units between them.
+constexpr double arrow_spacing = 26;
+constexpr double field_spacing = 40;
+/// Units, the length of the legend's arrow and the thickness of the legend's line.
+constexpr double arrow_length = 40;
+constexpr double chain_thickness = 8;
+
+/// The marks of a row of frames, given in the order of their time; one that is earlier than the one before begins the
+/// trails anew.
+class MarkMaker {
+public:
+    explicit MarkMaker(const scene::Marks& wanted = {}) : wanted_(wanted) {}
+
+    /// Other marks from now on; scales and trails that stay as they were go on.
+    void restyle(const scene::Marks& wanted);
+    [[nodiscard]] bool any() const;
+
+    /// Before the first picture: a frame that the mean field is to hold. Once one was foreseen the field and its scale
+    /// stay the same in all pictures; else it is the mean of the frames up to now.
+    void foresee(const observe::Frame& frame, const MarkView& view);
+    /// A frame whose turn has come, drawn or not.
+    void take_in(const observe::Frame& frame, const MarkView& view);
+
+    /// The patches of the frame taken in last, in the order to draw.
+    [[nodiscard]] std::vector<Patch> patches(const observe::Frame& frame, const MarkView& view) const;
+    [[nodiscard]] MarkKey key(const observe::FrameLayout& layout, const MarkView& view) const;
+
+private:
+    struct Cell {
+        double mass = 0;                                    // kg, summed over frames
+        Eigen::Vector2d momentum = Eigen::Vector2d::Zero(); // kg m/s, right and up in the picture
+    };
+    struct FieldArrow {
+        int column = 0, row = 0;                            // of the grid in the picture
+        Eigen::Vector2d velocity = Eigen::Vector2d::Zero(); // m/s, right and up
+    };
+    struct Step {
+        double time = 0;                                 // s
+        Eigen::Vector3d place = Eigen::Vector3d::Zero(); // m
+    };
+
+    void add_to_field(const observe::Frame& frame, const MarkView& view);
+    void follow(const observe::Frame& frame);
+    [[nodiscard]] std::vector<FieldArrow> means() const;
+    [[nodiscard]] std::vector<double> mean_speeds() const;
+    void add_arrows(const observe::Frame& frame, const MarkView& view, std::vector<Patch>& patches) const;
+    void add_field(const MarkView& view, std::vector<Patch>& patches) const;
+    void add_chains(const observe::Frame& frame, const MarkView& view, std::vector<Patch>& patches) const;
+    void add_trails(const observe::Frame& frame, const MarkView& view, std::vector<Patch>& patches) const;
+
+    scene::Marks wanted_;
+    ColorRange speeds_{std::nullopt, false};
+    ColorRange forces_{std::nullopt, false};
+    double speed_ = 1;                          // m/s, of the legend's arrow
+    double force_ = 1;                          // N, of the legend's line
+    std::map<std::pair<int, int>, Cell> field_; // by column and row of the grid in the picture
+    std::optional<Camera> seen_;                // that the field was gathered for
+    double gathered_ = 0;                       // s, of the last frame in the field
+    bool foreseen_ = false;
+    std::vector<std::vector<Step>> trails_; // parallel to wanted_.trails
+};
+
+} // namespace tumble::render

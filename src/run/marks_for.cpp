@@ -1,0 +1,53 @@
+#include "observe/frame_file.h"
+#include "render/color_range.h"
+#include "run/replay.h"
+
+#include <algorithm>
+
+namespace tumble::run {
+
+namespace {
+
+struct Widest {
+    render::WidestRange speeds, forces;
+    bool touched = false; // some frame has contacts
+
+    void take_in(const observe::Frame& frame) {
+        std::vector<double> values;
+        for (const Eigen::Vector3d& velocity : frame.velocity)
+            values.push_back(velocity.norm());
+        speeds.take_in(std::move(values));
+        if (!frame.contacts)
+            return;
+        touched = true;
+        std::vector<double> pressing;
+        for (const observe::FrameContact& contact : *frame.contacts)
+            pressing.push_back(contact.pressing());
+        forces.take_in(std::move(pressing));
+    }
+};
+
+} // namespace
+
+Result<scene::Marks> marks_for(std::span<const Recording> recordings, const scene::Marks& marks) {
+    scene::Marks settled = marks;
+    if (marks.arrows != "bodies" && !marks.chains)
+        return settled;
+    Widest widest;
+    for (const Recording& recording : recordings)
+        for (const std::filesystem::path& file : recording.frames)
+            if (const Result<observe::Frame> frame = observe::read_frame(file, recording.layout))
+                widest.take_in(*frame);
+    if (marks.chains && !widest.touched)
+        return Problem{.file = recordings.front().folder.root.string(),
+                       .key = "render.force_chains",
+                       .what = "the frames of this run have no contacts to draw force chains from",
+                       .fix = "run the scene again with observe.contacts = true"};
+    if (marks.arrows == "bodies" && !marks.arrow_speed)
+        settled.arrow_speed = widest.speeds.span(false).hi;
+    if (marks.chains && !marks.chain_force)
+        settled.chain_force = widest.forces.span(false).hi;
+    return settled;
+}
+
+} // namespace tumble::run

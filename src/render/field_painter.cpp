@@ -2,6 +2,7 @@
 
 #include "render/color_range.h"
 #include "render/crevice_shade.h"
+#include "render/draw_crew.h"
 #include "render/field_drawer.h"
 #include "render/gl_context.h"
 #include "render/overlay.h"
@@ -63,13 +64,14 @@ struct FieldCanvas {
         auto canvas = make_canvas(settings.width, settings.height, samples);
         if (!canvas)
             return canvas.problems();
-        auto spheres = SphereDrawer::open();
+        auto spheres = SphereDrawer::open(*canvas);
         auto walls = WallDrawer::open(*scenery, theme, *canvas);
         auto field = FieldDrawer::open(map, theme);
         auto crevices = CreviceShade::open(*canvas);
         auto overlay = Overlay::open(layout, theme);
-        for (const Problems& found :
-             {spheres.problems(), walls.problems(), field.problems(), crevices.problems(), overlay.problems()})
+        auto crew = gather_draw_crew();
+        for (const Problems& found : {spheres.problems(), walls.problems(), field.problems(), crevices.problems(),
+                                      overlay.problems(), crew.problems()})
             if (!found.empty())
                 return found;
         return FieldCanvas{theme,
@@ -80,7 +82,8 @@ struct FieldCanvas {
                            std::move(*walls),
                            std::move(*field),
                            std::move(*crevices),
-                           std::move(*overlay)};
+                           std::move(*overlay),
+                           std::move(*crew)};
     }
 
     /// Bodies that would hide the field are before it, or with `bare` behind it.
@@ -131,6 +134,8 @@ struct FieldCanvas {
     FieldDrawer fields;
     CreviceShade crevices;
     Overlay overlay;
+    std::unique_ptr<Crew> crew;
+    SphereRaster raster{};
 
     void draw_bodies(const observe::Frame& frame, const Camera& camera) {
         const Vector3d grey = body_share * theme.text + (1 - body_share) * theme.background;
@@ -139,7 +144,7 @@ struct FieldCanvas {
             bytes |= static_cast<std::uint32_t>(std::lround(255 * grey[k])) << (8 * k);
         const std::vector<std::uint32_t> colors(frame.bodies(), bytes);
         const auto marks = collect_spheres(frame, showing_spheres(*scenery), colors, camera);
-        spheres.draw(marks, camera, canvas.width, canvas.height, theme.rim, true);
+        spheres.draw(marks, camera, canvas, {layout.window, theme.rim, true, true}, raster, *crew);
         walls.draw_opaque(frame, camera, canvas);
         double size = 0;
         for (const observe::FrameShape& shape : scenery->shapes)
@@ -148,7 +153,7 @@ struct FieldCanvas {
         glDisable(GL_SCISSOR_TEST); // shade needs its surroundings
         resolve(GL_DEPTH_BUFFER_BIT);
         if (size > 0)
-            crevices.draw(canvas, camera, shade_radius * size, shade_strength);
+            crevices.draw(canvas, camera, shade_radius * size, shade_strength, *crew);
         keep_to_window();
         walls.draw_translucent(frame, camera, canvas, std::max(1.2, 1.5 * layout.unit));
     }

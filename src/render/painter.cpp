@@ -1,8 +1,7 @@
 #include "render/painter.h"
 
-#include "base/parallel_for.h"
-#include "base/thrown.h"
 #include "render/color_range.h"
+#include "render/draw_crew.h"
 #include "render/drawers.h"
 #include "render/gl_context.h"
 #include "render/mark_key.h"
@@ -15,7 +14,6 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <thread>
 #include <utility>
 
 namespace tumble::render {
@@ -25,7 +23,6 @@ using Eigen::Vector3d;
 
 constexpr int fine_samples = 4;         // a pixel
 constexpr int sketch_samples = 0;       // one, as OpenGL says it: Mesa makes four of 1
-constexpr unsigned most_threads = 8;    // that draw spheres
 constexpr double crevice_radius = 0.75; // of a body's
 constexpr double crevice_strength = 0.8;
 // Outlines of discs, pixels at a picture's usual size; on small discs no more than this share of the smallest radius.
@@ -127,16 +124,6 @@ static Result<Style> find_style(const scene::Render& settings, int dimension) {
     return Style{*theme, *quantity, *map, ColorRange(fixed, quantity->has_sign)};
 }
 
-/// Problems: the system refuses a thread.
-static Result<std::unique_ptr<Crew>> gather_crew() {
-    const unsigned cores = std::thread::hardware_concurrency();
-    try {
-        return std::make_unique<Crew>(static_cast<int>(std::clamp(cores, 1U, most_threads)));
-    } catch (const std::exception& refused) {
-        return problem_of(refused);
-    }
-}
-
 Result<Painter> Painter::open(const scene::Render& settings, std::shared_ptr<const observe::FrameLayout> layout,
                               const PainterOptions& options) {
     auto style = find_style(settings, layout->dimension);
@@ -145,7 +132,7 @@ Result<Painter> Painter::open(const scene::Render& settings, std::shared_ptr<con
     }
     Problems problems;
     auto context = GlContext::open();
-    auto crew = gather_crew();
+    auto crew = gather_draw_crew();
     if (!context || !crew) {
         return context ? crew.problems() : context.problems();
     }

@@ -3,6 +3,7 @@
 #include "base/make_folder.h"
 #include "observe/frame_file.h"
 #include "observe/measures.h"
+#include "run/build_mark.h"
 #include "run/checkpoint_files.h"
 #include "run/load_recorder.h"
 #include "run/resume.h"
@@ -68,7 +69,7 @@ public:
         return simulation;
     }
 
-    Result<SimulationPtr> go_on(const scene::Scene& scene, LoadRecorder& recorder) const {
+    Result<SimulationPtr> go_on(const scene::Scene& scene, LoadRecorder& recorder, RunListener& listener) const {
         RunOptions as_run;
         as_run.threads = options_.threads;
         as_run.stop = options_.stop;
@@ -77,6 +78,8 @@ public:
             return found.problems();
         if (const auto recalled = recorder.recall(found->from.tracers); !recalled)
             return recalled.problems();
+        for (const std::string& warning : found->warnings)
+            listener.warned(warning);
         return std::move(found->simulation);
     }
 
@@ -87,6 +90,7 @@ public:
             (!last && now < kept_ + options_.checkpoint_every))
             return;
         Checkpoint checkpoint;
+        checkpoint.build_mark = build_mark();
         checkpoint.scene = toml_;
         checkpoint.meshes = meshes_;
         checkpoint.step = simulation.steps();
@@ -150,7 +154,7 @@ Result<PartLoads> record_loads(const scene::Scene& scene, int wall, const LoadOp
     if (!folder)
         return folder.problems();
     LoadRecorder recorder(scene, wall, options, std::move(*measures));
-    auto simulation = folder->can_resume() ? folder->go_on(scene, recorder) : folder->begin(scene);
+    auto simulation = folder->can_resume() ? folder->go_on(scene, recorder, listener) : folder->begin(scene);
     if (!simulation)
         return simulation.problems();
     Schedule instants(options.every, scene.time_step);

@@ -142,9 +142,11 @@ private:
     }
 
     Failure draw_cut(const std::string& file, const Vector3d& normal, const std::string& how) {
-        const solid::Section section = solid::section_of(mesh_, worst_, normal);
+        // A little towards the middle, where the worst node is the part's last.
+        const Vector3d through = worst_ + 1e-3 * (bounds_.center() - worst_);
+        const solid::Section section = solid::section_of(mesh_, through, normal);
         if (section.triangles.empty())
-            return std::nullopt; // the worst node is the part's last
+            return std::nullopt; // a part that bends back from there
         render::Field field = section_field(mesh_, section, place_, values_);
         name(field);
         Eigen::AlignedBox3d box;

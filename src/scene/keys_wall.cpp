@@ -94,11 +94,14 @@ std::vector<Key> specimens() {
     const std::vector<std::string> cylinder{"bored-cylinder"}, prism{"prism"}, both{"bored-cylinder", "prism"},
         file_part{"hexahedra"}, all{"bored-cylinder", "prism", "hexahedra"};
     return {
-        file("inp", "Hexahedra of a CalculiX or Abaqus file: *NODE, *ELEMENT of type C3D8, *NSET.")
+        file("inp",
+             "Hexahedra of a CalculiX or Abaqus file (*NODE, *ELEMENT of type C3D8, *NSET), or of gmsh where its name "
+             "ends in .msh (format 2.2 or 4.1, ASCII).")
             .only_for(file_part)
             .in_3d()
             .must(),
-        text("held_set", "Node set of that file that cannot move when `tumble stress` solves it.")
+        text("held_set",
+             "Node set of that file, or physical group of gmsh, that cannot move when `tumble stress` solves it.")
             .only_for(file_part)
             .in_3d()
             .must(),

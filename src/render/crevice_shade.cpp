@@ -82,8 +82,9 @@ void CreviceShade::draw(const Canvas& canvas, const Camera& camera, double radiu
     const auto first = std::find(darker.begin(), darker.end(), 1);
     const auto last = std::find(darker.rbegin(), darker.rend(), 1).base();
     if (first < last) {
-        multiply(canvas, job, rows_at_once * static_cast<int>(first - darker.begin()),
-                 std::min(rows_at_once * static_cast<int>(last - darker.begin()), canvas.height));
+        // A row more on either side: of a pixel's samples Mesa's scissor lets some of the neighbour's through.
+        multiply(canvas, job, std::max(rows_at_once * static_cast<int>(first - darker.begin()) - 1, 0),
+                 std::min(rows_at_once * static_cast<int>(last - darker.begin()) + 1, canvas.height));
     }
 }
 
@@ -104,8 +105,9 @@ void CreviceShade::multiply(const Canvas& canvas, const CreviceJob& job, int low
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
     glBlendFunc(GL_DST_COLOR, GL_ZERO);
+    const int above = low == 0 ? 0 : low + 1, below = high == canvas.height ? high : high - 1;
     glEnable(GL_SCISSOR_TEST);
-    glScissor(0, low, canvas.width, high - low);
+    glScissor(0, above, canvas.width, below - above);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);

@@ -1,4 +1,5 @@
 #include "about.h"
+#include "fixtures.h"
 #include "render/kernels.h"
 
 #include <doctest/doctest.h>
@@ -7,6 +8,7 @@
 
 namespace test_crevice_shade {
 
+using namespace tumble;
 using namespace tumble::render;
 
 namespace {
@@ -82,6 +84,25 @@ TEST_CASE("at the foot of a step as high as the ball half of the free half is ta
     CHECK(mean > 0.4);
     CHECK(mean < 0.6);
     CHECK(step.sky_at(55, 20) == 1); // more than a radius away
+}
+
+TEST_CASE("where nothing is drawn a picture keeps its background, right up to the rows that are shaded") {
+    using namespace testing;
+    auto layout = spheres({0.2});
+    observe::Frame frame = empty_frame(layout);
+    add_body(frame, 0, {0, 0.18, 0});
+    add_body(frame, 0, {0, -0.18, 0});
+    const double top = 200 - 188 * 0.38, bottom = 200 + 188 * 0.38, side = 188 * 0.2; // 188 pixels a metre
+    for (const char* projection : {"orthographic", "perspective"}) {
+        scene::Render settings = square_view(1);
+        settings.projection = projection;
+        const Picture picture = painter_for(settings, layout, {.lettering = false}).draw(frame);
+        const Vector3d background = pixel(picture, 2, 2);
+        for (int y = 0; y < 400; ++y)
+            for (int x = 0; x < 400; ++x)
+                if (y < top - 12 || y > bottom + 12 || std::abs(x - 200) > side + 12)
+                    REQUIRE(pixel(picture, x, y) == background);
+    }
 }
 
 TEST_CASE("every instruction set shades the same bits") {

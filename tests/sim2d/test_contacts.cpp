@@ -14,13 +14,13 @@ namespace {
 
 constexpr double dt = 1e-5; // s
 
-contact::PairProperties pair_of(bool further) {
+Sandbox room(bool further) {
     contact::PairProperties pair = springs(1e6, 0.8, 0.6, 0.3);
-    if (further) {
-        pair.rolling = contact::RollingLaw::epsd;
-        pair.rolling_friction = 0.05;
-    }
-    return pair;
+    pair.rolling_friction = 0.05;
+    Sandbox box(pair, dt);
+    if (further)
+        box.scene.contact.additions.rolling = contact::RollingLaw::epsd;
+    return box;
 }
 
 } // namespace
@@ -29,7 +29,7 @@ TEST_CASE("the force of each contact is what its body's momentum changes by, in 
     // Two discs meet obliquely and spinning, and so do two clumps; a third disc strikes a wall. Without gravity.
     for (const bool further : {false, true}) {
         CAPTURE(further);
-        Sandbox box(pair_of(further), dt);
+        Sandbox box = room(further);
         const int disc = box.disc(0.1);
         const int clump = box.body({{{0.08, 0, 0}, 0.1}, {{-0.08, 0.01, 0}, 0.09}});
         box.wall(scene::SegmentShape{{8, 0}, {12, 0}});
@@ -56,13 +56,14 @@ TEST_CASE("the force of each contact is what its body's momentum changes by, in 
             const BodyState now = box.body_at(k);
             const Vector2d gained = box.shape(now.shape).mass * (now.velocity - before[k]);
             CHECK(gained.norm() > 1);
-            CHECK((impulse - gained).norm() < 1e-6 * gained.norm());
+            // Where a clump's discs were a step ago is known to first order in dt alone: solver::clump_slack.
+            CHECK((impulse - gained).norm() < (now.shape == disc ? 1e-7 : 5e-4) * gained.norm());
         }
     }
 }
 
 TEST_CASE("across a periodic side a contact stands where its first body is, its normal towards it") {
-    Sandbox box(pair_of(false), dt);
+    Sandbox box = room(false);
     box.scene.domain.box = {{-1, -1, -0.5}, {1, 1, 0.5}};
     box.scene.domain.periodic = {true, false, false};
     const int disc = box.disc(0.1);

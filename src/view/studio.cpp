@@ -311,7 +311,8 @@ Result<Shown> Studio::draw() {
         return Problem{.what = "there is nothing to be seen yet", .fix = "wait for the first frame"};
     do {
         pass_panel(); // at least once, and until all that hands did has been told and has settled
-        passes_left_ = std::max(passes_left_ - 1, 0);
+        if (!hands_.any())
+            passes_left_ = std::max(passes_left_ - 1, 0);
     } while (hands_.any() || passes_left_ > 0);
     const bool is_new = look_changed_ || moment_->number != drawn_;
     if (is_new || (sketched_ && is_at_rest()))

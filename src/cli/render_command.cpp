@@ -12,9 +12,11 @@
 #include "run/beside.h"
 #include "run/redraw.h"
 #include "run/run_scene.h"
+#include "run/strip.h"
 
 #include <fmt/format.h>
 #include <memory>
+#include <optional>
 #include <thread>
 
 namespace tumble::cli {
@@ -29,6 +31,8 @@ struct RenderArguments {
     std::filesystem::path out;
     std::filesystem::path video;
     std::string time;
+    std::string strip; // "6" or "3x2"
+    int sections = 0;
     bool frames = false;
     bool force = false;
     bool quiet = false;
@@ -99,6 +103,52 @@ int draw_both(const RenderArguments& arguments, const scene::Scene& scene) {
     return tell_drawn(done, options.targets, options.settings, arguments);
 }
 
+/// "6", or columns and rows as "3x2"; nothing for other words.
+std::optional<render::StripPlan> read_plan(const std::string& text) {
+    const std::size_t cross = text.find('x');
+    const auto columns = parse_integer(text.substr(0, cross));
+    const auto rows = cross == std::string::npos ? Result<std::int64_t>(1) : parse_integer(text.substr(cross + 1));
+    constexpr std::int64_t most = 100;
+    if (!columns || !rows || *columns < 1 || *rows < 1 || *columns > most || *rows > most)
+        return std::nullopt;
+    return render::StripPlan{.cells = static_cast<int>(*columns * *rows),
+                             .columns = cross == std::string::npos ? 0 : static_cast<int>(*columns)};
+}
+
+std::optional<Problem> refuse_with_strip(const RenderArguments& arguments) {
+    if (!arguments.strip.empty() && arguments.sections > 0)
+        return Problem{.what = "--strip and --sections are two ways to put pictures into one",
+                       .fix = "leave one of them away; --time B: chooses when sections are taken"};
+    if (!arguments.beside.empty() || !arguments.video.empty() || arguments.frames)
+        return Problem{.what = "a strip or sections are one picture of one run",
+                       .fix = "leave --beside, --video and --frames away"};
+    return std::nullopt;
+}
+
+int draw_parts(const RenderArguments& arguments, run::RedrawOptions&& redraw) {
+    run::StripOptions options;
+    options.redraw = std::move(redraw);
+    options.sections = arguments.sections > 0;
+    if (const auto problem = refuse_with_strip(arguments))
+        return refuse({*problem}, arguments.json, wrong);
+    const auto plan = options.sections ? render::StripPlan{.cells = arguments.sections} : read_plan(arguments.strip);
+    if (!plan)
+        return refuse({{.what = fmt::format("--strip {} is no number of pictures", arguments.strip),
+                        .fix = "write --strip 6, or columns and rows as --strip 3x2"}},
+                      arguments.json, wrong);
+    options.plan = *plan;
+    const scene::Render& settings = options.redraw.settings;
+    options.out = !arguments.out.empty() ? arguments.out
+                                         : arguments.what / "redrawn" /
+                                               fmt::format("{}_{}_{}_{}.png", settings.camera, settings.color,
+                                                           options.sections ? "sections" : "strip", plan->cells);
+    ProgressLine line(arguments.quiet);
+    const auto done =
+        run::draw_strip(arguments.what, options, [&](std::int64_t n, std::int64_t all) { line.frames(n, all); });
+    line.end();
+    return tell_drawn(done, {.folder = options.out, .video = {}}, settings, arguments);
+}
+
 int redraw_run(RenderArguments& arguments) {
     arguments.scene.file = arguments.what / "scene.toml";
     if (const auto found = run::find_run(arguments.what); !found)
@@ -108,7 +158,7 @@ int redraw_run(RenderArguments& arguments) {
     const Result<scene::Scene> scene = arguments.scene.load();
     if (!scene)
         return refuse(scene.problems(), arguments.json, wrong);
-    if (!arguments.beside.empty())
+    if (!arguments.beside.empty() && arguments.strip.empty() && arguments.sections == 0)
         return draw_both(arguments, *scene);
     if (!arguments.labels.empty())
         return refuse({{.what = "--labels names two runs side by side, and this is one",
@@ -125,6 +175,8 @@ int redraw_run(RenderArguments& arguments) {
     const auto problem = read_time_range(arguments.time, options.when.from, options.when.to);
     if (problem)
         return refuse({*problem}, arguments.json, wrong);
+    if (!arguments.strip.empty() || arguments.sections > 0)
+        return draw_parts(arguments, std::move(options));
     options.targets = targets_of(arguments, fmt::format("{}_{}", options.settings.camera, options.settings.color));
     ProgressLine line(arguments.quiet);
     const auto done =
@@ -140,6 +192,10 @@ int draw_scene(RenderArguments& arguments) {
         return refuse(scene.problems(), arguments.json, wrong);
     if (!arguments.beside.empty())
         return refuse({{.what = "--beside stands two runs side by side, and this is a scene",
+                        .fix = "run it first, then give the run's folder"}},
+                      arguments.json, wrong);
+    if (!arguments.strip.empty() || arguments.sections > 0)
+        return refuse({{.what = "--strip and --sections draw a run that is over, and this is a scene",
                         .fix = "run it first, then give the run's folder"}},
                       arguments.json, wrong);
     if (!arguments.time.empty())
@@ -180,7 +236,19 @@ void add_render_command(CLI::App& program, Action& action) {
         ->type_name("L,R");
     command->add_option("--video", arguments->video, "Make an MP4 (needs ffmpeg)")->type_name("F.mp4");
     command->add_flag("--frames", arguments->frames, "PNG files; the default without --video");
-    command->add_option("--out", arguments->out, "Folder for the PNG files, or for the run of a scene")
+    command
+        ->add_option("--strip", arguments->strip,
+                     "N instants in one picture, evenly spaced, with their times; or columns and rows as 4x2")
+        ->type_name("N");
+    command
+        ->add_option("--sections", arguments->sections,
+                     "N cuts through the bodies at the last frame, across the way the camera looks, in one picture")
+        ->type_name("N")
+        ->check(whole_number_from(1, 100));
+    command
+        ->add_option("--out", arguments->out,
+                     "Folder for the PNG files, or for the run of a scene; of a strip or sections the picture where it "
+                     "ends in .png, else a folder with a picture each")
         ->type_name("DIR")
         ->check(refuse_no_place);
     command->add_option("--time", arguments->time, "Only frames from A to B, s; either may be missing")

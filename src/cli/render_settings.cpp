@@ -99,6 +99,28 @@ void add_render_settings(CLI::App& command, std::vector<std::string>& sets) {
         });
     add("--background", "dark|white", "Behind the picture", word("render.background"));
     add("--plot", "MEASURE", "Measure in the small plot", word("render.plot_measure"));
+    const auto for_print = [](std::vector<std::string>& all) {
+        const bool chosen = std::any_of(all.begin(), all.end(),
+                                        [](const std::string& set) { return set.starts_with("render.style="); });
+        if (!chosen)
+            all.emplace_back("render.style=\"paper\"");
+    };
+    add("--style", "screen|paper", "paper: for print, white, sized in mm", word("render.style"));
+    add("--size-mm", "WxH", "Size for print, mm, such as 85x60; this flag and the next two take the style paper",
+        [for_print](std::vector<std::string>& all, const std::string& text) {
+            const std::size_t cross = text.find('x');
+            for_print(all);
+            all.push_back("render.width_mm=" + text.substr(0, cross));
+            all.push_back("render.height_mm=" + (cross == std::string::npos ? "" : text.substr(cross + 1)));
+        });
+    const auto number_for_print = [for_print](const char* key) {
+        return [for_print, key](std::vector<std::string>& all, const std::string& text) {
+            for_print(all);
+            all.push_back(std::string(key) + "=" + text);
+        };
+    };
+    add("--dpi", "N", "Pixels an inch of print", number_for_print("render.dpi"));
+    add("--font-pt", "N", "Points of the smallest letters in print", number_for_print("render.font_pt"));
     add("--size", "WxH", "Pixels, such as 1920x1080", [](std::vector<std::string>& all, const std::string& text) {
         const std::size_t cross = text.find('x');
         all.push_back("render.width_px=" + text.substr(0, cross));

@@ -1,5 +1,7 @@
 #include "render/imgui_session.h"
 
+#include "render/layout.h"
+
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -8,8 +10,7 @@
 
 namespace tumble::render {
 
-// Letters of the three sizes, pixels at 1280 x 720.
-constexpr double small_letters = 17;
+// Letters of the two larger sizes, pixels at 1280 x 720.
 constexpr double normal_letters = 19;
 constexpr double large_letters = 23;
 

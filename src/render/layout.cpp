@@ -81,10 +81,19 @@ static Layout in_rows(double width, double height, double unit, bool with_plot) 
     return layout;
 }
 
-Layout make_layout(int width, int height, bool with_plot, const std::function<double(const Area&)>& zoom) {
+void leave_out_title(Layout& layout) {
+    layout.title = {};
+    if (layout.lettered && layout.column) {
+        layout.scene.top = std::round(gap * layout.unit);
+        layout.window.top = 0;
+    }
+}
+
+Layout make_layout(int width, int height, bool with_plot, const std::function<double(const Area&)>& zoom,
+                   std::optional<double> unit) {
     const double w = width;
     const double h = height;
-    if (width < 320 || height < 200) {
+    if (!unit && (width < 320 || height < 200)) {
         Layout bare;
         bare.lettered = false;
         bare.scene = {0, 0, w, h};
@@ -95,9 +104,9 @@ Layout make_layout(int width, int height, bool with_plot, const std::function<do
     // would fit.
     const bool upright = h > w;
     const double share = upright ? std::min(w / 720, h / 1280) : std::min(w / 1280, h / 720);
-    const double unit = share >= 0.5 ? std::max(share, 0.68) : 0.68 * share / 0.5;
-    const Layout column = in_column(w, h, unit, with_plot);
-    const Layout strip = upright ? in_rows(w, h, unit, with_plot) : in_strip(w, h, unit, with_plot);
+    const double u = unit.value_or(share >= 0.5 ? std::max(share, 0.68) : 0.68 * share / 0.5);
+    const Layout column = in_column(w, h, u, with_plot);
+    const Layout strip = upright ? in_rows(w, h, u, with_plot) : in_strip(w, h, u, with_plot);
     return zoom(column.scene) >= zoom(strip.scene) ? column : strip;
 }
 

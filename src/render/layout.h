@@ -3,8 +3,12 @@
 #include "render/area.h"
 
 #include <functional>
+#include <optional>
 
 namespace tumble::render {
+
+/// Units, the height of the smallest letters from their lowest to their highest reach.
+constexpr double small_letters = 17;
 
 /// Where everything stands in a picture. Areas do not overlap and lie wholly inside.
 struct Layout {
@@ -23,7 +27,11 @@ struct Layout {
 
 /// The arrangement in which the scene is larger: a column, or below the scene a strip (two rows in an upright picture).
 /// `zoom` tells how large the scene gets in an area (pixels a metre); `with_plot` reserves room for the plot. Below 320
-/// x 200 pixels there is no lettering.
-Layout make_layout(int width, int height, bool with_plot, const std::function<double(const Area&)>& zoom);
+/// x 200 pixels there is no lettering. `unit` (pixels) is chosen by the size where it is not given.
+Layout make_layout(int width, int height, bool with_plot, const std::function<double(const Area&)>& zoom,
+                   std::optional<double> unit = {});
+
+/// Gives the title's place to the scene where nothing else stands beside it.
+void leave_out_title(Layout& layout);
 
 } // namespace tumble::render

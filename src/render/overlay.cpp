@@ -39,6 +39,11 @@ static Area draw_panels(Pen& pen, const OverlayContent& content, const Layout& l
         const std::string text = pen.shortened(heading.text, Lettering::large, heading.area.width());
         pen.text(heading.area.left, heading.area.top, text, Lettering::large, Align::left, theme.text);
     }
+    for (const Heading& caption : content.captions) {
+        const std::string text = pen.shortened(caption.text, Lettering::normal, caption.area.width());
+        pen.text(0.5 * (caption.area.left + caption.area.right), caption.area.top, text, Lettering::normal,
+                 Align::middle, theme.text);
+    }
     // In a column the time stands in line with the panels below it.
     const bool in_column = layout.column;
     pen.text(in_column ? layout.time.left : layout.time.right, layout.time.top, content.time, Lettering::large,

@@ -20,6 +20,7 @@ struct Heading {
 struct OverlayContent {
     std::string title;
     std::vector<Heading> headings;
+    std::vector<Heading> captions; // in the middle of their areas, in letters of the usual size
     std::string time;
     Legend legend; // without a label there is none
     MarkKey key;

@@ -1,13 +1,13 @@
 #include "render/painter.h"
 
-#include "render/color_range.h"
 #include "render/draw_crew.h"
 #include "render/drawers.h"
 #include "render/gl_context.h"
 #include "render/mark_key.h"
 #include "render/overlay.h"
+#include "render/paper.h"
 #include "render/phase_clock.h"
-#include "render/quantity.h"
+#include "render/style.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,14 +28,6 @@ constexpr double crevice_strength = 0.8;
 // Outlines of discs, pixels at a picture's usual size; on small discs no more than this share of the smallest radius.
 constexpr double disc_line = 1.2;
 constexpr double disc_line_share = 0.25;
-
-/// What a picture shows of a frame: settled by words that may be wrong.
-struct Style {
-    Theme theme;
-    Quantity quantity;
-    ColorMap map;
-    ColorRange range;
-};
 
 struct Painter::Inside {
     GlContext context;
@@ -94,35 +86,6 @@ struct Painter::Inside {
     void draw_marks(const observe::Frame& frame);
     void write(const observe::Frame& frame, const PlotLine& plot, const Legend& legend);
 };
-
-static Problem bad_range(double lo, double hi) {
-    return {.key = "render.range",
-            .what = "a colour range from " + std::to_string(lo) + " to " + std::to_string(hi) + " holds no values",
-            .fix = "write the smaller value first, both finite and different"};
-}
-
-static Result<Style> find_style(const scene::Render& settings, int dimension) {
-    auto theme = find_theme(settings.background);
-    auto quantity = find_quantity(settings.color, dimension);
-    auto map = find_color_map(settings.colormap, quantity.ok() && quantity->has_sign);
-    if (theme.ok() && quantity.ok() && quantity->label.empty()) {
-        map = plain_color_map(theme->plain);
-    }
-    const auto camera = make_camera(settings, AlignedBox3d(Vector3d::Zero(), Vector3d::Ones()), {0, 0, 100, 100});
-    Problems problems;
-    for (const Problems& found : {theme.problems(), quantity.problems(), map.problems(), camera.problems()}) {
-        problems.insert(problems.end(), found.begin(), found.end());
-    }
-    if (settings.range && !((*settings.range)[1] - (*settings.range)[0] > 0)) {
-        problems.push_back(bad_range((*settings.range)[0], (*settings.range)[1]));
-    }
-    if (!problems.empty()) {
-        return problems;
-    }
-    const auto fixed =
-        settings.range ? std::optional<Span>({(*settings.range)[0], (*settings.range)[1]}) : std::nullopt;
-    return Style{*theme, *quantity, *map, ColorRange(fixed, quantity->has_sign)};
-}
 
 Result<Painter> Painter::open(const scene::Render& settings, std::shared_ptr<const observe::FrameLayout> layout,
                               const PainterOptions& options) {
@@ -191,6 +154,7 @@ Result<Done> Painter::restyle(const scene::Render& settings) {
     wanted.width = in.settings.width;
     wanted.height = in.settings.height;
     wanted.background = in.settings.background;
+    wanted.paper = in.settings.paper;
     wanted.plot = in.settings.plot;
     auto style = find_style(wanted, in.layout->dimension);
     if (!style) {
@@ -199,13 +163,13 @@ Result<Done> Painter::restyle(const scene::Render& settings) {
     if (wanted.color != in.settings.color || wanted.range != in.settings.range) {
         in.style.range = style->range; // else what an automatic range has seen goes on to count
     }
-    const bool was_plain = in.style.quantity.label.empty();
+    const bool was_plain = in.style.plain();
     in.style.quantity = style->quantity;
     in.style.map = style->map;
     in.settings = std::move(wanted);
     const int rows = in.mark_maker.key(*in.layout, in.mark_view()).rows();
     in.mark_maker.restyle(in.settings.marks);
-    if (in.mark_maker.key(*in.layout, in.mark_view()).rows() != rows || in.style.quantity.label.empty() != was_plain) {
+    if (in.mark_maker.key(*in.layout, in.mark_view()).rows() != rows || in.style.plain() != was_plain) {
         in.arranged = false; // their key takes or leaves room
     } else if (in.arranged) {
         in.camera = *make_camera(in.settings, in.box(), in.arrangement.scene);
@@ -225,11 +189,16 @@ void Painter::Inside::arrange() {
         const Camera tried = look(area);
         return tried.pixels_per_metre(tried.target);
     };
-    arrangement = make_layout(settings.width, settings.height, settings.plot, zoom);
-    take_key(arrangement, mark_maker.key(*layout, mark_view()).rows(), !style.quantity.label.empty());
+    arrangement = make_layout(settings.width, settings.height, settings.plot, zoom,
+                              settings.paper ? std::optional(letter_unit(*settings.paper)) : std::nullopt);
+    if (settings.paper) {
+        leave_out_title(arrangement);
+    }
+    take_key(arrangement, mark_maker.key(*layout, mark_view()).rows(), !style.plain());
     if (!options.lettering) {
         arrangement = Layout{};
         arrangement.lettered = false;
+        arrangement.unit = options.unit;
         arrangement.scene = {0, 0, static_cast<double>(settings.width), static_cast<double>(settings.height)};
         arrangement.window = arrangement.scene;
     }
@@ -303,7 +272,7 @@ void Painter::Inside::draw_discs(const observe::Frame& frame, const std::vector<
     }
     const double pixels = smallest * camera.pixels_per_metre(camera.target);
     // Bodies without a colour step back behind what is drawn over them.
-    const bool plain = style.quantity.label.empty();
+    const bool plain = style.plain();
     const DiscLook look{plain ? style.theme.plain_edge : style.theme.outline,
                         std::min(disc_line * std::max(1.0, arrangement.unit), disc_line_share * pixels)};
     const auto turns = plain ? std::vector<SpokeMark>{} : collect_spokes(frame, spokes, camera);
@@ -341,7 +310,7 @@ void Painter::Inside::resolve(GLbitfield what) {
 
 void Painter::Inside::write(const observe::Frame& frame, const PlotLine& plot, const Legend& legend) {
     OverlayContent content;
-    content.title = layout->title;
+    content.title = settings.paper ? "" : layout->title;
     content.time = time_stamp(frame.time, settings.every);
     content.legend = legend;
     content.key = mark_maker.key(*layout, mark_view());
@@ -443,6 +412,7 @@ Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
     }
     in.clock.lap("letters");
     Picture picture = read_picture(canvas);
+    picture.dots_per_metre = dots_per_metre(in.settings);
     in.clock.lap("read back");
     return picture;
 }

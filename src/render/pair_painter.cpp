@@ -4,6 +4,7 @@
 #include "render/gl_objects.h"
 #include "render/mark_key.h"
 #include "render/overlay.h"
+#include "render/paper.h"
 #include "render/quantity.h"
 
 #include <algorithm>
@@ -30,11 +31,11 @@ constexpr int least_width = 480;
 constexpr int least_height = 240;
 
 /// Side by side, or for wide scenes one above the other. Both halves are of one size.
-PairArrangement arrange(int width, int height, bool stacked) {
+PairArrangement arrange(const scene::Render& settings, bool stacked) {
     PairArrangement all;
     Layout& layout = all.lettering;
-    const double w = width, h = height;
-    layout.unit = std::max(0.68, std::min(w / 1280, h / 720));
+    const double w = settings.width, h = settings.height;
+    layout.unit = settings.paper ? letter_unit(*settings.paper) : std::max(0.68, std::min(w / 1280, h / 720));
     layout.column = false;
     const double pad = std::round(pair_gap * layout.unit), middle = std::round(w / 2);
     const double top = std::round(pad + label_height * layout.unit);
@@ -59,13 +60,13 @@ PairArrangement arrange(int width, int height, bool stacked) {
 
 /// Whichever shows a flat scene larger; scenes in space stand side by side.
 PairArrangement arrange(const scene::Render& settings, const observe::FrameLayout& layout) {
-    const PairArrangement beside = arrange(settings.width, settings.height, false);
+    const PairArrangement beside = arrange(settings, false);
     if (layout.dimension != 2)
         return beside;
     const Eigen::Vector3d size =
         settings.view ? settings.view->hi - settings.view->lo : layout.domain_hi - layout.domain_lo;
     const auto zoom = [&](const Area& area) { return std::min(area.width() / size.x(), area.height() / size.y()); };
-    const PairArrangement stacked = arrange(settings.width, settings.height, true);
+    const PairArrangement stacked = arrange(settings, true);
     return zoom(stacked.halves[0]) > zoom(beside.halves[0]) ? stacked : beside;
 }
 
@@ -74,13 +75,6 @@ scene::Render of_half(scene::Render settings, const Area& half) {
     settings.height = static_cast<int>(half.height());
     settings.plot = false;
     return settings;
-}
-
-void paste(const Picture& half, const Area& area, Picture& whole) {
-    const auto left = static_cast<std::ptrdiff_t>(area.left), top = static_cast<std::ptrdiff_t>(area.top);
-    for (std::ptrdiff_t y = 0; y < half.height; ++y)
-        std::copy_n(half.rgba.begin() + 4 * y * half.width, 4 * half.width,
-                    whole.rgba.begin() + 4 * ((top + y) * whole.width + left));
 }
 
 } // namespace
@@ -120,21 +114,21 @@ Result<PairPainter> PairPainter::open(const scene::Render& settings, const Layou
                        .what = "two mean fields side by side need one scale of arrows",
                        .fix = "give the speed of the legend's arrow"};
     PairArrangement arrangement = arrange(settings, *layouts[0]);
-    const auto theme = find_theme(settings.background);
+    const auto theme = theme_of(settings);
     auto context = GlContext::open();
     if (!context)
         return context.problems();
+    const PainterOptions bare_half{.lettering = false, .unit = settings.paper ? arrangement.lettering.unit : 1};
     std::array<Result<Painter>, 2> painters{
-        Painter::open(of_half(settings, arrangement.halves[0]), layouts[0], {.lettering = false}),
-        Painter::open(of_half(settings, arrangement.halves[1]), layouts[1], {.lettering = false})};
+        Painter::open(of_half(settings, arrangement.halves[0]), layouts[0], bare_half),
+        Painter::open(of_half(settings, arrangement.halves[1]), layouts[1], bare_half)};
     for (const Result<Painter>& painter : painters)
         if (!painter)
             return painter.problems();
     std::array<Quantity, 2> quantities{*find_quantity(settings.color, layouts[0]->dimension),
                                        *find_quantity(settings.color, layouts[1]->dimension)};
     take_key(arrangement.lettering, painters[0]->mark_key().rows(), !quantities[0].label.empty());
-    const ColorMap map = quantities[0].label.empty() ? plain_color_map(theme->plain)
-                                                     : *find_color_map(settings.colormap, quantities[0].has_sign);
+    const ColorMap map = *map_of(settings, quantities[0], *theme);
     std::shared_ptr<Inside> inside(new Inside{*context,
                                               settings,
                                               labels,
@@ -200,7 +194,9 @@ Picture PairPainter::draw(const observe::Frame& left, const observe::Frame& righ
     in.overlay->draw(content, in.arrangement.lettering, in.canvas->width, in.canvas->height);
     Picture picture = read_picture(*in.canvas);
     for (std::size_t side = 0; side < 2; ++side)
-        paste(halves[side], in.arrangement.halves[side], picture);
+        paste(halves[side], static_cast<int>(in.arrangement.halves[side].left),
+              static_cast<int>(in.arrangement.halves[side].top), picture);
+    picture.dots_per_metre = dots_per_metre(in.settings);
     return picture;
 }
 

@@ -10,6 +10,7 @@ struct Picture {
     int width = 0;  // pixels
     int height = 0; // pixels
     std::vector<std::uint8_t> rgba;
+    double dots_per_metre = 0; // of paper; 0: nobody said
 };
 
 } // namespace tumble::render

@@ -1,8 +1,10 @@
 #include "render/png_writer.h"
 
 #include "base/thrown.h"
+#include "observe/checksum.h"
 #include "render/file_swap.h"
 
+#include <cmath>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -12,6 +14,28 @@
 #include <utility>
 
 namespace tumble::render {
+
+static void put_whole(std::vector<std::uint8_t>& bytes, std::uint32_t value) {
+    for (int shift = 24; shift >= 0; shift -= 8) {
+        bytes.push_back(static_cast<std::uint8_t>(value >> shift));
+    }
+}
+
+/// The chunk pHYs (PNG specification, 11.3.5.3): pixels a metre across and along. It stands before the picture's data,
+/// right behind the header.
+static void insert_size(std::vector<std::uint8_t>& png, double dots_per_metre) {
+    constexpr std::ptrdiff_t after_header = 8 + 12 + 13; // signature; length, name, sum and content of IHDR
+    const auto dots = static_cast<std::uint32_t>(std::lround(dots_per_metre));
+    std::vector<std::uint8_t> content{'p', 'H', 'Y', 's'};
+    put_whole(content, dots);
+    put_whole(content, dots);
+    content.push_back(1); // the unit is the metre
+    std::vector<std::uint8_t> chunk;
+    put_whole(chunk, static_cast<std::uint32_t>(content.size() - 4));
+    chunk.insert(chunk.end(), content.begin(), content.end());
+    put_whole(chunk, observe::crc32({reinterpret_cast<const char*>(content.data()), content.size()}));
+    png.insert(png.begin() + after_header, chunk.begin(), chunk.end());
+}
 
 std::vector<std::uint8_t> encode_png(const Picture& picture) {
     std::vector<std::uint8_t> rgb;
@@ -27,6 +51,9 @@ std::vector<std::uint8_t> encode_png(const Picture& picture) {
     };
     if (!stbi_write_png_to_func(take, &bytes, picture.width, picture.height, 3, rgb.data(), 3 * picture.width)) {
         throw std::bad_alloc(); // its one reason
+    }
+    if (picture.dots_per_metre > 0) {
+        insert_size(bytes, picture.dots_per_metre);
     }
     return bytes;
 }

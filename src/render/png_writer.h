@@ -11,7 +11,7 @@
 
 namespace tumble::render {
 
-/// The bytes of a PNG file, three channels. Throws std::bad_alloc.
+/// The bytes of a PNG file, three channels, with the picture's dots per metre where it says any. Throws std::bad_alloc.
 std::vector<std::uint8_t> encode_png(const Picture& picture);
 
 /// Writes pictures on a thread of its own, since encoding takes longer than drawing. At most `room` pictures wait;

@@ -138,17 +138,10 @@ Result<Replayed> draw_beside(const std::array<fs::path, 2>& runs, const BesideOp
     if (!shown)
         return shown.problems();
     const Recordings& recordings = shown->recordings;
-    scene::Render settings = options.settings;
-    if (!settings.range) {
-        const auto colors = colors_for(recordings, settings.color);
-        if (!colors)
-            return colors.problems();
-        settings.range = *colors;
-    }
-    auto marks = marks_for(recordings, settings.marks);
-    if (!marks)
-        return marks.problems();
-    settings.marks = std::move(*marks);
+    const auto settled = settle_scales(recordings, options.settings);
+    if (!settled)
+        return settled.problems();
+    const scene::Render& settings = *settled;
     Target pictures(options.targets.folder), video(options.targets.video);
     for (auto [target, extension] : {std::pair{&pictures, ".png"}, std::pair{&video, ".mp4"}})
         if (const auto problem = target->claim(options.overwrite, extension))

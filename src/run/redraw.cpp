@@ -9,11 +9,9 @@
 
 namespace tumble::run {
 
-namespace {
-
 namespace fs = std::filesystem;
 
-std::shared_ptr<const observe::FrameLayout> restyled(observe::FrameLayout layout, const RedrawOptions& options) {
+std::shared_ptr<const observe::FrameLayout> restyled_layout(observe::FrameLayout layout, const RedrawOptions& options) {
     if (!options.title.empty())
         layout.title = options.title;
     for (std::size_t i = 0; i < std::min(layout.walls.size(), options.wall_opacity.size()); ++i)
@@ -21,33 +19,23 @@ std::shared_ptr<const observe::FrameLayout> restyled(observe::FrameLayout layout
     return std::make_shared<const observe::FrameLayout>(std::move(layout));
 }
 
-} // namespace
-
 Result<Replayed> redraw(const fs::path& run, const RedrawOptions& options, const TellFrames& tell) {
     if (const Problems problems = check_plot(options.settings); !problems.empty())
         return problems;
     Result<Recording> recording = open_recording(run, options.when);
     if (!recording)
         return recording.problems();
-    recording->layout = restyled(*recording->layout, options);
+    recording->layout = restyled_layout(*recording->layout, options);
     Target pictures(options.targets.folder);
     Target video(options.targets.video);
     for (auto [target, extension] : {std::pair{&pictures, ".png"}, std::pair{&video, ".mp4"}})
         if (const auto problem = target->claim(options.overwrite, extension))
             return *problem;
-    scene::Render settings = options.settings;
-    if (!settings.range) {
-        const auto colors = colors_for({&*recording, 1}, settings.color);
-        if (!colors)
-            return colors.problems();
-        settings.range = *colors;
-    }
-    auto marks = marks_for({&*recording, 1}, settings.marks);
-    if (!marks)
-        return marks.problems();
-    settings.marks = std::move(*marks);
+    const auto settings = settle_scales({&*recording, 1}, options.settings);
+    if (!settings)
+        return settings.problems();
     FrameSinks sinks;
-    auto sink = keep_pictures(settings, recording->layout, options.targets, recording->bounds, &*recording);
+    auto sink = keep_pictures(*settings, recording->layout, options.targets, recording->bounds, &*recording);
     if (!sink)
         return sink.problems();
     sinks.push_back(std::move(*sink));

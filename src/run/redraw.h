@@ -15,6 +15,9 @@ struct RedrawOptions {
     ReplayOptions when;
 };
 
+/// The run's layout with title and walls as the options have them.
+std::shared_ptr<const observe::FrameLayout> restyled_layout(observe::FrameLayout layout, const RedrawOptions& options);
+
 /// Draws the frames of a run again, without simulating. Problems: no run, nothing drawable, targets that exist already
 /// or cannot be made. What breaks later is Replayed::reason; a target that was begun in vain is removed.
 Result<Replayed> redraw(const std::filesystem::path& run, const RedrawOptions& options, const TellFrames& tell);

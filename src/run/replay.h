@@ -58,6 +58,9 @@ Result<std::array<double, 2>> colors_for(std::span<const Recording> recordings, 
 /// contacts.
 Result<scene::Marks> marks_for(std::span<const Recording> recordings, const scene::Marks& marks);
 
+/// Settings whose range of colours and marks hold for all frames of the recordings. Problems: those of the two above.
+Result<scene::Render> settle_scales(std::span<const Recording> recordings, const scene::Render& settings);
+
 /// Hands every frame to every sink in order, under the number it has in the run, and finishes them.
 Replayed replay(const Recording& recording, const ReplayOptions& options, const FrameSinks& sinks,
                 const TellFrames& tell);

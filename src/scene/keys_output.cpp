@@ -69,13 +69,21 @@ KeyTable render() {
         number("chain_N", "N", above(0, 1e12), "Normal force of the thickest line; without it what occurs."),
         words("trails", {}, "Bodies whose way is drawn, through the frames up to now: the first of a name, or by id.")
             .otherwise(std::vector<std::string>{}),
+        word("style", {"screen", "paper"},
+             "paper is for print: white, `width_mm` x `height_mm` at `dpi`, letters of `font_pt`, without the title.")
+            .otherwise(std::string("screen")),
         word("background", {"dark", "white"}, "Behind the picture.").otherwise(std::string("dark")),
         integer("width_px", from(64, 8192), "Width of the picture.").otherwise(std::int64_t{1280}),
         integer("height_px", from(64, 8192), "Height of the picture.").otherwise(std::int64_t{720}),
+        number("width_mm", "mm", from(20, 600), "Width of a picture for print.").otherwise(85.0),
+        number("height_mm", "mm", from(15, 600), "Height of it.").otherwise(60.0),
+        number("dpi", "", from(72, 1200), "Pixels an inch of it; the PNG file says so.").otherwise(300.0),
+        number("font_pt", "pt", from(4, 24), "Size of its smallest letters, those of the numbers at scales.")
+            .otherwise(8.0),
         number("every_s", "s", above(0, 1e6), "Simulated time between frames.").otherwise(0.04),
         number("frames_per_second", "1/s", above(0, 240), "Frames of the video per second of watching.")
             .otherwise(25.0),
-        flag("plot", "Draw a small live plot over the picture.").otherwise(true),
+        flag("plot", "Draw a small live plot over the picture; without it one is drawn on a screen's, none on paper."),
         text("plot_measure", "The one measure it shows.").otherwise(std::string("kinetic_energy")),
     };
     return table;

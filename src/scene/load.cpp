@@ -9,6 +9,8 @@
 #include "scene/view.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 namespace tumble::scene {
 namespace {
@@ -43,11 +45,12 @@ Table* render_of(Node& root) {
     return render ? render->node.as<Table>() : nullptr;
 }
 
-std::string color_of(Node& root) {
+/// What [render] says, or would say by default.
+std::string word_of(Node& root, const char* key) {
     const Table* render = render_of(root);
-    const Entry* color = render ? render->find("color") : nullptr;
-    const std::string* word = color ? color->node.as<std::string>() : nullptr;
-    return word ? *word : std::get<std::string>(find_key(*find_table("render"), "color")->standard);
+    const Entry* entry = render ? render->find(key) : nullptr;
+    const std::string* word = entry ? entry->node.as<std::string>() : nullptr;
+    return word ? *word : std::get<std::string>(find_key(*find_table("render"), key)->standard);
 }
 
 bool all_from(const Node& node, const std::string& source) {
@@ -59,9 +62,21 @@ bool all_from(const Node& node, const std::string& source) {
 /// A range was chosen for the colour beside it: with another colour from a set it would mean something else.
 void drop_range_of_another_color(Node& root, const std::string& color_of_file) {
     Table* render = render_of(root);
-    if (render && color_of(root) != color_of_file)
+    if (render && word_of(root, "color") != color_of_file)
         std::erase_if(render->entries, [&](const Entry& entry) {
             return entry.name == "range" && all_from(entry.node, *root.place.source);
+        });
+}
+
+/// What a style says of size and furniture goes with it: under another style from a set the file's would be in the way.
+void drop_size_of_another_style(Node& root, const std::string& style_of_file) {
+    constexpr std::array<std::string_view, 8> sizes{"width_px", "height_px", "background", "plot",
+                                                    "width_mm", "height_mm", "dpi",        "font_pt"};
+    Table* render = render_of(root);
+    if (render && word_of(root, "style") != style_of_file)
+        std::erase_if(render->entries, [&](const Entry& entry) {
+            return std::find(sizes.begin(), sizes.end(), entry.name) != sizes.end() &&
+                   all_from(entry.node, *root.place.source);
         });
 }
 
@@ -73,10 +88,11 @@ Result<Scene> load_scene_text(std::string_view toml, const std::filesystem::path
     if (!root)
         return root.problems();
     Report report;
-    const std::string color = color_of(*root);
+    const std::string color = word_of(*root, "color"), style = word_of(*root, "style");
     for (const Override& set : sets)
         report.add(apply(set, *root));
     drop_range_of_another_color(*root, color);
+    drop_size_of_another_style(*root, style);
     check_keys(*root, report);
 
     Scene scene;

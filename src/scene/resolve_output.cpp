@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -32,6 +33,56 @@ void resolve_marks(const View& view, const Resolving& to) {
         if (!is_number(trail) && std::find(names.begin(), names.end(), trail) == names.end())
             to.refuse(view, "trails", fmt::format("no body is called '{}'", trail),
                       fmt::format("take {}, or a body's id as \"0\"", fmt::join(names, ", ")));
+}
+
+// Units of lettering (src/render/layout.h) that a picture must be wide and high, and pixels that it may have a side.
+constexpr double least_units_wide = 300;
+constexpr double least_units_high = 200;
+constexpr int fewest_pixels = 64;
+constexpr int most_pixels = 8192;
+
+void check_size(const View& view, const Paper& paper, const Resolving& to) {
+    const Render& render = to.scene.render;
+    const auto fits = [](int pixels) { return pixels >= fewest_pixels && pixels <= most_pixels; };
+    if (!fits(render.width) || !fits(render.height))
+        to.refuse(view, "dpi",
+                  fmt::format("{:.4g} x {:.4g} mm at {:.4g} dpi are {} x {} pixels", paper.width_mm, paper.height_mm,
+                              paper.dpi, render.width, render.height),
+                  fmt::format("choose them so that each side has {} to {}", fewest_pixels, most_pixels));
+    const double room = std::min(paper.width_mm / least_units_wide, paper.height_mm / least_units_high); // mm a unit
+    // Numbers at scales are 17 units from their lowest to their highest reach, 1.164 of their size in points.
+    const double most = std::floor(2 * room * 17 / 1.164 / 25.4 * 72) / 2;
+    if (paper.font_pt > most)
+        to.refuse(view, "font_pt",
+                  fmt::format("letters of {:.3g} pt leave no room for the scene in {:.4g} x {:.4g} mm", paper.font_pt,
+                              paper.width_mm, paper.height_mm),
+                  fmt::format("take at most {:.3g} pt, or a larger picture", most));
+}
+
+void resolve_size(const View& view, const Resolving& to) {
+    Render& render = to.scene.render;
+    render.background = view.text("background");
+    if (view.text("style") != "paper") {
+        for (const char* key : {"width_mm", "height_mm", "dpi", "font_pt"})
+            if (view.written(key))
+                to.refuse(view, key, "a size in mm, dpi and points belongs to a picture for print",
+                          "write style = \"paper\" beside it, or width_px and height_px in its place");
+        render.width = static_cast<int>(view.integer("width_px"));
+        render.height = static_cast<int>(view.integer("height_px"));
+        return;
+    }
+    for (const char* key : {"width_px", "height_px"})
+        if (view.written(key))
+            to.refuse(view, key, "a picture for print has its size in mm, and its pixels from dpi",
+                      "write width_mm, height_mm and dpi in its place");
+    if (view.written("background") && render.background != "white")
+        to.refuse(view, "background", "a picture for print is white", "leave it out, or write style = \"screen\"");
+    render.background = "white";
+    const Paper paper{view.number("width_mm"), view.number("height_mm"), view.number("dpi"), view.number("font_pt")};
+    render.paper = paper;
+    render.width = static_cast<int>(std::lround(paper.width_mm / 25.4 * paper.dpi));
+    render.height = static_cast<int>(std::lround(paper.height_mm / 25.4 * paper.dpi));
+    check_size(view, paper, to);
 }
 
 void resolve_render(const View& view, const Resolving& to) {
@@ -68,12 +119,10 @@ void resolve_render(const View& view, const Resolving& to) {
         render.range = std::array<double, 2>{ends[0], ends[1]};
     }
     render.colormap = view.text("colormap");
-    render.background = view.text("background");
-    render.width = static_cast<int>(view.integer("width_px"));
-    render.height = static_cast<int>(view.integer("height_px"));
+    resolve_size(view, to);
     render.every = view.number("every_s");
     render.frames_per_second = view.number("frames_per_second");
-    render.plot = view.flag("plot");
+    render.plot = view.written("plot") ? view.flag("plot") : !render.paper;
     render.plot_measure = view.text("plot_measure");
 }
 

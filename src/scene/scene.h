@@ -212,6 +212,14 @@ struct Marks {
     friend bool operator==(const Marks&, const Marks&) = default;
 };
 
+/// A picture for print: white, in a size of its own, with letters that can be read there.
+struct Paper {
+    double width_mm = 85;
+    double height_mm = 60;
+    double dpi = 300;
+    double font_pt = 8; // of the numbers at scales
+};
+
 struct Render {
     std::string camera = "front"; // front, top, side, free
     std::string projection = "orthographic";
@@ -225,6 +233,7 @@ struct Render {
     std::optional<std::array<double, 2>> range; // in the quantity's SI unit
     std::string colormap = "auto";              // coolwarm for quantities with a sign, viridis for others
     std::string background = "dark";            // dark or white
+    std::optional<Paper> paper;                 // for print; width and height follow from it, background does not count
     int width = 1280;
     int height = 720;
     double every = 0.04;           // s between frames

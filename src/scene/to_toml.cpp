@@ -387,6 +387,21 @@ void write_marks(const Marks& marks, TomlWriter& to) {
     to.words("trails", marks.trails);
 }
 
+void write_size(const Render& render, TomlWriter& to) {
+    if (!render.paper) {
+        to.text("style", "screen");
+        to.text("background", render.background);
+        to.integer("width_px", render.width);
+        to.integer("height_px", render.height);
+        return;
+    }
+    to.text("style", "paper");
+    to.number("width_mm", render.paper->width_mm);
+    to.number("height_mm", render.paper->height_mm);
+    to.number("dpi", render.paper->dpi);
+    to.number("font_pt", render.paper->font_pt);
+}
+
 void write_output(const Scene& scene, TomlWriter& to) {
     to.table("observe", "[observe]");
     to.number("every_s", scene.observe.every);
@@ -416,9 +431,7 @@ void write_output(const Scene& scene, TomlWriter& to) {
     if (render.range)
         to.span("range", (*render.range)[0], (*render.range)[1]);
     to.text("colormap", render.colormap);
-    to.text("background", render.background);
-    to.integer("width_px", render.width);
-    to.integer("height_px", render.height);
+    write_size(render, to);
     to.number("every_s", render.every);
     to.number("frames_per_second", render.frames_per_second);
     to.flag("plot", render.plot);

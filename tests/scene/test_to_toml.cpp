@@ -208,15 +208,10 @@ TEST_CASE("meshes that were copied beside the scene go by the names they have th
 TEST_CASE("every key of the list arrives in the scene and is written again") {
     // Other ways to say what is written as spheres_m, discs_m, rows, harmonic, friction or cohesion energy; three
     // dimensions are usual; of [reduce] what came of it is written.
-    std::set<std::string> other_ways{"clump",
-                                     "radius_mm",
-                                     "file",
-                                     "amplitude_factor",
-                                     "frequency_factor",
-                                     "speed_rpm",
-                                     "friction_angle_deg",
-                                     "work_of_adhesion_J_m2",
-                                     "dimension"};
+    std::set<std::string> other_ways{"clump", "radius_mm", "file", "amplitude_factor", "frequency_factor", "speed_rpm",
+                                     "friction_angle_deg", "work_of_adhesion_J_m2", "dimension",
+                                     // of a picture for print; a screen's has its size in pixels
+                                     "width_mm", "height_mm", "dpi", "font_pt"};
     for (const int dimension : {3, 2}) {
         if (dimension == 2) // discs have no mesh to scale
             other_ways.insert("scale");
@@ -258,6 +253,17 @@ TEST_CASE("a resolved scene of two dimensions loads again to the same bodies, pa
     }
     CHECK(std::get<ArcShape>(a.walls[2].outline).sweep == std::get<ArcShape>(b.walls[2].outline).sweep);
     CHECK(std::get<PolylineShape>(a.walls[3].outline).points == std::get<PolylineShape>(b.walls[3].outline).points);
+}
+
+TEST_CASE("a picture for print is written in mm, dpi and points, and is the same when it is read again") {
+    const Scene a =
+        loaded(load_scene(rich, {{"render.style=\"paper\""}, {"render.width_mm=120.5"}, {"render.dpi=250"}}));
+    const Scene b = again(a);
+    REQUIRE(b.render.paper);
+    CHECK(b.render.paper->width_mm == 120.5);
+    CHECK(b.render.paper->dpi == 250);
+    CHECK(b.render.width == 1186); // 120.5 / 25.4 * 250
+    CHECK(to_toml(b) == to_toml(a));
 }
 
 } // namespace test_to_toml

@@ -50,4 +50,19 @@ Result<scene::Marks> marks_for(std::span<const Recording> recordings, const scen
     return settled;
 }
 
+Result<scene::Render> settle_scales(std::span<const Recording> recordings, const scene::Render& settings) {
+    scene::Render settled = settings;
+    if (!settled.range) {
+        const auto colors = colors_for(recordings, settings.color);
+        if (!colors)
+            return colors.problems();
+        settled.range = *colors;
+    }
+    auto marks = marks_for(recordings, settings.marks);
+    if (!marks)
+        return marks.problems();
+    settled.marks = std::move(*marks);
+    return settled;
+}
+
 } // namespace tumble::run

@@ -1,0 +1,263 @@
+#include "render/strip_painter.h"
+
+#include "render/gl_context.h"
+#include "render/gl_objects.h"
+#include "render/mark_key.h"
+#include "render/overlay.h"
+#include "render/paper.h"
+#include "render/quantity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+#include <optional>
+
+namespace tumble::render {
+
+struct StripArrangement {
+    Layout lettering;
+    std::vector<Area> cells;
+    int height = 0; // pixels
+};
+
+namespace {
+
+// Units of 1 at 1280 x 720, as in layout.cpp.
+constexpr double strip_gap = 12;
+constexpr double strip_title = 28;
+constexpr double strip_words = 26; // under each cell
+constexpr double strip_panels = 68;
+constexpr double strip_legend = 440;
+constexpr double least_cell = 40; // pixels a side
+
+/// What is left of a picture for one of `columns` x `rows` cells, pixels.
+struct CellSize {
+    double width = 0, height = 0;
+};
+
+double lettering_unit(const scene::Render& settings) {
+    return settings.paper ? letter_unit(*settings.paper)
+                          : std::max(0.68, std::min(settings.width / 1280.0, settings.height / 720.0));
+}
+
+double above_cells(const scene::Render& settings, double unit) {
+    return settings.paper ? 0 : strip_title * unit;
+}
+
+CellSize cell_size(const scene::Render& settings, double unit, int columns, int rows) {
+    const double gap = strip_gap * unit;
+    const double outside = 2 * gap + above_cells(settings, unit) + (strip_panels + strip_gap) * unit;
+    return {std::floor((settings.width - gap * (columns + 1)) / columns),
+            std::floor((settings.height - outside) / rows - strip_words * unit)};
+}
+
+double zoom_in(const scene::Render& settings, const Eigen::AlignedBox3d& box, const CellSize& cell) {
+    if (cell.width < least_cell || cell.height < least_cell)
+        return 0;
+    const Camera camera = *make_camera(settings, box, {0, 0, cell.width, cell.height});
+    return camera.pixels_per_metre(camera.target);
+}
+
+/// Pixels of a cell's height that the box does not need.
+double spare_height(const scene::Render& settings, const Eigen::AlignedBox3d& box, const CellSize& cell) {
+    if (settings.camera == "free" && settings.eye != settings.target)
+        return 0;
+    const Camera camera = *make_camera(settings, box, {0, 0, cell.width, cell.height});
+    double top = cell.height, bottom = 0;
+    for (int k = 0; k < 8; ++k) {
+        const double y = camera.to_picture(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(k))).y();
+        top = std::min(top, y);
+        bottom = std::max(bottom, y);
+    }
+    const double least = std::max(least_cell, std::ceil(1.08 * (bottom - top)));
+    return std::max(0.0, std::floor(cell.height - least));
+}
+
+/// The number of columns that shows the box largest; of equals the smallest, whose rows are fullest.
+int best_columns(const scene::Render& settings, const Eigen::AlignedBox3d& box, int cells, double unit) {
+    int best = 1;
+    double largest = -1;
+    for (int columns = 1; columns <= cells; ++columns) {
+        const int rows = (cells + columns - 1) / columns;
+        const double zoom = zoom_in(settings, box, cell_size(settings, unit, columns, rows));
+        if (zoom > 1.001 * largest) {
+            largest = zoom;
+            best = columns;
+        }
+    }
+    return best;
+}
+
+StripArrangement arrange_strip(const scene::Render& settings, const Eigen::AlignedBox3d& box, const StripPlan& plan) {
+    const double unit = lettering_unit(settings), gap = strip_gap * unit;
+    const int columns = plan.columns > 0 ? plan.columns : best_columns(settings, box, plan.cells, unit);
+    const int rows = (plan.cells + columns - 1) / columns;
+    CellSize cell = cell_size(settings, unit, columns, rows);
+    StripArrangement all;
+    if (zoom_in(settings, box, cell) == 0)
+        return all;
+    cell.height -= spare_height(settings, box, cell);
+    Layout& layout = all.lettering;
+    layout.unit = unit;
+    layout.column = false;
+    const double w = settings.width, title = above_cells(settings, unit);
+    layout.title = {gap, gap, w - gap, gap + title};
+    double y = std::round(gap + title);
+    for (int k = 0; k < plan.cells; ++k) {
+        const double x = std::round(gap + (k % columns) * (cell.width + gap));
+        all.cells.push_back({x, y, x + cell.width, y + cell.height});
+        if (k % columns == columns - 1 || k == plan.cells - 1)
+            y = std::round(y + cell.height + strip_words * unit);
+    }
+    const double bottom = y + gap + strip_panels * unit;
+    all.height = static_cast<int>(bottom + gap);
+    layout.scale_bar = {gap, y + gap, gap + std::min(0.4 * w, 260 * unit), bottom};
+    const double left = layout.scale_bar.right + 2 * gap;
+    layout.legend = {std::max(left, w - gap - strip_legend * unit), y + gap, w - gap, bottom};
+    return all;
+}
+
+} // namespace
+
+struct StripPainter::Inside {
+    GlContext context;
+    scene::Render settings;
+    std::shared_ptr<const observe::FrameLayout> layout;
+    Theme theme;
+    ColorMap map;
+    Quantity quantity;
+    Painter painter;
+    StripArrangement arrangement;
+    std::optional<Canvas> canvas;
+    std::optional<Overlay> overlay;
+
+    std::vector<Picture> drawn;
+    std::vector<std::string> words;
+    Legend legend;
+
+    ~Inside() {
+        const GlContext::Current current(context);
+        overlay.reset();
+        canvas.reset();
+    }
+};
+
+Result<StripPainter> StripPainter::open(const scene::Render& settings,
+                                        std::shared_ptr<const observe::FrameLayout> layout,
+                                        const Eigen::AlignedBox3d& box, const StripPlan& plan) {
+    if (!settings.range)
+        return Problem{.key = "render.range",
+                       .what = "pictures in one strip need one range of colours",
+                       .fix = "give the values at the ends of the colour scale"};
+    const auto theme = theme_of(settings);
+    auto quantity = find_quantity(settings.color, layout->dimension);
+    if (!theme || !quantity)
+        return (theme ? quantity.problems() : theme.problems());
+    const auto map = map_of(settings, *quantity, *theme);
+    const auto camera = make_camera(settings, box, {0, 0, 100, 100});
+    if (!map || !camera)
+        return (map ? camera.problems() : map.problems());
+    StripArrangement arrangement = arrange_strip(settings, box, plan);
+    if (arrangement.cells.empty())
+        return Problem{.key = "render.width_px",
+                       .what = fmt::format("{} pictures in one of {} x {} pixels would be too small to see anything",
+                                           plan.cells, settings.width, settings.height),
+                       .fix = "ask for fewer of them, or for a larger picture"};
+    scene::Render of_cell = settings;
+    of_cell.width = static_cast<int>(arrangement.cells[0].width());
+    of_cell.height = static_cast<int>(arrangement.cells[0].height());
+    of_cell.plot = false;
+    auto context = GlContext::open();
+    if (!context)
+        return context.problems();
+    auto painter = Painter::open(of_cell, layout, {.lettering = false, .unit = arrangement.lettering.unit});
+    if (!painter)
+        return painter.problems();
+    painter->fit(box);
+    take_key(arrangement.lettering, painter->mark_key().rows(), !quantity->label.empty());
+    const Span span{(*settings.range)[0], (*settings.range)[1]};
+    std::shared_ptr<Inside> inside(new Inside{*context,
+                                              of_cell,
+                                              std::move(layout),
+                                              *theme,
+                                              *map,
+                                              *quantity,
+                                              std::move(*painter),
+                                              std::move(arrangement),
+                                              {},
+                                              {},
+                                              {},
+                                              {},
+                                              {quantity->label, quantity->unit, span, *map}});
+    const GlContext::Current current(inside->context);
+    auto canvas = make_canvas(settings.width, inside->arrangement.height, 1);
+    auto overlay = Overlay::open(inside->arrangement.lettering, *theme);
+    if (!canvas || !overlay)
+        return canvas ? overlay.problems() : canvas.problems();
+    inside->canvas = std::move(*canvas);
+    inside->overlay = std::move(*overlay);
+    return StripPainter(std::move(inside));
+}
+
+void StripPainter::foresee(const observe::Frame& frame) {
+    inside_->painter.foresee(frame);
+}
+
+void StripPainter::pass_over(const observe::Frame& frame) {
+    inside_->painter.pass_over(frame);
+}
+
+void StripPainter::add(const observe::Frame& frame, const std::string& words) {
+    Inside& in = *inside_;
+    in.drawn.push_back(in.painter.draw(frame));
+    in.words.push_back(words);
+    for (const double value : values_of(in.quantity, frame)) {
+        in.legend.below = in.legend.below || value < in.legend.span.lo;
+        in.legend.above = in.legend.above || value > in.legend.span.hi;
+    }
+}
+
+Result<Done> StripPainter::add(const observe::Frame& frame, const std::string& words, const scene::Box& clip) {
+    inside_->settings.clip = clip;
+    if (auto restyled = inside_->painter.restyle(inside_->settings); !restyled)
+        return restyled;
+    add(frame, words);
+    return Done{};
+}
+
+Picture StripPainter::finish() {
+    Inside& in = *inside_;
+    const Camera& camera = in.painter.camera();
+    OverlayContent content;
+    content.title = in.settings.paper ? "" : in.layout->title;
+    content.legend = in.legend;
+    content.key = in.painter.mark_key();
+    content.pixels_per_metre = camera.pixels_per_metre(camera.target);
+    content.scale_note = camera.perspective ? " at the centre" : "";
+    for (int i = 0; i < 3; ++i)
+        content.axes[static_cast<std::size_t>(i)] = {camera.axes(0, i), -camera.axes(1, i)};
+    for (std::size_t k = 0; k < in.drawn.size(); ++k) {
+        Area under = in.arrangement.cells[k];
+        under.top = under.bottom + 3 * in.arrangement.lettering.unit;
+        content.captions.push_back({under, in.words[k]});
+    }
+    const GlContext::Current current(in.context);
+    glViewport(0, 0, in.canvas->width, in.canvas->height);
+    glBindFramebuffer(GL_FRAMEBUFFER, in.canvas->resolved.name());
+    const Eigen::Vector3f back = in.theme.background.cast<float>();
+    glClearColor(back.x(), back.y(), back.z(), 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    in.overlay->draw(content, in.arrangement.lettering, in.canvas->width, in.canvas->height);
+    Picture picture = read_picture(*in.canvas);
+    for (std::size_t k = 0; k < in.drawn.size(); ++k)
+        paste(in.drawn[k], static_cast<int>(in.arrangement.cells[k].left),
+              static_cast<int>(in.arrangement.cells[k].top), picture);
+    picture.dots_per_metre = dots_per_metre(in.settings);
+    return picture;
+}
+
+const std::vector<Area>& StripPainter::cells() const {
+    return inside_->arrangement.cells;
+}
+
+} // namespace tumble::render

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "render/painter.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tumble::render {
+
+/// Cells of a strip: so many, in rows of so many; 0: as many as show the scene largest.
+struct StripPlan {
+    int cells = 1;
+    int columns = 0;
+};
+
+/// Draws several pictures of one run into one: a view, a scale and a legend for all, a few words under each.
+class StripPainter {
+public:
+    /// `box` (m) must be in each cell. The picture is as wide as the settings say, and no higher than it needs to be.
+    /// Problems: those of Painter::open, settings without a range (all cells need the same colours), cells too small to
+    /// be told apart.
+    static Result<StripPainter> open(const scene::Render& settings, std::shared_ptr<const observe::FrameLayout> layout,
+                                     const Eigen::AlignedBox3d& box, const StripPlan& plan);
+
+    /// As those of Painter, for frames in between.
+    void foresee(const observe::Frame& frame);
+    void pass_over(const observe::Frame& frame);
+
+    /// The next cell, from the left, then from the top.
+    void add(const observe::Frame& frame, const std::string& words);
+    /// The same with another clip than before.
+    Result<Done> add(const observe::Frame& frame, const std::string& words, const scene::Box& clip);
+
+    /// All cells with the lettering.
+    Picture finish();
+
+    /// Where the cells lie, pixels.
+    [[nodiscard]] const std::vector<Area>& cells() const;
+
+private:
+    struct Inside;
+    explicit StripPainter(std::shared_ptr<Inside> inside) : inside_(std::move(inside)) {}
+    std::shared_ptr<Inside> inside_;
+};
+
+} // namespace tumble::render

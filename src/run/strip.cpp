@@ -1,0 +1,225 @@
+#include "run/strip.h"
+
+#include "base/make_folder.h"
+#include "observe/frame_file.h"
+#include "render/painter.h"
+#include "render/panels.h"
+#include "render/png_writer.h"
+#include "render/ticks.h"
+#include "run/target.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+
+namespace tumble::run {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One picture of several.
+struct Part {
+    fs::path frame;
+    std::optional<scene::Box> clip; // another than the settings'
+    std::string words;              // empty: the time
+};
+
+Result<std::vector<Part>> instants(const Recording& recording, int count) {
+    const auto frames = recording.frames.size(), wanted = static_cast<std::size_t>(count);
+    if (frames < wanted)
+        return Problem{
+            .file = recording.folder.root.string(),
+            .what = fmt::format("{} pictures are asked for, and in that time there are {} frames", count, frames),
+            .fix = "ask for fewer, for a longer time, or run the scene with a shorter render.every_s"};
+    std::vector<Part> parts;
+    for (std::size_t k = 0; k < wanted; ++k) {
+        const double share = wanted > 1 ? static_cast<double>(k) / static_cast<double>(wanted - 1) : 1;
+        parts.push_back(
+            {recording.frames[static_cast<std::size_t>(std::lround(share * static_cast<double>(frames - 1)))],
+             std::nullopt,
+             {}});
+    }
+    return parts;
+}
+
+/// The world's axis that the camera looks along most, and whether it looks up it.
+std::pair<int, bool> axis_of_view(const scene::Render& settings) {
+    const Eigen::AlignedBox3d any(Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones());
+    const render::Camera camera = *render::make_camera(settings, any, {0, 0, 100, 100});
+    const Eigen::Vector3d look = -camera.axes.row(2).transpose();
+    int axis = 0;
+    look.cwiseAbs().maxCoeff(&axis);
+    return {axis, look[axis] > 0};
+}
+
+/// Of the bodies' centres; of the clip where there is one.
+Eigen::AlignedBox3d reach_of(const observe::Frame& frame, const scene::Render& settings) {
+    if (settings.clip)
+        return {settings.clip->lo, settings.clip->hi};
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& place : frame.position)
+        if (place.allFinite())
+            box.extend(place);
+    return box;
+}
+
+Result<std::vector<Part>> sections(const Recording& recording, const scene::Render& settings, int count) {
+    if (recording.layout->dimension == 2)
+        return Problem{.file = recording.folder.root.string(),
+                       .what = "a scene of two dimensions has no sections",
+                       .fix = "leave --sections away"};
+    const auto frame = observe::read_frame(recording.frames.back(), recording.layout);
+    if (!frame)
+        return frame.problems();
+    const Eigen::AlignedBox3d reach = reach_of(*frame, settings);
+    if (reach.isEmpty())
+        return Problem{.file = recording.folder.root.string(),
+                       .what = "there are no bodies to cut through at the end",
+                       .fix = "choose another time with --time"};
+    const auto [axis, upwards] = axis_of_view(settings);
+    const double lo = reach.min()[axis], hi = reach.max()[axis];
+    const render::DisplayUnit unit =
+        render::display_unit("m", {std::min(lo, 0.0), std::max(std::abs(lo), std::abs(hi))});
+    std::vector<Part> parts;
+    for (int k = 1; k <= count; ++k) {
+        const double share = static_cast<double>(k) / (count + 1);
+        const double cut = upwards ? lo + share * (hi - lo) : hi - share * (hi - lo);
+        scene::Box clip =
+            settings.clip.value_or(scene::Box{Eigen::Vector3d::Constant(-1e4), Eigen::Vector3d::Constant(1e4)});
+        (upwards ? clip.lo : clip.hi)[axis] = cut;
+        parts.push_back({recording.frames.back(), clip,
+                         fmt::format("{} {} {}{:.3g} {}", "xyz"[axis], upwards ? "from" : "up to",
+                                     cut < 0 ? "\u2212" : "", std::abs(cut) * unit.factor, unit.unit)});
+    }
+    return parts;
+}
+
+std::string words_of(const Part& part, const observe::Frame& frame, const scene::Render& settings) {
+    return part.words.empty() ? render::time_stamp(frame.time, settings.every) : part.words;
+}
+
+/// Hands every frame up to the last that is wanted to show(frame, part) where it is one of the parts, to skip(frame)
+/// where it is not and somebody wants to know it all the same.
+template <class Show, class Skip>
+Problems for_parts(const Recording& recording, const std::vector<Part>& parts, const StripOptions& options,
+                   Replayed& done, const TellFrames& tell, Show&& show, Skip&& skip) {
+    const bool trails = !options.redraw.settings.marks.trails.empty();
+    auto part = parts.begin();
+    for (const fs::path& file : recording.frames) {
+        const bool wanted = part != parts.end() && part->frame == file;
+        if (part == parts.end() || (!wanted && !trails))
+            continue;
+        const auto frame = observe::read_frame(file, recording.layout);
+        if (!frame)
+            return frame.problems();
+        if (!wanted)
+            skip(*frame);
+        for (; part != parts.end() && part->frame == file; ++part) {
+            if (stop_wanted(options.redraw.when.stop)) {
+                done.stopped = true;
+                return {};
+            }
+            if (const Problems problems = show(*frame, *part).problems(); !problems.empty())
+                return problems;
+            done.first = done.frames == 0 ? frame->time : done.first;
+            done.last = frame->time;
+            tell(++done.frames, static_cast<std::int64_t>(parts.size()));
+        }
+    }
+    return {};
+}
+
+template <class Painter> void foresee_all(const Recording& recording, const scene::Render& settings, Painter& painter) {
+    if (settings.marks.arrows == "field")
+        for (const fs::path& file : recording.frames)
+            if (const auto frame = observe::read_frame(file, recording.layout))
+                painter.foresee(*frame);
+}
+
+Result<Replayed> draw_in_one(const Recording& recording, const std::vector<Part>& parts, const scene::Render& settings,
+                             const StripOptions& options, const TellFrames& tell) {
+    auto painter = render::StripPainter::open(
+        settings, recording.layout,
+        settings.view ? Eigen::AlignedBox3d(settings.view->lo, settings.view->hi) : recording.bounds, options.plan);
+    if (!painter)
+        return painter.problems();
+    foresee_all(recording, settings, *painter);
+    Replayed done;
+    done.warnings = recording.warnings;
+    done.reason = for_parts(
+        recording, parts, options, done, tell,
+        [&](const observe::Frame& frame, const Part& part) -> Result<Done> {
+            if (part.clip)
+                return painter->add(frame, words_of(part, frame, settings), *part.clip);
+            painter->add(frame, words_of(part, frame, settings));
+            return Done{};
+        },
+        [&](const observe::Frame& frame) { painter->pass_over(frame); });
+    if (done.reason.empty() && !done.stopped) {
+        render::PngWriter writer;
+        append(done.reason, make_folder(fs::absolute(options.out).parent_path()).problems());
+        if (done.reason.empty())
+            append(done.reason, writer.add(options.out, painter->finish()).problems());
+        if (done.reason.empty())
+            append(done.reason, writer.finish().problems());
+    }
+    return done;
+}
+
+Result<Replayed> draw_apart(const Recording& recording, const std::vector<Part>& parts, const scene::Render& settings,
+                            const StripOptions& options, const TellFrames& tell) {
+    auto painter = render::Painter::open(settings, recording.layout);
+    if (!painter)
+        return painter.problems();
+    painter->fit(recording.bounds);
+    foresee_all(recording, settings, *painter);
+    if (const auto made = make_folder(options.out); !made)
+        return made.problems();
+    render::PngWriter writer;
+    Replayed done;
+    done.warnings = recording.warnings;
+    done.reason = for_parts(
+        recording, parts, options, done, tell,
+        [&](const observe::Frame& frame, const Part& part) -> Result<Done> {
+            scene::Render shown = settings;
+            if (part.clip)
+                shown.clip = part.clip;
+            if (auto restyled = painter->restyle(shown); !restyled)
+                return restyled;
+            const char* kind = part.clip ? "section" : "instant";
+            return writer.add(options.out / fmt::format("{}_{}.png", kind, done.frames + 1), painter->draw(frame));
+        },
+        [&](const observe::Frame& frame) { painter->pass_over(frame); });
+    if (const Problems problems = writer.finish().problems(); done.reason.empty())
+        done.reason = problems;
+    return done;
+}
+
+} // namespace
+
+Result<Replayed> draw_strip(const fs::path& run, const StripOptions& options, const TellFrames& tell) {
+    Result<Recording> recording = open_recording(run, options.redraw.when);
+    if (!recording)
+        return recording.problems();
+    recording->layout = restyled_layout(*recording->layout, options.redraw);
+    const auto settings = settle_scales({&*recording, 1}, options.redraw.settings);
+    if (!settings)
+        return settings.problems();
+    const auto parts = options.sections ? sections(*recording, *settings, options.plan.cells)
+                                        : instants(*recording, options.plan.cells);
+    if (!parts)
+        return parts.problems();
+    const bool in_one = options.out.extension() == ".png";
+    Target target(options.out);
+    if (const auto problem = target.claim(options.redraw.overwrite, ".png"))
+        return *problem;
+    auto done = in_one ? draw_in_one(*recording, *parts, *settings, options, tell)
+                       : draw_apart(*recording, *parts, *settings, options, tell);
+    if (done && done->reason.empty() && !done->stopped)
+        target.keep();
+    return done;
+}
+
+} // namespace tumble::run

@@ -1,0 +1,75 @@
+#include "../folder.h"
+#include "about.h"
+#include "run/run_scene.h"
+#include "run/strip.h"
+#include "scenes.h"
+
+#include <doctest/doctest.h>
+
+namespace test_strip_files {
+
+using namespace tumble;
+using namespace tumble::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+void silent(std::int64_t, std::int64_t) {}
+
+run::StripOptions options_for(const fs::path& out, int cells) {
+    run::StripOptions options;
+    options.redraw.settings = loaded(falling_ball).render;
+    options.redraw.settings.width = 640;
+    options.redraw.settings.height = 480;
+    options.plan.cells = cells;
+    options.out = out;
+    return options;
+}
+
+fs::path finished_run(const Folder& folder) {
+    run::RunOptions options;
+    options.folder = folder.path / "ball";
+    run::RunListener quiet;
+    REQUIRE(run::run_scene(loaded(falling_ball), options, quiet).ok());
+    return options.folder;
+}
+
+} // namespace
+
+TEST_CASE("a strip takes the first, the last and frames evenly between, into one picture or one each") {
+    const Folder folder;
+    const fs::path run = finished_run(folder); // frames at 0, 5, 10, 15 and 20 ms
+    const auto one = run::draw_strip(run, options_for(folder.path / "new" / "strip.png", 3), silent);
+    REQUIRE_MESSAGE(one.ok(), to_string(one.problems()));
+    CHECK(one->reason.empty());
+    CHECK(one->frames == 3);
+    CHECK(one->first == 0);
+    CHECK(one->last == about(0.02));
+    CHECK(fs::file_size(folder.path / "new" / "strip.png") > 1000);
+    const auto again = run::draw_strip(run, options_for(folder.path / "new" / "strip.png", 3), silent);
+    REQUIRE(!again.ok());
+    CHECK(again.problems()[0].what == "is there already, and nothing is overwritten");
+    const auto apart = run::draw_strip(run, options_for(folder.path / "apart", 5), silent);
+    REQUIRE_MESSAGE(apart.ok(), to_string(apart.problems()));
+    CHECK(count_files(folder.path / "apart", ".png") == 5);
+    const auto many = run::draw_strip(run, options_for(folder.path / "many.png", 6), silent);
+    REQUIRE(!many.ok());
+    CHECK(many.problems()[0].what == "6 pictures are asked for, and in that time there are 5 frames");
+    CHECK(!fs::exists(folder.path / "many.png"));
+}
+
+TEST_CASE("sections are taken of the last frame, each in a picture of its own where a folder is given") {
+    const Folder folder;
+    const fs::path run = finished_run(folder);
+    run::StripOptions options = options_for(folder.path / "sections", 2);
+    options.sections = true;
+    options.redraw.settings.clip = scene::Box{{-0.1, 0, -0.1}, {0.1, 1, 0.1}};
+    const auto done = run::draw_strip(run, options, silent);
+    REQUIRE_MESSAGE(done.ok(), to_string(done.problems()));
+    CHECK(done->first == done->last);
+    CHECK(done->last == about(0.02));
+    CHECK(fs::exists(folder.path / "sections" / "section_1.png"));
+    CHECK(fs::exists(folder.path / "sections" / "section_2.png"));
+}
+
+} // namespace test_strip_files

@@ -1,7 +1,7 @@
 #include "sim2d/step.h"
 #include "solver/asked_again.h"
 
-#include <algorithm>
+#include <vector>
 
 /// The kernels keep what contacts do together in sums. Who wants to know it singly, and that is once a frame, asks the
 /// law again: with the last step's geometry and velocities, and springs that no time passes for, it answers the same.
@@ -16,33 +16,45 @@ Vector3d in_space(const Vector2d& v) {
     return {v.x(), v.y(), 0};
 }
 
-/// As the last step found it: what leapfrog did is taken back.
-Row row_before(const World& world, int at) {
-    Row row = world.row(at);
-    const int slot = world.slot_of(at);
-    const Load& load = world.loads[static_cast<std::size_t>(slot)];
-    const double turn = world.dt / world.shape_at(slot).inertia * load.torque;
-    const Vector2d arm(row.x - world.row(slot).x, row.y - world.row(slot).y);
+/// What integrate.cpp kicked, before.
+double velocity_before(const World& world, double after, double acceleration, double kick) {
+    const double half = 0.5 * world.scene.contact.global_damping * world.dt;
+    return (after * (1 + half) - acceleration * world.dt * kick) / (1 - half * (2 * kick - 1));
+}
+
+/// A body as the last step found it: what leapfrog did is taken back.
+Row body_before(const World& world, int slot) {
+    Row row = world.row(slot);
+    const auto at = static_cast<std::size_t>(slot);
+    const Load& load = world.loads[at];
+    row.kick = world.newcomers.kick_before(world.id[at], world.step);
     row.x -= world.dt * row.vx;
     row.y -= world.dt * row.vy;
-    row.vx -= world.dt / row.mass * load.fx - turn * arm.y();
-    row.vy -= world.dt / row.mass * load.fy + turn * arm.x();
-    row.spin -= turn;
+    row.vx = velocity_before(world, row.vx, load.fx / row.mass, row.kick);
+    row.vy = velocity_before(world, row.vy, load.fy / row.mass, row.kick);
+    row.spin = velocity_before(world, row.spin, load.torque / world.shape_at(slot).inertia, row.kick);
     return row;
 }
 
-/// For solver::nudged, of contacts of that row.
-double slack_of(const World& world, int row) {
-    return row < world.bodies() ? solver::single_slack : solver::clump_slack;
+Row row_before(const World& world, int at) {
+    const int slot = world.slot_of(at);
+    const auto body = static_cast<std::size_t>(slot);
+    const Row before = body_before(world, slot);
+    if (at == slot)
+        return before;
+    const ShapeConstants& shape = world.shape_at(slot);
+    std::vector<Row> discs(static_cast<std::size_t>(shape.exposed_count));
+    place_discs(shape, before, world.angle[body] - world.dt * world.row(slot).spin, discs.data());
+    return discs[static_cast<std::size_t>(at - world.first_disc[body])];
 }
 
-Memory nudged(Memory memory, double slack) {
-    memory.kept = solver::nudged(memory.kept, slack);
+Memory nudged(Memory memory) {
+    memory.kept = solver::nudged(memory.kept);
     return memory;
 }
 
-FurtherMemory nudged(FurtherMemory further, double slack) {
-    further.rolling = solver::nudged(further.rolling, slack);
+FurtherMemory nudged(FurtherMemory further) {
+    further.rolling = solver::nudged(further.rolling);
     return further;
 }
 
@@ -78,10 +90,9 @@ void add_discs(const World& world, const Chunk& chunk, std::size_t kind, std::ve
         const auto at = static_cast<std::size_t>(near.contacts[static_cast<std::size_t>(k)]);
         rows.push_back(row_before(world, near.pairs[at].a));
         rows.push_back(row_before(world, near.pairs[at].b));
-        const double slack = std::max(slack_of(world, near.pairs[at].a), slack_of(world, near.pairs[at].b));
-        memory.push_back(nudged(near.memory[at], slack));
+        memory.push_back(nudged(near.memory[at]));
         if (!world.pairs[kind].plain())
-            further.push_back(nudged(near.further[at], slack));
+            further.push_back(nudged(near.further[at]));
         pairs.push_back({2 * k, 2 * k + 1, near.pairs[at].image, near.pairs[at].listed});
         which.push_back(k);
     }
@@ -110,14 +121,13 @@ void add_walls(const World& world, const Chunk& chunk, std::size_t kind, std::ve
     std::vector<FurtherMemory> further;
     for (std::size_t k = 0; k < contacts.size(); ++k) {
         WallContact& contact = contacts[k];
-        const double slack = slack_of(world, contact.row);
         if (!world.pairs[kind].plain()) {
             further.resize((k + 1) * max_wall_touches);
-            further[k * max_wall_touches] = nudged(
-                chunk.wall_further[static_cast<std::size_t>(contact.near * max_wall_touches + contact.touch)], slack);
+            further[k * max_wall_touches] =
+                nudged(chunk.wall_further[static_cast<std::size_t>(contact.near * max_wall_touches + contact.touch)]);
         }
         rows.push_back(row_before(world, contact.row));
-        contact.memory = nudged(contact.memory, slack);
+        contact.memory = nudged(contact.memory);
         contact.row = contact.near = static_cast<int>(k);
         contact.touch = 0;
     }
@@ -145,6 +155,7 @@ std::vector<ContactPush> contacts_of(const World& world) {
             add_discs(world, chunk, kind, pushes);
             add_walls(world, chunk, kind, pushes);
         }
+    solver::drop_idle(pushes);
     return pushes;
 }
 

@@ -110,16 +110,17 @@ template <class Archive, As<solver::Ledger> L> void carry_ledger(Archive& archiv
 
 template <class Archive, As<World> W> void carry(Archive& archive, W& world) {
     auto& [scene, dt, step, shapes, plain_shapes, drag, shape_constants, pairs, materials, remembers_more, walls, fills,
-           next_fill_step, id, shape, angle, first_disc, rows, loads, body_of, chunk_of, travel, first_tag, tags,
-           chunks, images, flow, reach, skin, wall_skin, near_skin, rush, last_rush, smallest_radius, largest_radius,
-           stale, kept, cells, centres, periods, rebuilds, ledger, books, kernels, stop, crew, seconds] = world;
+           next_fill_step, newcomers, id, shape, angle, first_disc, rows, loads, body_of, chunk_of, travel, first_tag,
+           tags, chunks, images, flow, reach, skin, wall_skin, near_skin, rush, last_rush, smallest_radius,
+           largest_radius, stale, kept, cells, centres, periods, rebuilds, ledger, books, kernels, stop, crew,
+           seconds] = world;
     archive(step, Standing{walls}, Standing{fills}, next_fill_step, id, shape, angle, first_disc, rows, loads, body_of,
             chunk_of, travel, chunks, flow, rush, stale, kept, rebuilds);
     carry_ledger(archive, ledger);
     archive(books);
     // Of the scene: scene, dt, shapes, plain_shapes, drag, shape_constants, pairs, materials, remembers_more, images,
-    // reach and the skins, the radii. Follow from id and shape: first_tag and tags. Each step's own: last_rush. Room
-    // for rebuilds: cells, centres, periods. Of this process: kernels, stop, crew, seconds.
+    // reach and the skins, the radii. Follow from id and shape: first_tag and tags. Each step's own: last_rush,
+    // newcomers. Room for rebuilds: cells, centres, periods. Of this process: kernels, stop, crew, seconds.
 }
 
 } // namespace tumble::sim2d

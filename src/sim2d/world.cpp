@@ -39,6 +39,7 @@ std::optional<Problem> insert(World& world, const std::vector<BodyState>& bodies
     world.stale = true;
     world.rows.resize(world.id.size());
     world.loads.resize(world.id.size());
+    world.newcomers.add(static_cast<std::int64_t>(world.id.size()), world.step);
     for (const BodyState& state : bodies) {
         const ShapeConstants& shape = world.shape_constants[static_cast<std::size_t>(state.shape)];
         world.id.push_back(static_cast<std::int64_t>(world.id.size()));

@@ -12,6 +12,7 @@
 #include "sim2d/kept_memory.h"
 #include "sim2d/kernels.h"
 #include "sim2d/solver.h"
+#include "solver/asked_again.h"
 #include "solver/books.h"
 #include "solver/chunks.h"
 #include "solver/fill_state.h"
@@ -118,6 +119,7 @@ struct World {
     std::vector<WallState> walls;
     std::vector<FillState> fills;
     std::int64_t next_fill_step = 0;
+    solver::Newcomers newcomers;
 
     // Per slot.
     std::vector<std::int64_t> id;

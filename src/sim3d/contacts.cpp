@@ -1,6 +1,8 @@
 #include "sim3d/step.h"
 #include "solver/asked_again.h"
 
+#include <Eigen/Geometry>
+
 /// The kernels keep what contacts do together in sums. Who wants to know it singly, and that is once a frame, asks the
 /// law again: with the last step's geometry and velocities, and springs that no time passes for, it answers the same.
 namespace tumble::sim3d {
@@ -10,45 +12,77 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+Matrix3d rotation_by(const Vector3d& way) {
+    const double angle = way.norm();
+    return angle > 0 ? Eigen::AngleAxisd(angle, way / angle).toRotationMatrix() : Matrix3d::Identity();
+}
+
+/// rad/s, of a body with that angular momentum in that orientation.
+Vector3d spin_of(const Matrix3d& rotation, const ShapeConstants& shape, const Vector3d& momentum) {
+    return rotation * (rotation.transpose() * momentum).cwiseQuotient(Vector3d(shape.inertia));
+}
+
+/// rad/s, of a clump, with the share of a kick that the step gave. Its spin is that of its momentum midway through the
+/// step before, which began where this very spin leads from: sought by trying again, and each try is closer by the
+/// angle of a step.
+Vector3d clump_spin_before(const World& world, std::size_t at, const ShapeConstants& shape, double share) {
+    const BodyTurn& turn = world.turn[at];
+    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> after(turn.rotation);
+    const Matrix3d standing = rotation_by(-world.dt * Vector3d(world.motion[at].spin)) * after;
+    const Vector3d momentum = Vector3d(turn.momentum) - world.dt * share * Vector3d(world.load[at].torque);
+    Vector3d spin = spin_of(standing, shape, momentum);
+    if (share < 1)
+        return spin; // as it was inserted
+    constexpr int most_tries = 20;
+    for (int k = 0; k < most_tries; ++k) {
+        const Matrix3d start = rotation_by(-world.dt * spin) * standing;
+        const Matrix3d midway = rotation_by(0.5 * world.dt * spin_of(start, shape, momentum)) * start;
+        const Vector3d better = spin_of(midway, shape, momentum);
+        const double change = (better - spin).norm();
+        spin = better;
+        if (!(change > 1e-15 * spin.norm()))
+            break;
+    }
+    return spin;
+}
+
 /// As the last step found it: what leapfrog did is taken back.
 BodyMotion motion_before(const World& world, int slot) {
     const auto at = static_cast<std::size_t>(slot);
     BodyMotion motion = world.motion[at];
     const ShapeConstants& shape = world.shape_at(slot);
-    Vector3d kick(world.load[at].torque);
-    if (shape.single) {
-        kick /= shape.inertia[0];
-    } else {
-        const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> turn(world.turn[at].rotation);
-        kick = turn * (turn.transpose() * kick).cwiseQuotient(Vector3d(shape.inertia));
-    }
+    const double share = world.newcomers.kick_before(world.id[at], world.step);
+    const double kicked = world.dt * share; // s
+    const Vector3d spin =
+        shape.single ? Vector3d(Vector3d(motion.spin) - kicked / shape.inertia[0] * Vector3d(world.load[at].torque))
+                     : clump_spin_before(world, at, shape, share);
     for (int axis = 0; axis < 3; ++axis) {
         motion.position[axis] -= world.dt * motion.velocity[axis];
-        motion.velocity[axis] -= world.dt / motion.mass * world.load[at].force[axis];
-        motion.spin[axis] -= world.dt * kick[axis];
+        motion.velocity[axis] -= kicked / motion.mass * world.load[at].force[axis];
+        motion.spin[axis] = spin[axis];
     }
+    motion.kick = share;
     return motion;
 }
 
 /// Contacts of one pair of materials, each with two bodies of its own, so that what it does can be read off their
 /// loads.
 struct Apart {
-    double slack; // solver::nudged
-    Lines<BodyMotion> motion{};
-    std::vector<MemoryLanes> memory{};
-    std::vector<FurtherLanes> further{};
+    Lines<BodyMotion> motion;
+    std::vector<MemoryLanes> memory;
+    std::vector<FurtherLanes> further;
 
     void add(const World& world, int a, int b, const MemoryLanes& remembered, const FurtherLanes* more) {
         motion.push_back(motion_before(world, a));
         motion.push_back(motion_before(world, b));
         MemoryLanes& kept = memory.emplace_back(remembered);
         for (double& stretch : kept.spring)
-            stretch = solver::nudged(stretch, slack);
+            stretch = solver::nudged(stretch);
         if (!more)
             return;
         FurtherLanes& turned = further.emplace_back(*more);
         for (double& stretch : turned.rolling)
-            stretch = solver::nudged(stretch, slack);
+            stretch = solver::nudged(stretch);
     }
 
     /// Lets push(context) push them all; N on the first body of each.
@@ -84,7 +118,7 @@ ContactPush between(const World& world, int a, int b, const Vector3d& centre, co
 void add_spheres(const World& world, const Chunk& chunk, std::size_t kind, std::vector<ContactPush>& pushes) {
     const NearSpheres& near = chunk.near_spheres[kind];
     const bool plain = world.pairs[kind].plain();
-    Apart apart{.slack = solver::single_slack};
+    Apart apart;
     std::vector<NearPair> pairs;
     std::vector<int> which;
     for (int k = 0; k < near.contact_count; ++k) {
@@ -108,7 +142,7 @@ void add_spheres(const World& world, const Chunk& chunk, std::size_t kind, std::
 
 void add_clumps(const World& world, const Chunk& chunk, std::size_t kind, std::vector<ContactPush>& pushes) {
     const bool plain = world.pairs[kind].plain();
-    Apart apart{.slack = solver::clump_slack};
+    Apart apart;
     std::vector<BodyContact> contacts = chunk.body_contacts[kind];
     for (std::size_t k = 0; k < contacts.size(); ++k) {
         BodyContact& contact = contacts[k];
@@ -163,7 +197,7 @@ std::vector<ContactPush> contacts_of(const World& world) {
         }
         add_walls(world, chunk, pushes);
     }
-    std::erase_if(pushes, [](const ContactPush& push) { return push.force.isZero(0); }); // gaps that no neck holds over
+    solver::drop_idle(pushes);
     return pushes;
 }
 

@@ -135,8 +135,8 @@ template <class Archive, As<solver::Ledger> L> void carry_ledger(Archive& archiv
 
 template <class Archive, As<World> W> void carry(Archive& archive, W& world) {
     auto& [scene, dt, step, shapes, plain_shapes, drag, pairs, materials, remembers_more, has_clumps, neck_reach,
-           longest_neck, walls, fills, next_fill_step, id, shape, motion, load, orientation, turn, travel, slot_of,
-           shape_constants, chunks, chunk_of, images, flow, reach, skin, wall_skin, near_skin, rush, last_rush,
+           longest_neck, walls, fills, next_fill_step, newcomers, id, shape, motion, load, orientation, turn, travel,
+           slot_of, shape_constants, chunks, chunk_of, images, flow, reach, skin, wall_skin, near_skin, rush, last_rush,
            sphere_skin, smallest_radius, stale, kept, cells, wraps, bounds, rebuilds, ledger, books, kernels, stop,
            crew, seconds] = world;
     archive(step, Standing{walls}, Standing{fills}, next_fill_step, id, shape, motion, load, orientation, turn, travel,
@@ -145,8 +145,8 @@ template <class Archive, As<World> W> void carry(Archive& archive, W& world) {
     archive(books);
     // Of the scene: scene, dt, shapes, plain_shapes, drag, pairs, materials, remembers_more, has_clumps, neck_reach,
     // longest_neck, shape_constants, images, reach and the skins, smallest_radius. Follows from id: slot_of. Each
-    // step's own: last_rush. Room for rebuilds: kept, cells, wraps, bounds. Of this process: kernels, stop, crew,
-    // seconds.
+    // step's own: last_rush, newcomers. Room for rebuilds: kept, cells, wraps, bounds. Of this process: kernels, stop,
+    // crew, seconds.
 }
 
 } // namespace tumble::sim3d

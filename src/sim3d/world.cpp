@@ -66,6 +66,7 @@ std::optional<Problem> insert(World& world, const std::vector<BodyState>& bodies
     for (std::size_t k = 0; k < bodies.size(); ++k)
         if (auto problem = refusal_of(world, bodies[k], k))
             return problem;
+    world.newcomers.add(static_cast<std::int64_t>(world.id.size()), world.step);
     for (const BodyState& state : bodies) {
         const ShapeConstants& shape = world.shape_constants[static_cast<std::size_t>(state.shape)];
         const BodyTurn turn = turn_of(shape, state);

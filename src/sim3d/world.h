@@ -11,6 +11,7 @@
 #include "sim3d/kernels.h"
 #include "sim3d/solver.h"
 #include "sim3d/wall_surface.h"
+#include "solver/asked_again.h"
 #include "solver/books.h"
 #include "solver/chunks.h"
 #include "solver/fill_state.h"
@@ -171,6 +172,7 @@ struct World {
     std::vector<WallState> walls;
     std::vector<FillState> fills;
     std::int64_t next_fill_step = 0;
+    solver::Newcomers newcomers;
 
     // Per slot.
     std::vector<std::int64_t> id;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <vector>
 
 namespace tumble::solver {
 
@@ -15,8 +16,9 @@ struct ContactPush {
     Eigen::Vector3d force = Eigen::Vector3d::Zero();  // N, on a
 };
 
-// What slid stands at friction's limit, give or take a rounding; this much over it it slides again when it is asked
-// once more.
-constexpr double just_beyond = 1 + 1e-9;
+/// Gaps that no neck holds over, and overlaps that neither press nor pull.
+inline void drop_idle(std::vector<ContactPush>& pushes) {
+    std::erase_if(pushes, [](const ContactPush& push) { return push.force.isZero(0); });
+}
 
 } // namespace tumble::solver

@@ -6,10 +6,9 @@
 namespace tumble::render {
 
 constexpr double percentile = 0.98;
-constexpr int patience = 25;      // frames
-constexpr double smallest = 1e-9; // anything slower is numerical noise of a bulk at rest
+constexpr int patience = 25; // frames
 
-static double robust_reach(std::vector<double>& values) {
+static double robust_reach(std::vector<double>& values, double least) {
     std::erase_if(values, [](double v) { return !std::isfinite(v); });
     if (values.empty()) {
         return 0;
@@ -18,7 +17,7 @@ static double robust_reach(std::vector<double>& values) {
     const auto rank = static_cast<std::ptrdiff_t>(percentile * static_cast<double>(values.size() - 1) + 0.5);
     std::nth_element(values.begin(), values.begin() + rank, values.end());
     const double reach = values[static_cast<std::size_t>(rank)];
-    return reach > smallest ? round_up(reach) : 0;
+    return reach > least ? round_up(reach) : 0;
 }
 
 static Span span_of(double reach, bool has_sign) {
@@ -26,17 +25,20 @@ static Span span_of(double reach, bool has_sign) {
     return has_sign ? Span{-end, end} : Span{0, end};
 }
 
-Span ColorRange::next(std::vector<double> values) {
+Span ColorRange::next(std::vector<double> values, std::optional<double> time) {
     if (fixed_) {
         return *fixed_;
     }
-    const double wanted = robust_reach(values);
+    const bool seen_again = time && time == time_;
+    time_ = time;
+    const double wanted = robust_reach(values, least_);
     if (wanted > reach_) {
         reach_ = wanted;
     }
     if (3 * wanted < reach_) {
         wanted_since_ = std::max(quiet_frames_ == 0 ? 0.0 : wanted_since_, wanted);
-        if (++quiet_frames_ >= patience) {
+        quiet_frames_ += seen_again ? 0 : 1;
+        if (quiet_frames_ >= patience) {
             reach_ = wanted_since_;
             quiet_frames_ = 0;
         }
@@ -47,7 +49,7 @@ Span ColorRange::next(std::vector<double> values) {
 }
 
 void WidestRange::take_in(std::vector<double> values) {
-    reach_ = std::max(reach_, robust_reach(values));
+    reach_ = std::max(reach_, robust_reach(values, least_));
 }
 
 Span WidestRange::span(bool has_sign) const {

@@ -67,7 +67,7 @@ void draw_key(Pen& pen, const Area& area, const MarkKey& key, const Theme& theme
         const double half = 0.5 * key.chain->thickness;
         const double right = area.left + key_sample * u;
         pen.triangle({area.left, y}, {right, y - half}, {right, y + half}, theme.chain);
-        next("0 to " + amount(key.chain->force, "N"));
+        next("0 to " + amount(key.chain->force, "N") + (key.chain->beyond ? " and up" : ""));
     }
     for (const MarkKey::Trail& trail : key.trails) {
         if (y > area.bottom) {

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace tumble::render {
 
@@ -16,7 +17,11 @@ using Eigen::Vector3d;
 // Units of pixels.
 constexpr double trail_thickness = 2.4;
 constexpr double trail_dot = 4.5;
-// Lines of the weakest contacts would only be a haze: those below this share of the thickest are left out.
+// A trail of more steps is thinned out; a plot, too, has no more points.
+constexpr std::size_t most_steps = 4000;
+// A step of so many usual ones is a jump of whoever looks, not the way of a body.
+constexpr double leap = 8;
+// Lines of the weakest contacts would only be a haze: those below this share of the legend's force are left out.
 constexpr double weakest_chain = 0.01;
 // What a single body did that flew by is no mean: cells with less than this share of what cells hold are left out.
 constexpr double emptiest_cell = 0.1;
@@ -34,6 +39,24 @@ static bool same_view(const Camera& a, const Camera& b) {
            a.perspective == b.perspective;
 }
 
+bool MarkMaker::View::shows_as(const MarkView& view) const {
+    const auto same_box = [](const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b) {
+        return a.min() == b.min() && a.max() == b.max();
+    };
+    return same_view(camera, view.camera) && clip.has_value() == view.clip.has_value() &&
+           (!clip || same_box(*clip, *view.clip));
+}
+
+std::vector<double> pressing_forces(const std::vector<observe::FrameContact>& contacts) {
+    std::vector<double> forces;
+    for (const observe::FrameContact& contact : contacts) {
+        if (contact.pressing() > 0) {
+            forces.push_back(contact.pressing());
+        }
+    }
+    return forces;
+}
+
 /// Where a point of the world (m) is seen; nothing for what is not a number or behind the eye.
 static std::optional<Vector2d> seen_at(const MarkView& view, const Vector3d& point) {
     if (!point.allFinite() || (view.camera.perspective && view.camera.to_view(point).z() >= 0)) {
@@ -46,9 +69,20 @@ static bool inside(const Area& area, const Vector2d& p) {
     return p.x() >= area.left && p.x() < area.right && p.y() >= area.top && p.y() < area.bottom;
 }
 
+/// Whether a line of that thickness (pixels) could be seen.
+static bool reaches(const Area& area, const Vector2d& a, const Vector2d& b, double thickness) {
+    const Vector2d lo = a.cwiseMin(b).array() - thickness;
+    const Vector2d hi = a.cwiseMax(b).array() + thickness;
+    return hi.x() >= area.left && lo.x() < area.right && hi.y() >= area.top && lo.y() < area.bottom;
+}
+
+static bool within_clip(const MarkView& view, const Vector3d& position) {
+    return !view.clip || view.clip->contains(position);
+}
+
 /// Of the bodies that have marks: the place in the picture.
 static std::optional<Vector2d> marked_at(const MarkView& view, const Vector3d& position) {
-    if (view.clip && !view.clip->contains(position)) {
+    if (!within_clip(view, position)) {
         return std::nullopt;
     }
     const auto place = seen_at(view, position);
@@ -92,11 +126,11 @@ void MarkMaker::foresee(const observe::Frame& frame, const MarkView& view) {
     }
 }
 
-/// The mean of what was gathered before, with another camera or of a later time, means nothing now.
+/// The mean of what was gathered before, with another camera or clip or of a later time, means nothing now.
 void MarkMaker::add_to_field(const observe::Frame& frame, const MarkView& view) {
-    if (!seen_ || !same_view(*seen_, view.camera)) {
+    if (!seen_ || !seen_->shows_as(view)) {
         field_.clear();
-        seen_ = view.camera;
+        seen_.emplace(View{view.camera, view.clip});
     } else if (frame.time < gathered_) {
         field_.clear();
     } else if (frame.time == gathered_ && !field_.empty()) {
@@ -141,22 +175,20 @@ void MarkMaker::take_in(const observe::Frame& frame, const MarkView& view) {
         for (const Vector3d& velocity : frame.velocity) {
             speeds.push_back(velocity.norm());
         }
-        speed_ = wanted_.arrow_speed.value_or(speeds_.next(speeds).hi);
+        speed_ = wanted_.arrow_speed.value_or(speeds_.next(speeds, frame.time).hi);
     }
     if (wanted_.arrows == "field") {
-        const bool kept = foreseen_ && seen_ && same_view(*seen_, view.camera);
+        const bool kept = foreseen_ && seen_ && seen_->shows_as(view);
         if (!kept) {
             foreseen_ = false;
             add_to_field(frame, view);
         }
-        speed_ = wanted_.arrow_speed.value_or(speeds_.next(mean_speeds()).hi);
+        speed_ = wanted_.arrow_speed.value_or(speeds_.next(mean_speeds(), frame.time).hi);
     }
     if (wanted_.chains && frame.contacts) {
-        std::vector<double> forces;
-        for (const observe::FrameContact& contact : *frame.contacts) {
-            forces.push_back(contact.pressing());
-        }
-        force_ = wanted_.chain_force.value_or(forces_.next(forces).hi);
+        const std::vector<double> forces = pressing_forces(*frame.contacts);
+        force_ = wanted_.chain_force.value_or(forces_.next(forces, frame.time).hi);
+        beyond_ = std::any_of(forces.begin(), forces.end(), [&](double force) { return force > force_; });
     }
     follow(frame);
 }
@@ -173,12 +205,65 @@ static std::optional<std::size_t> body_of(const observe::Frame& frame, const std
     return std::nullopt;
 }
 
+/// Whether the way to a frame of that time is that of somebody who moves about in time. What seemed to be a leap and
+/// comes again is the new pace.
+bool MarkMaker::leaps_to(double time) {
+    const double way = time - std::exchange(followed_, time).value_or(time);
+    if (!(way > 0)) {
+        return false; // back or the same frame again: what lies after it goes
+    }
+    const bool far = usual_ > 0 && way > leap * usual_;
+    if (!far || leapt_) {
+        usual_ = usual_ > 0 && !far ? usual_ + 0.1 * (way - usual_) : way;
+    }
+    leapt_ = far;
+    return far;
+}
+
+/// m, of a step from the straight line between its neighbours.
+static double distance_from_line(const Vector3d& place, const Vector3d& from, const Vector3d& to) {
+    const Vector3d way = to - from;
+    const double length = way.squaredNorm();
+    const double along = length > 0 ? std::clamp((place - from).dot(way) / length, 0.0, 1.0) : 0;
+    return (place - from - along * way).norm();
+}
+
+/// Takes out a few of the steps, of no two neighbours both: those that lie closest to the straight line past them.
+/// False where there are none.
+template <class Step> static bool thin_out(std::vector<Step>& trail) {
+    constexpr std::size_t share =
+        16; // fewer at once keep the shape better: those that are left get new lines to lie on
+    std::vector<std::pair<double, std::size_t>> offset;
+    for (std::size_t k = 1; k + 1 < trail.size(); k += 2) {
+        if (!trail[k].leapt && !trail[k + 1].leapt) {
+            offset.emplace_back(distance_from_line(trail[k].place, trail[k - 1].place, trail[k + 1].place), k);
+        }
+    }
+    const auto kept = offset.begin() + static_cast<std::ptrdiff_t>((offset.size() + share - 1) / share);
+    if (kept != offset.end()) {
+        std::nth_element(offset.begin(), kept, offset.end());
+    }
+    std::vector<bool> goes(trail.size());
+    for (auto one = offset.begin(); one != kept; ++one) {
+        goes[one->second] = true;
+    }
+    std::size_t k = 0;
+    return std::erase_if(trail, [&](const Step&) { return goes[k++]; }) > 0;
+}
+
 void MarkMaker::follow(const observe::Frame& frame) {
     trails_.resize(wanted_.trails.size());
+    const bool leapt = leaps_to(frame.time);
     for (std::size_t t = 0; t < trails_.size(); ++t) {
-        std::erase_if(trails_[t], [&](const Step& step) { return step.time >= frame.time; });
+        Trail& trail = trails_[t];
+        while (!trail.empty() && trail.back().time >= frame.time) {
+            trail.pop_back();
+        }
         if (const auto body = body_of(frame, wanted_.trails[t]); body && frame.position[*body].allFinite()) {
-            trails_[t].push_back({frame.time, frame.position[*body]});
+            trail.push_back({frame.time, frame.position[*body], leapt});
+        }
+        for (bool full = trail.size() > most_steps; full && trail.size() > most_steps / 4 * 3;) {
+            full = thin_out(trail);
         }
     }
 }
@@ -262,9 +347,22 @@ void add_piece(std::vector<ChainPiece>& pieces, const MarkView& view, const Vect
                double thickness) {
     const auto a = seen_at(view, from);
     const auto b = seen_at(view, to);
-    if (a && b) {
+    if (a && b && reaches(view.window, *a, *b, thickness)) {
         pieces.push_back({*a, *b, thickness});
     }
+}
+
+/// Ids with the bodies' indices; most frames have them in order.
+std::vector<std::pair<std::int64_t, std::size_t>> sorted_ids(const observe::Frame& frame) {
+    std::vector<std::pair<std::int64_t, std::size_t>> ids;
+    ids.reserve(frame.bodies());
+    for (std::size_t b = 0; b < frame.bodies(); ++b) {
+        ids.emplace_back(frame.id[b], b);
+    }
+    if (!std::is_sorted(ids.begin(), ids.end())) {
+        std::sort(ids.begin(), ids.end());
+    }
+    return ids;
 }
 
 } // namespace
@@ -275,13 +373,11 @@ void MarkMaker::add_chains(const observe::Frame& frame, const MarkView& view, st
     if (!frame.contacts) {
         return;
     }
-    std::map<std::int64_t, std::size_t> index;
-    for (std::size_t b = 0; b < frame.bodies(); ++b) {
-        index[frame.id[b]] = b;
-    }
+    const std::vector<std::pair<std::int64_t, std::size_t>> index = sorted_ids(frame);
     const auto place_of = [&](std::int64_t id) -> const Vector3d* {
-        const auto found = index.find(id);
-        const bool shown = found != index.end() && (!view.clip || view.clip->contains(frame.position[found->second]));
+        const auto found = std::lower_bound(index.begin(), index.end(), std::pair{id, std::size_t{0}});
+        const bool shown =
+            found != index.end() && found->first == id && within_clip(view, frame.position[found->second]);
         return shown ? &frame.position[found->second] : nullptr;
     };
     std::vector<ChainPiece> pieces;
@@ -306,23 +402,47 @@ void MarkMaker::add_chains(const observe::Frame& frame, const MarkView& view, st
     }
 }
 
+/// What of a trail is to be seen, in pixels; steps that stay within one pixel of where the line stands are passed over.
+template <class Step>
+static std::vector<std::pair<Vector2d, Vector2d>> lines_of(const observe::FrameLayout& layout, const MarkView& view,
+                                                           const std::vector<Step>& steps) {
+    const auto shown_at = [&](std::size_t k) {
+        return within_clip(view, steps[k].place) ? seen_at(view, steps[k].place) : std::nullopt;
+    };
+    // A step through a periodic side is no way across the picture.
+    const auto goes_on = [&](std::size_t k) {
+        return k < steps.size() && !steps[k].leapt &&
+               periods_between(layout, steps[k].place - steps[k - 1].place).isZero() && shown_at(k);
+    };
+    std::vector<std::pair<Vector2d, Vector2d>> lines;
+    std::optional<Vector2d> stands = steps.empty() ? std::nullopt : shown_at(0);
+    for (std::size_t k = 1; k < steps.size(); ++k) {
+        const auto to = shown_at(k);
+        if (!stands || !goes_on(k)) {
+            stands = to;
+        } else if ((*to - *stands).norm() >= 1 || !goes_on(k + 1)) {
+            if (reaches(view.window, *stands, *to, trail_thickness * view.unit)) {
+                lines.emplace_back(*stands, *to);
+            }
+            stands = to;
+        }
+    }
+    return lines;
+}
+
 void MarkMaker::add_trails(const observe::Frame& frame, const MarkView& view, std::vector<Patch>& patches) const {
     const double thickness = trail_thickness * view.unit;
     for (std::size_t t = 0; t < trails_.size(); ++t) {
         const Ink ink{view.unit, trail_color(t), view.theme.background};
-        const std::vector<Step>& steps = trails_[t];
+        const Trail& steps = trails_[t];
+        const std::vector<std::pair<Vector2d, Vector2d>> lines = lines_of(*frame.layout, view, steps);
         for (const bool halo : {true, false}) {
-            for (std::size_t k = 1; k < steps.size(); ++k) {
-                const auto from = seen_at(view, steps[k - 1].place);
-                const auto to = seen_at(view, steps[k].place);
-                // A step through a periodic side is no way across the picture.
-                if (from && to && periods_between(*frame.layout, steps[k].place - steps[k - 1].place).isZero()) {
-                    add_bare_line(patches, *from, *to, halo ? thickness + 2 * halo_width * view.unit : thickness,
-                                  halo ? ink.halo : ink.color);
-                }
+            for (const auto& [from, to] : lines) {
+                add_bare_line(patches, from, to, halo ? thickness + 2 * halo_width * view.unit : thickness,
+                              halo ? ink.halo : ink.color);
             }
         }
-        if (!steps.empty()) {
+        if (!steps.empty() && within_clip(view, steps.back().place)) {
             if (const auto place = seen_at(view, steps.back().place)) {
                 add_dot(patches, *place, trail_dot * view.unit, ink);
             }
@@ -336,7 +456,7 @@ MarkKey MarkMaker::key(const observe::FrameLayout& layout, const MarkView& view)
         key.arrow = {speed_, arrow_length * view.unit, wanted_.arrows == "field"};
     }
     if (wanted_.chains) {
-        key.chain = {force_, chain_thickness * view.unit};
+        key.chain = {force_, chain_thickness * view.unit, beyond_};
     }
     for (std::size_t t = 0; t < wanted_.trails.size(); ++t) {
         const auto named = [&](const observe::FrameShape& shape) { return shape.name == wanted_.trails[t]; };

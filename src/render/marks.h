@@ -29,6 +29,7 @@ struct MarkKey {
     struct Chain {
         double force = 0; // N, of a line of this thickness
         double thickness = 0;
+        bool beyond = false; // some of the picture are thicker
     };
     struct Trail {
         std::string name;
@@ -56,6 +57,9 @@ constexpr double field_spacing = 40;
 /// Units, the length of the legend's arrow and the thickness of the legend's line.
 constexpr double arrow_length = 40;
 constexpr double chain_thickness = 8;
+
+/// N, of the contacts that press; pulls make no chains.
+std::vector<double> pressing_forces(const std::vector<observe::FrameContact>& contacts);
 
 /// The marks of a row of frames, given in the order of their time; one that is earlier than the one before begins the
 /// trails anew.
@@ -89,10 +93,18 @@ private:
     struct Step {
         double time = 0;                                 // s
         Eigen::Vector3d place = Eigen::Vector3d::Zero(); // m
+        bool leapt = false;                              // nothing is known of the way from the step before
+    };
+    using Trail = std::vector<Step>;
+    struct View {
+        Camera camera;
+        std::optional<Eigen::AlignedBox3d> clip;
+        [[nodiscard]] bool shows_as(const MarkView& view) const;
     };
 
     void add_to_field(const observe::Frame& frame, const MarkView& view);
     void follow(const observe::Frame& frame);
+    bool leaps_to(double time);
     [[nodiscard]] std::vector<FieldArrow> means() const;
     [[nodiscard]] std::vector<double> mean_speeds() const;
     void add_arrows(const observe::Frame& frame, const MarkView& view, std::vector<Patch>& patches) const;
@@ -102,14 +114,18 @@ private:
 
     scene::Marks wanted_;
     ColorRange speeds_{std::nullopt, false};
-    ColorRange forces_{std::nullopt, false};
+    ColorRange forces_{std::nullopt, false, 0};
     double speed_ = 1;                          // m/s, of the legend's arrow
     double force_ = 1;                          // N, of the legend's line
+    bool beyond_ = false;                       // some line is thicker
     std::map<std::pair<int, int>, Cell> field_; // by column and row of the grid in the picture
-    std::optional<Camera> seen_;                // that the field was gathered for
+    std::optional<View> seen_;                  // that the field was gathered for
     double gathered_ = 0;                       // s, of the last frame in the field
     bool foreseen_ = false;
-    std::vector<std::vector<Step>> trails_; // parallel to wanted_.trails
+    std::vector<Trail> trails_;      // parallel to wanted_.trails
+    std::optional<double> followed_; // s, of the last frame
+    double usual_ = 0;               // s, from frame to frame
+    bool leapt_ = false;             // to the last frame
 };
 
 } // namespace tumble::render

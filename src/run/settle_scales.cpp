@@ -1,5 +1,6 @@
 #include "observe/frame_file.h"
 #include "render/color_range.h"
+#include "render/marks.h"
 #include "run/replay.h"
 
 #include <algorithm>
@@ -9,7 +10,7 @@ namespace tumble::run {
 namespace {
 
 struct Widest {
-    render::WidestRange speeds, forces;
+    render::WidestRange speeds, forces{0};
     bool touched = false; // some frame has contacts
 
     void take_in(const observe::Frame& frame) {
@@ -20,10 +21,7 @@ struct Widest {
         if (!frame.contacts)
             return;
         touched = true;
-        std::vector<double> pressing;
-        for (const observe::FrameContact& contact : *frame.contacts)
-            pressing.push_back(contact.pressing());
-        forces.take_in(std::move(pressing));
+        forces.take_in(render::pressing_forces(*frame.contacts));
     }
 };
 

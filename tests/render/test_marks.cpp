@@ -3,6 +3,8 @@
 #include "render/marks.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <set>
 
 namespace test_marks {
@@ -88,6 +90,12 @@ double width_of(const Patch& line) {
 }
 double length_of(const Patch& line) {
     return (line.corners[2] - line.corners[1]).norm();
+}
+
+/// Of the patches of a trail its lines, which are 2.4 pixels thick.
+std::vector<Patch> without_dot(std::vector<Patch> trail) {
+    std::erase_if(trail, [](const Patch& patch) { return width_of(patch) != about(2.4); });
+    return trail;
 }
 
 observe::FrameContact between(std::int64_t a, std::int64_t b, const Vector3d& point, const Vector3d& force) {
@@ -273,6 +281,130 @@ TEST_CASE("a trail follows a body by name or id through the frames up to now, an
     CHECK(pieces(3, 1) == 3);
     CHECK(pieces(1, 0) == 1); // back in time
     CHECK(pieces(2, 0) == 2);
+}
+
+TEST_CASE("a trail has no more lines than it has pixels, no more than 4000 steps, and keeps its shape") {
+    // A circle of 0.4 m radius, or 150 pixels, gone round a hundred times in 50000 steps of 1.9 pixels. Of 30 steps a
+    // turn the chords lie 150 (1 - cos(pi/30)) = 0.8 pixels inside, and uneven ones no more than three times as far.
+    const auto layout = spheres({0.01});
+    Drawing drawing(trails({"0"}));
+    const auto frame_at = [&](int k, double turns) {
+        observe::Frame frame = empty_frame(layout);
+        frame.time = 1e-3 * k;
+        const double angle = 2 * std::numbers::pi * turns;
+        add_body(frame, 0, {0, 0.4 * std::sin(angle), 0.4 * std::cos(angle)});
+        return frame;
+    };
+    for (int k = 0; k < 50000; ++k)
+        drawing.maker.take_in(frame_at(k, k / 500.0), drawing.view());
+    const Vector3d ink = drawing.maker.key(*layout, drawing.view()).trails[0].color;
+    const observe::Frame last = frame_at(50000, 100);
+    const auto lines = without_dot(drawing.inked(last, ink));
+    CHECK(lines.size() > 2000);
+    CHECK(lines.size() < 4000);
+    double nearest = 1e9;
+    for (const Patch& line : lines) {
+        const Vector2d middle = 0.25 * (line.corners[0] + line.corners[1] + line.corners[2] + line.corners[3]);
+        nearest = std::min(nearest, (middle - Vector2d(200, 200)).norm());
+    }
+    CHECK(nearest > 0.4 * per_metre - 2.5);
+
+    // One that hardly moves: 3000 steps of 0.01 pixels along a line.
+    Drawing resting(trails({"0"}));
+    for (int k = 0; k < 3000; ++k) {
+        observe::Frame frame = empty_frame(layout);
+        frame.time = 1e-3 * k;
+        add_body(frame, 0, {0, 0, 0.01 * k / per_metre});
+        resting.maker.take_in(frame, resting.view());
+    }
+    observe::Frame end = empty_frame(layout);
+    end.time = 3;
+    add_body(end, 0, {0, 0, 30 / per_metre});
+    CHECK(without_dot(resting.inked(end, ink)).size() == about(30, 0.05));
+}
+
+TEST_CASE("a trail stays within the clip and breaks where whoever looks leaps in time") {
+    const auto layout = spheres({0.01});
+    const auto frame_at = [&](int k) {
+        observe::Frame frame = empty_frame(layout);
+        frame.time = 0.01 * k;
+        add_body(frame, 0, {0, 0, 0.01 * k - 0.4});
+        return frame;
+    };
+    Drawing drawing(trails({"0"}));
+    for (int k = 0; k <= 5; ++k)
+        drawing.of(frame_at(k));
+    const Vector3d ink = drawing.maker.key(*layout, drawing.view()).trails[0].color;
+    const auto length = [&](std::vector<Patch> lines) {
+        double sum = 0;
+        std::erase_if(lines, [&](const Patch& patch) { return patch.color != ink; });
+        for (const Patch& line : without_dot(lines))
+            sum += length_of(line);
+        return sum / per_metre;
+    };
+    drawing.maker.take_in(frame_at(55), drawing.view());
+    CHECK(length(drawing.maker.patches(frame_at(55), drawing.view())) == about(0.05)); // not 0.55
+    drawing.maker.take_in(frame_at(56), drawing.view());
+    CHECK(length(drawing.maker.patches(frame_at(56), drawing.view())) == about(0.06));
+    MarkView view = drawing.view();
+    view.clip = Eigen::AlignedBox3d(Vector3d(-1, -1, -0.375), Vector3d(1, 1, 0));
+    CHECK(length(drawing.maker.patches(frame_at(56), view)) == about(0.02)); // from step 3 to 5
+    CHECK(drawing.maker.patches(frame_at(56), view).size() == 4);            // two lines with halos, no dot
+    // A new pace is none: the first two such steps are not known from leaps, those after them are steps.
+    for (int k = 57; k < 57 + 4 * 12; k += 12)
+        drawing.maker.take_in(frame_at(k), drawing.view());
+    CHECK(length(drawing.maker.patches(frame_at(93), drawing.view())) == about(0.06 + 0.01 + 0.12, 0.001));
+}
+
+TEST_CASE("another clip is another mean field") {
+    const auto layout = spheres({0.001});
+    observe::Frame frame = empty_frame(layout);
+    add_body(frame, 0, {-0.1, 0.01, 0.01}, {0, 0, 1});
+    add_body(frame, 0, {0.1, 0.02, 0.02}, {0, 0, 3});
+    const auto length = [](const std::vector<Patch>& patches) {
+        const auto body = std::find_if(patches.begin(), patches.end(), [](const Patch& p) { return p.color == white; });
+        REQUIRE(body != patches.end());
+        return (patches.back().corners[2] - 0.5 * (body->corners[0] + body->corners[1])).x();
+    };
+    for (const bool foreseen : {false, true}) {
+        Drawing drawing(arrows("field", 2));
+        if (foreseen)
+            drawing.maker.foresee(frame, drawing.view());
+        CHECK(length(drawing.of(frame)) == about(40)); // 2 m/s
+        MarkView view = drawing.view();
+        view.clip = Eigen::AlignedBox3d(Vector3d(0, -1, -1), Vector3d(1, 1, 1));
+        drawing.maker.take_in(frame, view);
+        CHECK(length(drawing.maker.patches(frame, view)) == about(60)); // 3 m/s alone
+    }
+}
+
+TEST_CASE("pulls do not count in the scale of chains, and the key says where a line is thicker than its own") {
+    const auto layout = spheres({0.1});
+    observe::Frame frame = empty_frame(layout);
+    for (const double z : {-0.3, -0.1, 0.1})
+        add_body(frame, 0, {0, 0, z});
+    frame.contacts = {between(1, 0, {0, 0, -0.2}, {0, 0, 1e-10}), between(2, 1, {0, 0, 0}, {0, 0, -7})};
+    frame.contacts->back().normal = {0, 0, 1};
+    scene::Marks wanted;
+    wanted.chains = true;
+    Drawing drawing(wanted);
+    drawing.of(frame);
+    CHECK(drawing.maker.key(*layout, drawing.view()).chain->force == about(1e-10));
+    CHECK(!drawing.maker.key(*layout, drawing.view()).chain->beyond);
+    Drawing fixed(chains(5e-11));
+    fixed.of(frame);
+    CHECK(fixed.maker.key(*layout, fixed.view()).chain->beyond);
+}
+
+TEST_CASE("a chain outside the window is left out, whatever the order of the ids") {
+    const auto layout = spheres({0.1});
+    observe::Frame frame = empty_frame(layout);
+    for (const double z : {-0.1, 0.1, 0.9, 1.1})
+        add_body(frame, 0, {0, 0, z});
+    frame.id = {7, 3, 12, 5};
+    frame.contacts = {between(3, 7, {0, 0, 0}, {0, 0, 1}), between(5, 12, {0, 0, 1}, {0, 0, 1})};
+    Drawing drawing(chains(1));
+    CHECK(drawing.inked(frame, orange).size() == 2);
 }
 
 TEST_CASE("bodies without a colour are alike and pale, and the picture has no colour legend but the key of the lines") {

@@ -89,6 +89,21 @@ TEST_CASE("an automatic range grows at once and shrinks only after 25 quiet fram
     }
 }
 
+TEST_CASE("a frame that is looked at again and again does not wear the patience of its range") {
+    ColorRange range(std::nullopt, false);
+    CHECK(range.next({0.9}, 0.0) == Span{0, 1});
+    for (int i = 0; i < 60; ++i)
+        CHECK(range.next({0.1}, 0.5) == Span{0, 1});
+    for (int i = 1; i < 24; ++i)
+        CHECK(range.next({0.1}, 0.5 + i) == Span{0, 1});
+    CHECK(range.next({0.1}, 50.0) == Span{0, 0.1}); // the 25th frame
+}
+
+TEST_CASE("what is slower than 1 nm/s is at rest, but forces of small grains may be as small") {
+    CHECK(ColorRange(std::nullopt, false).next({2e-10}) == Span{0, 1});
+    CHECK(ColorRange(std::nullopt, false, 0).next({2e-10}).hi == about(2e-10));
+}
+
 TEST_CASE("one range for many frames is the widest of theirs, also where that is 1, and frames at rest do not count") {
     const auto of = [](const std::vector<std::vector<double>>& frames) {
         WidestRange widest;

@@ -10,6 +10,10 @@
 
 namespace tumble::render {
 
+/// How pictures of bodies have it: share of the largest body's radius, strength.
+constexpr double crevice_radius = 0.75;
+constexpr double crevice_strength = 0.8;
+
 /// Darkens what lies in crevices: around each pixel's point, the share of a ball of `radius` that is in front of the
 /// seen surface says how much light of the sky comes in (volumetric obscurance, B. Loos and P.-P. Sloan 2010).
 class CreviceShade {

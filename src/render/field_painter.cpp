@@ -21,7 +21,6 @@ namespace {
 
 constexpr int samples = 4;         // a pixel
 constexpr double body_share = 0.3; // of the letters' colour in the bodies', the rest is the background's
-constexpr double shade_radius = 0.75, shade_strength = 0.8; // of crevices between bodies, as Painter has them
 
 std::optional<Problem> refuse(const Field& field) {
     const auto count = static_cast<int>(field.points.size());
@@ -96,7 +95,7 @@ struct FieldCanvas {
         glClearDepth(1);
         glDepthMask(GL_TRUE);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        keep_to_window();
+        keep_to_window(canvas, layout.window);
         if (around)
             draw_bodies(*around, camera);
         glBindFramebuffer(GL_FRAMEBUFFER, canvas.samples.name());
@@ -105,7 +104,7 @@ struct FieldCanvas {
             glClear(GL_DEPTH_BUFFER_BIT);
         fields.draw(field, span, camera, canvas, lit);
         glDisable(GL_SCISSOR_TEST);
-        resolve(GL_COLOR_BUFFER_BIT);
+        resolve_samples(canvas, GL_COLOR_BUFFER_BIT);
         return read_picture(canvas);
     }
 
@@ -151,25 +150,11 @@ struct FieldCanvas {
             for (std::size_t s = 0; s < shape.centres.size(); ++s)
                 size = std::max(size, shape.centres[s].norm() + shape.radii[s]);
         glDisable(GL_SCISSOR_TEST); // shade needs its surroundings
-        resolve(GL_DEPTH_BUFFER_BIT);
+        resolve_samples(canvas, GL_DEPTH_BUFFER_BIT);
         if (size > 0)
-            crevices.draw(canvas, camera, shade_radius * size, shade_strength, *crew);
-        keep_to_window();
+            crevices.draw(canvas, camera, crevice_radius * size, crevice_strength, *crew);
+        keep_to_window(canvas, layout.window);
         walls.draw_translucent(frame, camera, canvas, std::max(1.2, 1.5 * layout.unit));
-    }
-
-    void keep_to_window() const {
-        const auto pixel = [](double place) { return static_cast<GLint>(std::lround(place)); };
-        const Area& window = layout.window;
-        glEnable(GL_SCISSOR_TEST);
-        glScissor(pixel(window.left), canvas.height - pixel(window.bottom), pixel(window.right) - pixel(window.left),
-                  pixel(window.bottom) - pixel(window.top));
-    }
-
-    void resolve(GLbitfield what) const {
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas.samples.name());
-        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, canvas.resolved.name());
-        resolve_samples(canvas, what);
     }
 };
 

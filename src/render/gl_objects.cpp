@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fmt/core.h>
 
 namespace tumble::render {
@@ -138,7 +139,16 @@ Result<Canvas> make_canvas(int width, int height, int samples) {
     return canvas;
 }
 
+void keep_to_window(const Canvas& canvas, const Area& window) {
+    const auto pixel = [](double place) { return static_cast<GLint>(std::lround(place)); };
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(pixel(window.left), canvas.height - pixel(window.bottom), pixel(window.right) - pixel(window.left),
+              pixel(window.bottom) - pixel(window.top));
+}
+
 void resolve_samples(const Canvas& canvas, GLbitfield what) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas.samples.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, canvas.resolved.name());
     const GLboolean cut = glIsEnabled(GL_SCISSOR_TEST);
     glDisable(GL_SCISSOR_TEST);
     glBlitFramebuffer(0, 0, canvas.width, canvas.height, 0, 0, canvas.width, canvas.height, what, GL_NEAREST);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/problem.h"
+#include "render/area.h"
 #include "render/gl.h"
 #include "render/picture.h"
 
@@ -68,8 +69,10 @@ struct Canvas {
 /// Problem when the size is beyond what the context can draw.
 Result<Canvas> make_canvas(int width, int height, int samples);
 
-/// Takes samples together, of colours the mean, from the bound read framebuffer into the bound draw framebuffer; the
-/// whole picture, whatever the scissor.
+/// What is drawn from here on stays in that window, until the scissor test ends.
+void keep_to_window(const Canvas& canvas, const Area& window);
+
+/// Takes the samples of each pixel together, of colours the mean; the whole picture, whatever the scissor.
 void resolve_samples(const Canvas& canvas, GLbitfield what);
 
 /// What has been resolved, rows from the top and without translucent pixels.

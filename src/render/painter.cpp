@@ -10,9 +10,9 @@
 #include "render/style.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
+#include <new>
 #include <optional>
 #include <utility>
 
@@ -21,10 +21,8 @@ namespace tumble::render {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-constexpr int fine_samples = 4;         // a pixel
-constexpr int sketch_samples = 0;       // one, as OpenGL says it: Mesa makes four of 1
-constexpr double crevice_radius = 0.75; // of a body's
-constexpr double crevice_strength = 0.8;
+constexpr int fine_samples = 4;   // a pixel
+constexpr int sketch_samples = 0; // one, as OpenGL says it: Mesa makes four of 1
 // Outlines of discs, pixels at a picture's usual size; on small discs no more than this share of the smallest radius.
 constexpr double disc_line = 1.2;
 constexpr double disc_line_share = 0.25;
@@ -80,8 +78,6 @@ struct Painter::Inside {
     void draw_spheres(const observe::Frame& frame, const std::vector<std::uint32_t>& colors);
     void draw_discs(const observe::Frame& frame, const std::vector<std::uint32_t>& colors);
     void shade_crevices();
-    void keep_to_window() const;
-    void resolve(GLbitfield what);
     [[nodiscard]] MarkView mark_view() const;
     void draw_marks(const observe::Frame& frame);
     void write(const observe::Frame& frame, const PlotLine& plot, const Legend& legend);
@@ -131,6 +127,28 @@ bool Painter::Inside::take_drawers(int samples, Problems& problems) {
     }
     drawers = &found->second;
     return true;
+}
+
+Result<Done> Painter::resize(int width, int height) {
+    Inside& in = *inside_;
+    scene::Render wanted = in.settings;
+    wanted.width = width;
+    wanted.height = height;
+    const auto style = find_style(wanted, in.layout->dimension);
+    if (!style) {
+        return style.problems();
+    }
+    const GlContext::Current current(in.context);
+    const int samples = in.sketching ? sketch_samples : fine_samples;
+    auto made = Drawers::open(wanted, *in.layout, in.style.theme, samples);
+    if (!made) {
+        return made.problems();
+    }
+    in.settings = std::move(wanted);
+    in.opened.clear();
+    in.drawers = &in.opened.emplace(samples, std::move(*made)).first->second;
+    in.arranged = false;
+    return Done{};
 }
 
 Result<Done> Painter::set_sketching(bool on) {
@@ -205,9 +223,11 @@ void Painter::Inside::arrange() {
     camera = look(arrangement.scene);
     overlay.reset();
     if (arrangement.lettered) {
-        if (auto letters = Overlay::open(arrangement, style.theme)) {
-            overlay = std::move(*letters);
+        auto letters = Overlay::open(arrangement, style.theme);
+        if (!letters) {
+            throw std::bad_alloc(); // the one reason left: open() has shown that it can be done
         }
+        overlay = std::move(*letters);
     }
     arranged = true;
 }
@@ -233,7 +253,7 @@ void Painter::Inside::enclose(const observe::Frame& frame) {
 
 std::vector<std::uint32_t> Painter::Inside::colors_of(const observe::Frame& frame, Legend& legend) {
     const std::vector<double> values = values_of(style.quantity, frame);
-    span = style.range.next(values);
+    span = style.range.next(values, frame.time);
     legend = {style.quantity.label, style.quantity.unit, span, style.map};
     std::vector<std::uint32_t> colors;
     colors.reserve(values.size());
@@ -285,27 +305,9 @@ void Painter::Inside::shade_crevices() {
     if (!options.lighting || sketching || reach.empty() || layout->dimension == 2) {
         return;
     }
-    resolve(GL_DEPTH_BUFFER_BIT);
+    resolve_samples(drawers->canvas, GL_DEPTH_BUFFER_BIT);
     const double size = *std::max_element(reach.begin(), reach.end());
     drawers->crevices.draw(drawers->canvas, camera, crevice_radius * size, crevice_strength, *crew);
-}
-
-/// What is drawn from here on stays in the scene's window.
-void Painter::Inside::keep_to_window() const {
-    const Area& window = arrangement.window;
-    const auto left = static_cast<GLint>(std::round(window.left));
-    const auto top = static_cast<GLint>(std::round(window.top));
-    const auto right = static_cast<GLint>(std::round(window.right));
-    const auto bottom = static_cast<GLint>(std::round(window.bottom));
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(left, settings.height - bottom, right - left, bottom - top);
-}
-
-void Painter::Inside::resolve(GLbitfield what) {
-    const Canvas& canvas = drawers->canvas;
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas.samples.name());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, canvas.resolved.name());
-    resolve_samples(canvas, what);
 }
 
 void Painter::Inside::write(const observe::Frame& frame, const PlotLine& plot, const Legend& legend) {
@@ -391,7 +393,7 @@ Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
     glDepthMask(GL_TRUE);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     in.clock.lap("take in");
-    in.keep_to_window();
+    keep_to_window(canvas, in.arrangement.window);
     in.draw_bodies(frame, colors);
     in.clock.lap("bodies");
     in.drawers->walls.draw_opaque(frame, in.camera, canvas);
@@ -400,12 +402,12 @@ Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
     in.clock.lap("crevices");
     const double thickness = in.layout->dimension == 2 ? 2.0 : 1.0; // walls are nothing but their lines
     const double line = thickness * std::max(1.2, 1.5 * in.arrangement.unit);
-    in.keep_to_window();
+    keep_to_window(canvas, in.arrangement.window);
     in.drawers->walls.draw_translucent(frame, in.camera, canvas, line);
     in.draw_marks(frame);
     glDisable(GL_SCISSOR_TEST);
     in.clock.lap("walls");
-    in.resolve(GL_COLOR_BUFFER_BIT);
+    resolve_samples(canvas, GL_COLOR_BUFFER_BIT);
     if (in.overlay) {
         glBindFramebuffer(GL_FRAMEBUFFER, canvas.resolved.name());
         in.write(frame, plot, legend);

@@ -27,7 +27,8 @@ struct PainterOptions {
 
 /// Draws frames of one run. The view and, with an automatic range, the meaning of the colours stay the same from
 /// picture to picture, so that pictures make a video; for that, frames are drawn in the order of their time. One thread
-/// at a time may use a painter, not always the same one.
+/// at a time may use a painter, not always the same one. Where memory runs out while it draws, std::bad_alloc is
+/// thrown: there is no picture without its bodies or letters.
 class Painter {
 public:
     /// Problems: an unknown camera, projection, quantity, colour map or background, a size that cannot be drawn, a
@@ -58,6 +59,10 @@ public:
     /// and so does the arrangement of the panels. Quick enough for a camera that a hand turns. Problems: those of
     /// open() about camera and colours; nothing has changed then.
     Result<Done> restyle(const scene::Render& settings);
+
+    /// From the next picture on, pictures are of that size (pixels); what counts on from the frames so far, trails and
+    /// scales, stays. Problems: those of open() about the size; nothing has changed then.
+    Result<Done> resize(int width, int height);
 
     /// From the next picture on one sample a pixel in place of four, and no shade in crevices: the same picture with
     /// rough edges, in a fifth of the time. Problems: the graphics library has no more memory.

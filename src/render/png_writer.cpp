@@ -107,7 +107,7 @@ struct PngWriter::Inside {
             changed.notify_all();
         }
     }
-    [[nodiscard]] Result<Done> verdict() const { return problems.empty() ? Result<Done>(Done{}) : problems; }
+    static Result<Done> verdict(const Problems& found) { return found.empty() ? Result<Done>(Done{}) : found; }
 };
 
 PngWriter::PngWriter(std::size_t room) : inside_(std::make_unique<Inside>()) {
@@ -141,14 +141,14 @@ Result<Done> PngWriter::add(std::filesystem::path file, Picture picture) {
         in.waiting.push_back({std::move(file), std::move(picture)});
         in.changed.notify_all();
     }
-    return in.verdict();
+    return Inside::verdict(in.problems);
 }
 
 Result<Done> PngWriter::finish() {
     Inside& in = *inside_;
     std::unique_lock lock(in.mutex);
     in.changed.wait(lock, [&] { return in.waiting.empty() && !in.busy; });
-    return in.verdict();
+    return Inside::verdict(std::exchange(in.problems, {}));
 }
 
 } // namespace tumble::render

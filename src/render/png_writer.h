@@ -24,10 +24,10 @@ public:
     /// Finishes what was added.
     ~PngWriter();
 
-    /// The problem of an earlier picture comes back with the next call; nothing is written after it.
+    /// The problem of an earlier picture comes back with the next call; nothing is written after it until finish().
     Result<Done> add(std::filesystem::path file, Picture picture);
 
-    /// Waits until all files are written.
+    /// Waits until all files are written, and tells of what was not; after that all begins anew.
     Result<Done> finish();
 
 private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <fmt/core.h>
+#include <new>
 
 namespace tumble::render {
 
@@ -95,7 +96,7 @@ void SphereDrawer::draw(std::span<const SphereMark> marks, const Camera& camera,
         glBindBuffer(GL_TEXTURE_BUFFER, texels_.name());
         auto* const colors = static_cast<std::uint32_t*>(glMapBuffer(GL_TEXTURE_BUFFER, GL_WRITE_ONLY));
         if (colors == nullptr) {
-            return; // memory ran out; there is no picture to lose yet
+            throw std::bad_alloc();
         }
         const auto runs =
             raster.draw(row, at_once, {look.lit, look.rim}, colors, reinterpret_cast<float*>(colors + room_), crew);

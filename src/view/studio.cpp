@@ -71,15 +71,16 @@ Result<Done> Studio::open_panel() {
 }
 
 Result<Done> Studio::open_painter() {
-    painter_.reset();
     look_.width = panel_shown_ && panel_width_ < width_ ? width_ - panel_width_ : width_;
     look_.height = height_;
+    look_changed_ = true;
+    if (painter_) // what it has seen, trails and scales, goes on to count
+        return painter_->resize(look_.width, look_.height);
     auto painter = render::Painter::open(look_, layout_);
     if (!painter)
         return painter.problems();
     painter_ = std::move(*painter);
     painter_->fit(source_->bounds());
-    look_changed_ = true;
     return Done{};
 }
 
@@ -352,8 +353,10 @@ std::filesystem::path Studio::free_name(const std::string& extension) {
 void Studio::keep_picture() {
     (void)painter_->set_sketching(false); // then the rough edges stay
     const std::filesystem::path file = free_name(".png");
-    const auto added = png_.add(file, painter_->draw(moment_->frame));
-    notice_ = added ? file.string() : to_string(added.problems().front());
+    auto kept = png_.add(file, painter_->draw(moment_->frame));
+    if (kept)
+        kept = png_.finish(); // only what is there is named
+    notice_ = kept ? file.string() : to_string(kept.problems().front());
 }
 
 void Studio::save_scene() {

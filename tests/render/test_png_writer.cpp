@@ -70,7 +70,7 @@ TEST_CASE("many pictures come out whole and in their own files through a queue o
     }
 }
 
-TEST_CASE("a file in a folder that does not exist is a problem with the file's name, and stays one") {
+TEST_CASE("a file in a folder that does not exist is a problem with the file's name, and stays one until it was told") {
     const Folder folder;
     PngWriter writer;
     CHECK(writer.add(folder.path / "nowhere" / "a.png", pattern(8, 8)).ok());
@@ -79,8 +79,19 @@ TEST_CASE("a file in a folder that does not exist is a problem with the file's n
     CHECK(verdict.problems().front().file == (folder.path / "nowhere" / "a.png").string());
     CHECK(verdict.problems().front().what == "cannot write the file: No such file or directory");
     CHECK(verdict.problems().front().fix == "name a place in a folder that is there and where you may write");
-    CHECK(!writer.add(folder.path / "b.png", pattern(8, 8)).ok());
-    CHECK(folder.files() == 0);
+    CHECK(writer.add(folder.path / "b.png", pattern(8, 8)).ok());
+    CHECK(writer.finish().ok());
+    CHECK(folder.files() == 1);
+
+    // Whoever hears of it from add() hears of it from finish(), too: a row of pictures ends with the first failure.
+    PngWriter row(1);
+    Result<Done> added = Done{};
+    for (int k = 0; k < 1000 && added; ++k)
+        added = row.add(folder.path / "nowhere" / "a.png", pattern(8, 8));
+    CHECK(!added.ok());
+    CHECK(!row.add(folder.path / "c.png", pattern(8, 8)).ok());
+    CHECK(!row.finish().ok());
+    CHECK(folder.files() == 1);
 }
 
 TEST_CASE("a disk without room is a problem and leaves nothing behind") {

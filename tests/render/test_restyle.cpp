@@ -40,6 +40,34 @@ TEST_CASE("a painter that is restyled draws what one does that was opened with t
     CHECK(painter.draw(frame).rgba == first.rgba);
 }
 
+TEST_CASE("a painter that is resized draws what one does that was of that size from the first, with what it has seen") {
+    // Its colours still reach to the 1 m/s of the first frame, its trail begins there.
+    const auto layout = spheres({0.02});
+    const observe::Frame first = three_balls(layout);
+    observe::Frame second = first;
+    second.time = 0.1;
+    for (std::size_t b = 0; b < second.bodies(); ++b) {
+        second.velocity[b] *= 0.4;
+        second.position[b].y() += 0.02;
+    }
+    scene::Render settings = square_view(half);
+    settings.range.reset();
+    settings.marks.trails = {"1"};
+    Painter painter = painter_for(settings, layout, {});
+    (void)painter.draw(first);
+    scene::Render wide = settings;
+    wide.width = 520;
+    wide.height = 300;
+    REQUIRE(painter.resize(wide.width, wide.height).ok());
+    Painter other = painter_for(wide, layout, {});
+    (void)other.draw(first);
+    CHECK(painter.draw(second).rgba == other.draw(second).rgba);
+    CHECK(painter.range() == Span{0, 1});
+    CHECK(painter.draw(second).rgba != painter_for(wide, layout, {}).draw(second).rgba);
+    CHECK(!painter.resize(1 << 20, 300).ok());
+    CHECK(painter.draw(second).rgba == other.draw(second).rgba);
+}
+
 TEST_CASE("settings that cannot be drawn are refused and leave the painter as it is") {
     const auto layout = spheres({0.02});
     const observe::Frame frame = three_balls(layout);

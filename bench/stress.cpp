@@ -1,5 +1,6 @@
-// Many load cases on the thesis' cylinder, from contacts to tables and files; with ccx_cases=N the first N of them by
-// CalculiX as well, which factorises anew for each.
+// Many load cases on the thesis' cylinder, or with prism=1 on its prism, from contacts to tables and files; with
+// ccx_cases=N the first N of them by CalculiX as well, which factorises anew for each. grow=1 solves meshes of growing
+// fineness and growing numbers of cases instead and prints how time and memory grow.
 #include "base/child_process.h"
 #include "base/rng.h"
 #include "observe/whole_file.h"
@@ -11,6 +12,7 @@
 #include "support/arguments.h"
 
 #include <chrono>
+#include <cmath>
 #include <fmt/core.h>
 #include <sys/resource.h>
 
@@ -24,17 +26,7 @@ double seconds_since(Clock::time_point begun) {
     return std::chrono::duration<double>(Clock::now() - begun).count();
 }
 
-scene::SpecimenShape cylinder(bench::Arguments& arguments) {
-    const int finer = static_cast<int>(arguments.whole("finer", 1));
-    scene::SpecimenShape shape;
-    shape.part = solid::BoredCylinder{.length = 0.1,
-                                      .radius = 0.015,
-                                      .bore_radius = 0.005,
-                                      .shell = 0.0015,
-                                      .around = 60 * finer,
-                                      .along = 12 * finer,
-                                      .shell_rings = 3 * finer,
-                                      .inner_rings = 6 * finer};
+scene::SpecimenShape meshed(scene::SpecimenShape shape) {
     shape.held = scene::Held::top;
     shape.youngs_modulus = 2e11;
     shape.poisson_ratio = 0.3;
@@ -44,9 +36,34 @@ scene::SpecimenShape cylinder(bench::Arguments& arguments) {
     return *whole;
 }
 
+/// `finer`: times the thesis' numbers of hexahedra along each direction.
+scene::SpecimenShape cylinder(double finer) {
+    const auto times = [&](int count) { return std::max(1, static_cast<int>(std::lround(finer * count))); };
+    scene::SpecimenShape shape;
+    shape.part = solid::BoredCylinder{.length = 0.1,
+                                      .radius = 0.015,
+                                      .bore_radius = 0.005,
+                                      .shell = 0.0015,
+                                      .around = times(60),
+                                      .along = times(12),
+                                      .shell_rings = times(3),
+                                      .inner_rings = times(6)};
+    return meshed(shape);
+}
+
+scene::SpecimenShape prism() {
+    scene::SpecimenShape shape;
+    shape.part = solid::Prism{
+        .length = 0.1, .side = 0.015, .corner = 0.0048, .corner_cells = 6, .middle_cells = 10, .along = 60};
+    return meshed(shape);
+}
+
 /// Contacts of up to 2 N at random places of the side, obliquely.
 run::PartLoads contacts(const solid::HexMesh& mesh, int cases, int each) {
-    const std::vector<int>& side = mesh.facet_sets.at("side");
+    std::vector<int> side;
+    for (const char* name : {"side", "-x", "+x", "-z", "+z"})
+        if (const auto found = mesh.facet_sets.find(name); found != mesh.facet_sets.end())
+            side.insert(side.end(), found->second.begin(), found->second.end());
     run::PartLoads loads;
     Rng rng(1);
     for (int c = 0; c < cases; ++c) {
@@ -91,6 +108,35 @@ double by_calculix(const scene::SpecimenShape& specimen, const run::PartLoads& l
     return seconds_since(begun);
 }
 
+double peak_MB() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+stress::Study solved(const scene::SpecimenShape& specimen, const run::PartLoads& loads,
+                     const stress::StudyOptions& options) {
+    auto study = stress::study({}, specimen, loads, options);
+    if (!study)
+        bench::refuse(to_string(study.problems()));
+    return std::move(*study);
+}
+
+/// One line a mesh and number of cases; memory is what the program ever had, so meshes grow.
+void grow(int each, const stress::StudyOptions& options) {
+    fmt::print("{:>10} {:>9} {:>6} {:>12} {:>10} {:>12} {:>9} {:>8}\n", "hexahedra", "unknowns", "cases", "entries",
+               "Gflop", "factorise_s", "solve_s", "peak_MB");
+    for (const double finer : {0.5, 0.75, 1.0, 1.5, 2.0}) {
+        const scene::SpecimenShape specimen = cylinder(finer);
+        for (const int cases : finer == 1 ? std::vector{27, 54, 108, 216, 432} : std::vector{54}) {
+            const stress::Study study = solved(specimen, contacts(*specimen.mesh, cases, each), options);
+            fmt::print("{:>10} {:>9} {:>6} {:>12} {:>10.2f} {:>12.3f} {:>9.3f} {:>8.0f}\n", study.hexes, study.unknowns,
+                       cases, study.factor_entries, 1e-9 * study.factor_operations, study.prepare_s, study.solve_s,
+                       peak_MB());
+        }
+    }
+}
+
 } // namespace
 
 int main(int count, char** words) {
@@ -98,33 +144,37 @@ int main(int count, char** words) {
     const auto cases = static_cast<int>(arguments.whole("cases", 216)),
                each = static_cast<int>(arguments.whole("contacts", 40));
     const auto ccx_cases = static_cast<int>(arguments.whole("ccx_cases", 0));
+    const bool growing = arguments.whole("grow", 0) != 0, prismatic = arguments.whole("prism", 0) != 0;
+    const auto finer = static_cast<double>(arguments.whole("finer", 1));
     stress::StudyOptions options;
     options.threads = static_cast<int>(arguments.whole("threads", 2));
     options.formulation =
         arguments.whole("standard", 0) != 0 ? fem::Formulation::standard : fem::Formulation::incompatible;
     const std::filesystem::path folder = arguments.text("folder", "out/bench-stress");
-    const auto begun = Clock::now();
-    const scene::SpecimenShape specimen = cylinder(arguments);
     arguments.finish();
+    if (growing) {
+        grow(each, options);
+        return 0;
+    }
+    const auto begun = Clock::now();
+    const scene::SpecimenShape specimen = prismatic ? prism() : cylinder(finer);
     std::filesystem::create_directories(folder);
     const run::PartLoads loads = contacts(*specimen.mesh, cases, each);
     const double meshed = seconds_since(begun);
-    const auto study = stress::study({}, specimen, loads, options);
-    if (!study)
-        bench::refuse(to_string(study.problems()));
+    const stress::Study study = solved(specimen, loads, options);
     const auto writing = Clock::now();
-    if (const auto written = stress::write_study(*study, specimen, folder); !written)
+    if (const auto written = stress::write_study(study, specimen, folder); !written)
         bench::refuse(to_string(written.problems()));
     const double written = seconds_since(writing), total = seconds_since(begun);
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    fmt::print("{} hexahedra, {} unknowns, {} load cases, {} threads\n", study->hexes, study->unknowns, cases,
+    fmt::print("{} hexahedra, {} unknowns, {} load cases, {} threads\n", study.hexes, study.unknowns, cases,
                options.threads);
     fmt::print("mesh_s {:.3f} factorise_s {:.3f} solve_s {:.3f} write_s {:.3f} total_s {:.3f}\n", meshed,
-               study->prepare_s, study->solve_s, written, total);
-    fmt::print("processor_s {:.3f} factor_entries {} peak_MB {:.0f}\n",
+               study.prepare_s, study.solve_s, written, total);
+    fmt::print("processor_s {:.3f} factor_entries {} factor_Gflop {:.2f} peak_MB {:.0f}\n",
                static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec),
-               study->factor_entries, static_cast<double>(usage.ru_maxrss) / 1024);
+               study.factor_entries, 1e-9 * study.factor_operations, peak_MB());
     if (ccx_cases > 0) {
         const double ccx = by_calculix(specimen, loads, ccx_cases, folder);
         fmt::print("ccx_s {:.3f} for {} cases, {:.3f} a case\n", ccx, ccx_cases, ccx / ccx_cases);

@@ -1,4 +1,5 @@
-// The view: from a drag to the next frame while the scene stands still, and frames/s while it runs, at 1280 x 720.
+// The view: from a drag to the next frame while the scene stands still, and frames/s while it runs, at 1280 x 720,
+// beside what docs/view.md wants of them.
 #include "support/arguments.h"
 #include "support/media.h"
 #include "view/jpeg.h"
@@ -17,6 +18,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr double most_drag_ms = 100, least_frames_per_s = 15; // on two cores
+
 double seconds_since(Clock::time_point begun) {
     return std::chrono::duration<double>(Clock::now() - begun).count();
 }
@@ -31,7 +34,8 @@ struct Bench {
     view::Source* source = nullptr;
     std::unique_ptr<view::Studio> studio;
     view::JpegEncoder jpeg{80};
-    std::size_t bytes = 0; // of the last frame
+    std::size_t bytes = 0;            // of the last frame
+    std::vector<double> drew, packed; // s, of each frame
 
     Bench(const std::string& file, int width, int height, int threads) {
         const auto text = bench::value_or_refuse(view::SceneText::read(file, {}));
@@ -44,8 +48,11 @@ struct Bench {
         frame();
     }
     void frame() {
+        const Clock::time_point begun = Clock::now();
         const view::Shown shown = bench::value_or_refuse(studio->draw());
+        drew.push_back(seconds_since(begun));
         bytes = bench::value_or_refuse(jpeg.encode(shown.picture)).size();
+        packed.push_back(seconds_since(begun) - drew.back());
     }
     void run_until(double time) {
         source->play(true);
@@ -77,8 +84,25 @@ std::vector<double> drags(Bench& bench, int count) {
     return took;
 }
 
-/// Frames/s for so many seconds of playing.
-double frames_per_s(Bench& bench, double seconds) {
+/// Steps/s for so many seconds of playing that nobody looks at.
+double steps_per_s(Bench& bench, double seconds) {
+    const std::int64_t before = bench.source->newest()->frame.step;
+    bench.source->play(true);
+    const Clock::time_point begun = Clock::now();
+    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+    bench.source->play(false);
+    const double passed = seconds_since(begun);
+    std::this_thread::sleep_for(std::chrono::milliseconds(200)); // the last stretch
+    return static_cast<double>(bench.source->newest()->frame.step - before) / passed;
+}
+
+struct Rate {
+    double frames = 0, steps = 0; // per s
+};
+
+/// For so many seconds of playing.
+Rate watched(Bench& bench, double seconds) {
+    const std::int64_t before = bench.source->newest()->frame.step;
     bench.source->play(true);
     const Clock::time_point begun = Clock::now();
     int frames = 0;
@@ -89,14 +113,17 @@ double frames_per_s(Bench& bench, double seconds) {
         } else
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
     bench.source->play(false);
-    return frames / seconds_since(begun);
+    const double passed = seconds_since(begun);
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    return {frames / passed, static_cast<double>(bench.source->newest()->frame.step - before) / passed};
 }
 
 } // namespace
 
 /// scene=scenes/trough-quick.toml from=0.55 s width=1280 height=720 threads=1 drags=40 seconds=10. Prints
-/// {"drag_ms": [least, median, most], "drag_cpu_ms": mean over all cores, "frames_per_s", "steps_per_s" meanwhile,
-/// "frame_kB"}.
+/// {"drag_ms": [least, median, most], of which "draw_ms" and "jpeg_ms", "drag_cpu_ms": mean over all cores,
+/// "frames_per_s", "steps_per_s" meanwhile and "steps_unwatched_per_s" while nobody looks, "frame_kB",
+/// "within_limits"}.
 int main(int count, char** words) {
     bench::Arguments arguments(count, words);
     const std::string scene = arguments.text("scene", "scenes/trough-quick.toml");
@@ -108,13 +135,21 @@ int main(int count, char** words) {
     arguments.finish();
     Bench bench(scene, width, height, threads);
     bench.run_until(from);
+    const double unwatched = steps_per_s(bench, 0.5 * seconds);
+    bench.drew.clear();
+    bench.packed.clear();
     const double before = cpu_time();
     const std::vector<double> took = drags(bench, moves);
     const double cpu = (cpu_time() - before) / moves;
-    const double rate = frames_per_s(bench, seconds);
-    fmt::print("{{\"scene\": \"{}\", \"bodies\": {}, \"drag_ms\": {}, \"drag_cpu_ms\": {:.3g}, \"frames_per_s\": "
-               "{:.3g}, \"steps_per_s\": {:.4g}, "
-               "\"frame_kB\": {:.3g}}}\n",
-               scene, bench.source->newest()->frame.bodies(), three(took, 1e3), 1e3 * cpu, rate,
-               bench.source->state().steps_per_s, 1e-3 * static_cast<double>(bench.bytes));
+    const std::string drew = three(bench.drew, 1e3), packed = three(bench.packed, 1e3);
+    const Rate rate = watched(bench, seconds);
+    const bool within =
+        1e3 * *std::max_element(took.begin(), took.end()) <= most_drag_ms && rate.frames >= least_frames_per_s;
+    fmt::print(
+        "{{\"scene\": \"{}\", \"bodies\": {}, \"drag_ms\": {}, \"draw_ms\": {}, \"jpeg_ms\": {}, \"drag_cpu_ms\": "
+        "{:.3g}, "
+        "\"frames_per_s\": {:.3g}, \"steps_per_s\": {:.4g}, \"steps_unwatched_per_s\": {:.4g}, \"frame_kB\": {:.3g}, "
+        "\"most_drag_ms\": {}, \"least_frames_per_s\": {}, \"within_limits\": {}}}\n",
+        scene, bench.source->newest()->frame.bodies(), three(took, 1e3), drew, packed, 1e3 * cpu, rate.frames,
+        rate.steps, unwatched, 1e-3 * static_cast<double>(bench.bytes), most_drag_ms, least_frames_per_s, within);
 }

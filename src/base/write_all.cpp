@@ -1,20 +1,14 @@
 #include "base/write_all.h"
 
-#include <atomic>
+#include "base/disk_calls.h"
+
 #include <cerrno>
-#include <unistd.h>
 
 namespace tumble {
 
-namespace {
-std::atomic<WriteCall> chosen{nullptr};
-}
-
 int write_all(int file, std::string_view bytes) {
-    const WriteCall replaced = chosen.load(std::memory_order_relaxed);
-    const WriteCall call = replaced ? replaced : &::write;
     while (!bytes.empty()) {
-        const ssize_t count = call(file, bytes.data(), bytes.size());
+        const ssize_t count = disk_calls().write(file, bytes.data(), bytes.size());
         if (count < 0 && errno != EINTR)
             return errno;
         if (count == 0)
@@ -22,10 +16,6 @@ int write_all(int file, std::string_view bytes) {
         bytes.remove_prefix(count > 0 ? static_cast<std::size_t>(count) : 0);
     }
     return 0;
-}
-
-void write_through(WriteCall call) {
-    chosen.store(call, std::memory_order_relaxed);
 }
 
 } // namespace tumble

@@ -3,6 +3,7 @@
 #include "cli/exit_code.h"
 #include "cli/flag_checks.h"
 #include "cli/scene_arguments.h"
+#include "cli/stop_flag.h"
 #include "fit/report.h"
 #include "fit/spheres.h"
 #include "observe/whole_file.h"
@@ -11,6 +12,7 @@
 
 #include <fmt/format.h>
 #include <memory>
+#include <thread>
 
 namespace tumble::cli {
 
@@ -65,7 +67,9 @@ Result<Fitted> fitted(const FitArguments& arguments) {
         }
         result.solid = std::move(*solid);
         if (arguments.compare.empty())
-            take(fit::spheres_in(result.solid, wanted));
+            take(fit::spheres_in(result.solid, wanted,
+                                 std::max(1, static_cast<int>(std::thread::hardware_concurrency())),
+                                 &watch_for_stop()));
     }
     if (!arguments.compare.empty())
         take(scene::read_clump(arguments.compare));
@@ -120,6 +124,8 @@ int fit_it(const FitArguments& arguments) {
                         .fix = "--force replaces it"}},
                       arguments.json, wrong);
     auto result = fitted(arguments);
+    if (stop_wanted(&watch_for_stop()))
+        return stop_code();
     if (!result)
         return refuse(result.problems(), arguments.json, wrong);
     const double factor =

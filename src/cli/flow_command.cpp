@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <memory>
 #include <numeric>
+#include <optional>
 
 namespace tumble::cli {
 
@@ -24,6 +25,7 @@ struct FlowArguments {
     std::filesystem::path run;
     run::FlowOptions options;
     std::vector<double> axis{0, 0}, heights;
+    std::optional<double> radius;
     std::filesystem::path out, picture;
     std::string time;
     bool quiet = false;
@@ -111,7 +113,7 @@ void print(const Json& summary) {
     for (const Json& body : summary["bodies"]) {
         say(fmt::format("{}: goes up and down by {} m (peak to peak), a cycle takes {} s ({} seen)",
                         body["body"].get<std::string>(), cell(body["peak_to_peak_m"], 4), cell(body["period_s"]),
-                        body["cycles"].get<int>()));
+                        body["cycles"].get<double>()));
         std::vector<std::vector<std::string>> spans{{"", "place m", "velocity m/s"}};
         for (const std::string axis : {"x", "y", "z"}) {
             const Json &place = body[axis + "_m"], &speed = body["v" + axis + "_m_s"];
@@ -125,9 +127,18 @@ int tell_flow(FlowArguments& arguments) {
     run::FlowOptions& options = arguments.options;
     options.grid.axis_x = arguments.axis[0];
     options.grid.axis_z = arguments.axis[1];
-    if (!arguments.heights.empty()) {
+    options.fit_radius = !arguments.radius;
+    options.grid.radius = arguments.radius.value_or(0);
+    options.fit_heights = arguments.heights.empty();
+    if (!options.fit_heights) {
         options.grid.lo = arguments.heights[0];
         options.grid.hi = arguments.heights[1];
+        if (!(arguments.heights[0] < arguments.heights[1]))
+            return refuse({{.file = "--heights",
+                            .what = fmt::format("the lowest height, {} m, does not lie below the highest, {} m",
+                                                arguments.heights[0], arguments.heights[1]),
+                            .fix = "give the lower one first, as in --heights 0,0.16"}},
+                          arguments.json, wrong);
     }
     if (const auto problem = read_time_range(arguments.time, options.when.from, options.when.to))
         return refuse({*problem}, arguments.json, wrong);
@@ -180,7 +191,7 @@ void add_flow_command(CLI::App& program, Action& action) {
         ->type_name("X,Z")
         ->delimiter(',')
         ->expected(2);
-    command->add_option("--radius", options.grid.radius, "How far the rings reach, m; as far as bodies do without it")
+    command->add_option("--radius", arguments->radius, "How far the rings reach, m; as far as bodies do without it")
         ->check(number_above_zero());
     command->add_option("--heights", arguments->heights, "Lowest and highest, m; as far as bodies reach without it")
         ->type_name("LO,HI")

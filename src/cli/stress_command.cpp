@@ -7,8 +7,10 @@
 #include "cli/scene_arguments.h"
 #include "cli/sheet_flags.h"
 #include "cli/stop_flag.h"
+#include "fem/component.h"
 #include "run/part_loads.h"
 #include "sheet/show.h"
+#include "stress/pictures.h"
 #include "stress/recorded.h"
 #include "stress/study.h"
 #include "stress/study_sheet.h"
@@ -27,8 +29,11 @@ struct StressArguments {
     std::string part;
     std::string element = "incompatible";
     std::vector<double> depths_mm;
+    std::vector<std::string> remesh;
     run::LoadOptions loads;
     stress::StudyOptions study;
+    stress::PictureOptions pictures;
+    bool draw = false;
     fs::path out;
     bool force = false;
     bool quiet = false;
@@ -43,7 +48,7 @@ Result<stress::Recorded> simulated(StressArguments& arguments) {
     auto recorded = stress::specimen_in(std::move(*scene), arguments.part);
     if (!recorded)
         return recorded;
-    if (stress::holds_loads(arguments.out) && !arguments.force)
+    if (stress::holds_loads(arguments.out) && !arguments.force && !arguments.loads.resume)
         return Problem{
             .file = arguments.out.string(),
             .what = "holds the loads of an earlier run",
@@ -52,12 +57,14 @@ Result<stress::Recorded> simulated(StressArguments& arguments) {
         return made.problems();
     arguments.loads.threads = arguments.study.threads;
     arguments.loads.stop = &watch_for_stop();
+    arguments.loads.folder = arguments.out;
     ProgressLine line(arguments.quiet);
     auto loads = run::record_loads(recorded->scene, recorded->wall, arguments.loads, line);
     line.end();
     if (!loads)
         return loads.problems();
     recorded->loads = std::move(*loads);
+    recorded->frames = arguments.out / "frames";
     if (const auto written = stress::write_recorded(*recorded, arguments.out); !written)
         return written.problems();
     return recorded;
@@ -79,7 +86,15 @@ int solve_it(StressArguments& arguments) {
     if (arguments.out.empty())
         arguments.out =
             again ? arguments.scene.file : fs::path("out") / (arguments.scene.file.stem().string() + "-stress");
-    const auto recorded = again ? stress::read_recorded(arguments.scene.file, arguments.part) : simulated(arguments);
+    if (!again && !arguments.remesh.empty())
+        return refuse({{.file = arguments.scene.file.string(),
+                        .what = "--remesh is for a folder with loads",
+                        .fix = "choose the mesh by --set wall.NAME.KEY=VALUE"}},
+                      arguments.json, wrong);
+    const auto recorded = !again ? simulated(arguments)
+                          : arguments.remesh.empty()
+                              ? stress::read_recorded(arguments.scene.file, arguments.part)
+                              : stress::read_remeshed(arguments.scene.file, arguments.part, arguments.remesh);
     if (!recorded)
         return refuse(recorded.problems(), arguments.json, wrong);
     if (const auto made = make_folder(arguments.out); !made)
@@ -87,9 +102,15 @@ int solve_it(StressArguments& arguments) {
     const auto study = stress::study(recorded->scene, recorded->specimen(), recorded->loads, arguments.study);
     if (!study)
         return refuse(study.problems(), arguments.json, failed);
-    const auto files = stress::write_study(*study, recorded->specimen(), arguments.out);
+    auto files = stress::write_study(*study, recorded->specimen(), arguments.out);
     if (!files)
         return refuse(files.problems(), arguments.json, failed);
+    if (arguments.draw) {
+        const auto pictures = stress::draw_pictures(*recorded, *study, arguments.pictures, arguments.out);
+        if (!pictures)
+            return refuse(pictures.problems(), arguments.json, failed);
+        files->insert(files->end(), pictures->begin(), pictures->end());
+    }
     const sheet::Sheet sheet = stress::sheet_of(*study, arguments.study);
     if (arguments.json)
         say_json(sheet::to_json(sheet));
@@ -131,7 +152,26 @@ void add_stress_command(CLI::App& program, Action& action) {
         ->type_name("NAME")
         ->expected(1)
         ->take_all();
+    command
+        ->add_option("--remesh", arguments->remesh,
+                     "With a folder: key of the specimen and a value, as around=120; the same contacts on another "
+                     "mesh; may be repeated")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->take_all();
     command->add_flag("--means", study.means, "Solve the mean loads between the instants instead of the instants");
+    command->add_flag("--pictures", arguments->draw,
+                      "Draw the worst case: the part among the media, cuts through it, its slices rolled out");
+    command
+        ->add_option("--show", arguments->pictures.component,
+                     "Stress on surface and cuts of the pictures; von_mises without it")
+        ->type_name("NAME")
+        ->check(one_of(fem::component_names()));
+    command
+        ->add_option("--veil", arguments->pictures.veil,
+                     "Opacity of the media before the part in its picture; 0.2 without it, 0: none")
+        ->type_name("X")
+        ->check(number_from(0, 1));
     command->add_option("--every", arguments->loads.every, "s between instants; 1/60 without it, as the thesis")
         ->type_name("S")
         ->check(number_above_zero());
@@ -144,7 +184,16 @@ void add_stress_command(CLI::App& program, Action& action) {
     command->add_option("--out", arguments->out, "Folder; out/NAME-stress of the scene file without it")
         ->type_name("DIR")
         ->check(refuse_no_place);
-    command->add_flag("--force", arguments->force, "Replace the loads of an earlier run");
+    CLI::Option* force = command->add_flag("--force", arguments->force, "Replace the loads of an earlier run");
+    command
+        ->add_flag("--resume", arguments->loads.resume,
+                   "Go on where a run in the folder was stopped or killed, to the same bits; begin where there is none")
+        ->excludes(force);
+    command
+        ->add_option("--checkpoint-every", arguments->loads.checkpoint_every,
+                     "Wall time between checkpoints in state/, which --resume needs; 0: none; 60 without it")
+        ->type_name("S")
+        ->check(number_from(0, 1e9));
     command->add_flag("--quiet", arguments->quiet, "No progress on stderr");
     command->add_flag("--json", arguments->json, "Print the result as JSON");
     command->callback([arguments, &action] { action = [arguments] { return solve_it(*arguments); }; });

@@ -64,6 +64,7 @@ template <class Real> TUMBLE_INLINE Real friction_of(Real speed, const PairConst
 template <class Real> struct Adhered {
     NormalPush<Real> normal;
     Real squeeze; // N, what presses the surfaces together beside the load
+    Real pull;    // N, no more than this may they pull at each other where the dashpot must not
     Real holds;   // 1 where the two touch or stick, else 0
 };
 
@@ -75,9 +76,9 @@ TUMBLE_INLINE Adhered<Real> stuck(const Touch<Real>& touch, Real normal_rate, co
     const Real reach = Jkr::reach(touch.radius, pair);
     Touch<Real> held = touch;
     held.overlap = larger(touch.overlap, none - reach);
-    const Real neck = select(touch.overlap > none - reach, kept.bonded, none);
-    return {Jkr::push(held, normal_rate, pair), Real(3 * std::numbers::pi * pair.work_of_adhesion) * touch.radius,
-            select(touch.overlap > none, Real(1.0), neck)};
+    const NormalPush<Real> normal = Jkr::push(held, normal_rate, pair);
+    return {normal, Real(3 * std::numbers::pi * pair.work_of_adhesion) * touch.radius,
+            larger(none - normal.elastic, none), Jkr::holds(touch.overlap, reach, kept.bonded)};
 }
 
 template <class Normal, class Real>
@@ -96,7 +97,7 @@ TUMBLE_INLINE Adhered<Real> adhered(const Touch<Real>& touch, Real normal_rate, 
         normal.stored = normal.stored + Dmt::stored(touch, pair);
     }
     normal.elastic = normal.elastic - pull;
-    return {normal, pull, Real(1.0)};
+    return {normal, pull, pull, Real(1.0)};
 }
 
 /// Takes away what a neck that does not hold would do, and books what went with it.
@@ -142,7 +143,7 @@ template <class Normal, class Tangential> struct FullLaw {
         const NormalPush<Real>& normal = adhered_push.normal;
         const Real squeeze = adhered_push.squeeze;
         const Real sum = normal.elastic + normal.viscous;
-        const Real force = limit_force ? larger(sum + squeeze, Real(0.0)) - squeeze : sum;
+        const Real force = limit_force ? larger(sum + adhered_push.pull, Real(0.0)) - adhered_push.pull : sum;
         const Real pressing = larger(force + squeeze, -(force + squeeze));
 
         const Vec3<Real> slip_rate = touch.velocity - touch.normal * normal_rate;

@@ -23,6 +23,13 @@ struct Jkr {
         const Real a = neck(radius, pair);
         return Real(3.0) * a * a / radius;
     }
+    /// 1 where the two touch, or where they did and the gap is no wider than the `reach` of a neck, else 0. `bonded`: 1
+    /// where they touched or stuck a step ago, else 0.
+    template <class Real> TUMBLE_INLINE static Real holds(Real overlap, Real reach, Real bonded) {
+        const Real none(0.0);
+        const Real neck = select(overlap > none - reach, bonded, none);
+        return select(overlap > none, Real(1.0), neck);
+    }
     /// The stable one of the two x with x^4 - 4 x = D, D >= -3: (x^2 + m)^2 = 2 m (x + 1 / m)^2 where m^3 + D m = 2,
     /// whose root is Cardano's without its cancellation.
     template <class Real> TUMBLE_INLINE static Real root_of(Real D) {

@@ -46,8 +46,9 @@ Result<std::vector<Support>> encastre(const solid::HexMesh& mesh, const std::str
             names += (names.empty() ? "" : ", ") + name;
         return Problem{.file = mesh.file,
                        .what = fmt::format("the mesh has no node set '{}'", set),
-                       .fix =
-                           names.empty() ? "give the nodes that are held a name: *NSET, NSET=held" : "it has " + names};
+                       .fix = names.empty()
+                                  ? "give the nodes that are held a name: *NSET, NSET=held, or a physical group of gmsh"
+                                  : "it has " + names};
     }
     std::vector<Support> supports;
     for (const int node : found->second)
@@ -97,7 +98,7 @@ Result<Structure> Structure::make(std::shared_ptr<const solid::HexMesh> mesh, co
 
     part.assemble(crew);
     part.held_force_ = part.stiffness_.selfadjointView<Eigen::Lower>() * part.held_;
-    const auto factor = Factor::of(part.free_part());
+    const auto factor = Factor::of(part.free_part(), crew);
     if (!factor)
         return Problem{.file = part.mesh_->file,
                        .what = "the part's supports leave it free to move",

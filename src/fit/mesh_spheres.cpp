@@ -1,9 +1,11 @@
+#include "base/parallel_for.h"
 #include "fit/spheres.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numeric>
 #include <queue>
 
 namespace tumble::fit {
@@ -17,7 +19,7 @@ constexpr int points_along = 40;
 /// The points of a cubic grid around the solid; how deep each lies in it, and whether a chosen sphere holds it.
 class Grid {
 public:
-    explicit Grid(const Solid& solid) {
+    Grid(const Solid& solid, Crew& crew, StopFlag stop) {
         Eigen::AlignedBox3d box;
         for (const Triangle& face : solid.faces)
             for (const Vector3d& corner : face)
@@ -28,11 +30,14 @@ public:
         first_ = box.center();
         for (int k = 0; k < 3; ++k)
             first_[k] -= 0.5 * (count_[static_cast<std::size_t>(k)] - 1) * pitch_;
-        for (int z = 0; z < count_[2]; ++z)
-            for (int y = 0; y < count_[1]; ++y)
-                for (int x = 0; x < count_[0]; ++x)
-                    depth_.push_back(depth_in(solid, place(x, y, z)));
-        free_.assign(depth_.size(), 1);
+        depth_.resize(static_cast<std::size_t>(count_[0] * count_[1] * count_[2]));
+        free_.assign(depth_.size(), 0);
+        const Depths depths(solid);
+        crew.share(count_[1] * count_[2], [&](int row) {
+            if (!stop_wanted(stop))
+                find_distances(depths, row);
+        });
+        find_insides(depths, stop);
         for (std::size_t i = 0; i < depth_.size(); ++i)
             free_[i] = depth_[i] > 0 ? 1 : 0;
     }
@@ -46,25 +51,58 @@ public:
     /// How many points that are still free the sphere about point i holds.
     int gain(int i) {
         int sum = 0;
-        visit(i, [&](char& free) { sum += free; });
+        visit(i, depth(i), [&](std::size_t held) { sum += free_[held]; });
         return sum;
     }
     void take(int i) {
-        visit(i, [](char& free) { free = 0; });
+        visit(i, depth(i), [&](std::size_t held) { free_[held] = 0; });
     }
 
 private:
     [[nodiscard]] Vector3d place(int x, int y, int z) const { return first_ + pitch_ * Vector3d(x, y, z); }
 
-    template <class Action> void visit(int i, Action action) {
-        const double radius = depth(i) / pitch_;
+    /// Without their signs. From one point of the row to the next they change by no more than the pitch.
+    void find_distances(const Depths& depths, int row) {
+        double bound = std::numeric_limits<double>::infinity();
+        for (int x = 0; x < count_[0]; ++x) {
+            const int i = row * count_[0] + x;
+            const double distance = std::sqrt(depths.distance2(place(i), bound));
+            depth_[static_cast<std::size_t>(i)] = distance;
+            bound = std::pow(1.0001 * (distance + pitch_), 2);
+        }
+    }
+
+    /// Gives those outside a minus. No surface comes nearer to a point than its distance, so all points nearer than
+    /// that lie on its side: few have to be asked.
+    void find_insides(const Depths& depths, StopFlag stop) {
+        std::vector<int> farthest_first(depth_.size());
+        std::iota(farthest_first.begin(), farthest_first.end(), 0);
+        std::stable_sort(farthest_first.begin(), farthest_first.end(),
+                         [&](int a, int b) { return depth(a) > depth(b); });
+        std::vector<char> sign(depth_.size(), 0);
+        for (const int i : farthest_first) {
+            if (stop_wanted(stop))
+                return;
+            if (sign[static_cast<std::size_t>(i)] != 0)
+                continue;
+            const char side = depths.inside(place(i)) ? 1 : -1;
+            sign[static_cast<std::size_t>(i)] = side;
+            visit(i, 0.9999 * depth(i), [&](std::size_t near) { sign[near] = side; });
+        }
+        for (std::size_t i = 0; i < depth_.size(); ++i)
+            depth_[i] *= sign[i];
+    }
+
+    /// Calls action(index) for the points nearer to point i than `distance`, m.
+    template <class Action> void visit(int i, double distance, Action action) {
+        const double radius = distance / pitch_;
         const int reach = static_cast<int>(radius);
         const int x = i % count_[0], y = i / count_[0] % count_[1], z = i / (count_[0] * count_[1]);
         for (int c = std::max(0, z - reach); c <= std::min(count_[2] - 1, z + reach); ++c)
             for (int b = std::max(0, y - reach); b <= std::min(count_[1] - 1, y + reach); ++b)
                 for (int a = std::max(0, x - reach); a <= std::min(count_[0] - 1, x + reach); ++a)
                     if ((a - x) * (a - x) + (b - y) * (b - y) + (c - z) * (c - z) < radius * radius)
-                        action(free_[static_cast<std::size_t>((c * count_[1] + b) * count_[0] + a)]);
+                        action(static_cast<std::size_t>((c * count_[1] + b) * count_[0] + a));
     }
 
     std::array<int, 3> count_{};
@@ -76,15 +114,18 @@ private:
 
 } // namespace
 
-Result<std::vector<Sphere>> spheres_in(const Solid& solid, const Wanted& wanted) {
-    Grid grid(solid);
+Result<std::vector<Sphere>> spheres_in(const Solid& solid, const Wanted& wanted, int threads, StopFlag stop) {
+    Crew crew(threads);
+    Grid grid(solid, crew, stop);
     // A sphere's gain can only fall as others are chosen, so that an old gain is a bound: only those at the top of the
     // queue are counted anew. At equal gains the earlier point wins.
     using Entry = std::pair<int, int>; // gain, -point
     std::priority_queue<Entry> queue;
-    for (int i = 0; i < grid.points(); ++i)
+    for (int i = 0; i < grid.points() && !stop_wanted(stop); ++i)
         if (grid.depth(i) >= wanted.smallest && grid.depth(i) > 0)
             queue.emplace(grid.gain(i), -i);
+    if (stop_wanted(stop))
+        return Problem{.what = "stopped before the spheres were found"};
     if (static_cast<int>(queue.size()) < wanted.spheres)
         return Problem{.what = fmt::format("{} spheres of {:.4g} mm radius or more find {} places in the body",
                                            wanted.spheres, 1e3 * wanted.smallest, queue.size()),

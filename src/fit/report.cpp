@@ -54,11 +54,12 @@ Report compare(const Solid& solid, const std::vector<Sphere>& spheres) {
         report.gap_mean += std::abs(height) / static_cast<double>(points.size());
         report.gap_max = std::max(report.gap_max, height);
     }
+    const Depths depths(solid);
     report.smallest = report.largest = spheres.front().radius;
     for (const Sphere& sphere : spheres) {
         report.smallest = std::min(report.smallest, sphere.radius);
         report.largest = std::max(report.largest, sphere.radius);
-        report.stands_out = std::max(report.stands_out, sphere.radius - depth_in(solid, sphere.centre));
+        report.stands_out = std::max(report.stands_out, sphere.radius - depths.at(sphere.centre));
     }
     if (report.stands_out < 1e-9 * report.largest)
         report.stands_out = 0;

@@ -105,6 +105,13 @@ double solid_angle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
     return 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
 }
 
+bool encloses(const Solid& solid, const Vector3d& point) {
+    double angle = 0; // 4 pi inside, 0 outside
+    for (const Triangle& face : solid.faces)
+        angle += solid_angle(face[0] - point, face[1] - point, face[2] - point);
+    return angle > 2 * std::numbers::pi;
+}
+
 } // namespace
 
 Result<Solid> solid_of(std::vector<Triangle> faces) {
@@ -140,13 +147,32 @@ Solid solid_of(const Cone& cone) {
 }
 
 double depth_in(const Solid& solid, const Vector3d& point) {
-    double nearest2 = std::numeric_limits<double>::infinity(), angle = 0;
-    for (const Triangle& face : solid.faces) {
+    double nearest2 = std::numeric_limits<double>::infinity();
+    for (const Triangle& face : solid.faces)
         nearest2 = std::min(nearest2, closest_point(flat_triangle(face[0], face[1], face[2]), point).distance2);
-        angle += solid_angle(face[0] - point, face[1] - point, face[2] - point);
-    }
-    // 4 pi inside, 0 outside.
-    return angle > 2 * std::numbers::pi ? std::sqrt(nearest2) : -std::sqrt(nearest2);
+    return encloses(solid, point) ? std::sqrt(nearest2) : -std::sqrt(nearest2);
+}
+
+Depths::Depths(const Solid& solid) : solid_(solid) {
+    for (const Triangle& face : solid.faces)
+        flats_.push_back(flat_triangle(face[0], face[1], face[2]));
+    tree_ = TriangleTree(flats_);
+    slack_ = 1e-12 * std::pow(size_of(solid.faces), 2);
+}
+
+double Depths::distance2(const Vector3d& point, double bound) const {
+    return tree_.least(point, bound, slack_, [&](int triangle) {
+        return closest_point(flats_[static_cast<std::size_t>(triangle)], point).distance2;
+    });
+}
+
+bool Depths::inside(const Vector3d& point) const {
+    return encloses(solid_, point);
+}
+
+double Depths::at(const Vector3d& point) const {
+    const double distance = std::sqrt(distance2(point));
+    return inside(point) ? distance : -distance;
 }
 
 std::vector<Vector3d> surface_points(const Solid& solid, int count) {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "base/problem.h"
+#include "base/triangle_tree.h"
 #include "fit/shapes.h"
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 /// Solids that spheres are fitted to.
@@ -27,6 +29,25 @@ Solid solid_of(const Cone& cone);
 
 /// Distance from the point to the surface, m, positive inside.
 double depth_in(const Solid& solid, const Eigen::Vector3d& point);
+
+/// Asks one solid how deep many points lie in it.
+class Depths {
+public:
+    explicit Depths(const Solid& solid);
+
+    /// Squared distance to the surface, m2, where it is below `bound`, else `bound`.
+    [[nodiscard]] double distance2(const Eigen::Vector3d& point,
+                                   double bound = std::numeric_limits<double>::infinity()) const;
+    [[nodiscard]] bool inside(const Eigen::Vector3d& point) const;
+    /// depth_in of the solid, by the same bits.
+    [[nodiscard]] double at(const Eigen::Vector3d& point) const;
+
+private:
+    const Solid& solid_; // outlives this
+    std::vector<FlatTriangle> flats_;
+    TriangleTree tree_;
+    double slack_ = 0; // m2
+};
 
 /// Points spread evenly over the surface, the same for the same solid.
 std::vector<Eigen::Vector3d> surface_points(const Solid& solid, int count);

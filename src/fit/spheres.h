@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/problem.h"
+#include "base/stop.h"
 #include "fit/shapes.h"
 #include "fit/solid.h"
 
@@ -24,7 +25,9 @@ Result<std::vector<Sphere>> spheres_in(const Cone& cone, const Wanted& wanted);
 
 /// Largest-gain choice among the spheres that touch the surface from inside about the points of a grid (40 along the
 /// longest side): each time the one that holds most of the grid's points that no sphere holds yet. Problems: no point
-/// is as deep as the smallest radius, more spheres wanted than there are such points.
-Result<std::vector<Sphere>> spheres_in(const Solid& solid, const Wanted& wanted);
+/// is as deep as the smallest radius, more spheres wanted than there are such points, stopped. The number of threads
+/// changes the time taken only.
+Result<std::vector<Sphere>> spheres_in(const Solid& solid, const Wanted& wanted, int threads = 1,
+                                       StopFlag stop = nullptr);
 
 } // namespace tumble::fit

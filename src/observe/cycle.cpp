@@ -75,7 +75,7 @@ Cycle find_cycle(std::span<const double> times, std::span<const double> values, 
         if (i >= 2)
             periods.push_back(points[i].time - points[i - 2].time);
     }
-    cycle.cycles = static_cast<int>(periods.size() / 2);
+    cycle.cycles = 0.5 * static_cast<double>(heights.size());
     cycle.period = quantile(std::move(periods), 0.5);
     cycle.peak_to_peak = quantile(std::move(heights), 0.5);
     return cycle;

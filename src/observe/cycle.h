@@ -11,7 +11,7 @@ struct Cycle {
     double period = 0;       // s, median time between turning points of one kind; NaN with fewer than two of a kind
     double peak_to_peak = 0; // median height between neighbouring turning points; NaN with fewer than two
     double lowest = 0, highest = 0;
-    int cycles = 0;                    // full ones seen: times between two tops and between two bottoms, halved
+    double cycles = 0;                 // seen, from the first turning point to the last, two halves to each
     std::vector<double> tops, bottoms; // s
 };
 

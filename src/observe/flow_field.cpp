@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace tumble::observe {
 
@@ -13,6 +14,7 @@ using Eigen::Vector3d;
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double surface_share = 0.95;
+constexpr int height_steps = 1000; // over a grid's height: its surface does not depend on how thick layers are
 
 /// Layer of a height, -1 outside the grid.
 int layer_of(const FlowGrid& grid, double y) {
@@ -44,7 +46,8 @@ double FlowCell::mean_speed() const {
 }
 
 FlowField::FlowField(const FlowGrid& grid)
-    : grid_(grid), cells_(static_cast<std::size_t>(grid.rings) * static_cast<std::size_t>(grid.layers)) {}
+    : grid_(grid), cells_(static_cast<std::size_t>(grid.rings) * static_cast<std::size_t>(grid.layers)),
+      at_heights_(static_cast<std::size_t>(grid.rings), std::vector<double>(height_steps, 0.0)) {}
 
 void FlowField::add(const Frame& frame) {
     ++frames_;
@@ -61,6 +64,9 @@ void FlowField::add(const Frame& frame) {
         const Vector3d turned(c * v.x() + s * v.z(), s * v.x() - c * v.z(), v.y());
         const double mass = frame.layout->shapes[static_cast<std::size_t>(frame.shape[i])].mass;
         cells_[static_cast<std::size_t>(ring * grid_.layers + layer)] += {mass, mass * turned, mass * v.norm()};
+        const double height = (frame.position[i].y() - grid_.lo) / (grid_.hi - grid_.lo);
+        at_heights_[static_cast<std::size_t>(ring)]
+                   [std::min(static_cast<std::size_t>(height * height_steps), std::size_t{height_steps - 1})] += mass;
     }
 }
 
@@ -80,17 +86,14 @@ double FlowField::density(int ring, int layer) const {
 }
 
 std::vector<double> FlowField::surface() const {
+    const double step = (grid_.hi - grid_.lo) / height_steps;
     std::vector<double> heights;
-    for (int ring = 0; ring < grid_.rings; ++ring) {
-        double mass = 0;
-        for (int layer = 0; layer < grid_.layers; ++layer)
-            mass += cell(ring, layer).mass;
+    for (const std::vector<double>& masses : at_heights_) {
+        const double wanted = surface_share * std::accumulate(masses.begin(), masses.end(), 0.0);
         double below = 0, height = 0;
-        for (int layer = 0; layer < grid_.layers && below < surface_share * mass; ++layer) {
-            // Within a layer mass counts as spread evenly.
-            const double own = cell(ring, layer).mass, missing = surface_share * mass - below;
-            height = (layer + std::min(1.0, own > 0 ? missing / own : 0.0)) * grid_.layer_height();
-            below += own;
+        for (std::size_t k = 0; k < masses.size() && below < wanted; ++k) {
+            height = (static_cast<double>(k) + std::min(1.0, (wanted - below) / std::max(masses[k], 1e-300))) * step;
+            below += masses[k];
         }
         heights.push_back(height / surface_share);
     }

@@ -50,13 +50,15 @@ public:
     /// kg/m3 of bodies' centres in the cell's volume, mean over frames.
     [[nodiscard]] double density(int ring, int layer) const;
     /// Height of the bulk's surface in each ring, m above the grid's lower end: that of an even column whose lowest
-    /// 95 % of mass end where the ring's do, so that a few bodies in flight do not raise it. 0 where nothing ever was.
+    /// 95 % of mass end where the ring's do, so that a few bodies in flight do not raise it. To a thousandth of the
+    /// grid's height, however thick layers are. 0 where nothing ever was.
     [[nodiscard]] std::vector<double> surface() const;
 
 private:
     FlowGrid grid_;
     int frames_ = 0;
-    std::vector<FlowCell> cells_; // ring by ring
+    std::vector<FlowCell> cells_;                 // ring by ring
+    std::vector<std::vector<double>> at_heights_; // kg by ring, then by thin steps of height
 };
 
 /// How much lower the surface lies at the axis than where it is highest, m: its highest ring less its innermost.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/carried.h"
+
 #include <Eigen/Core>
 #include <cstdint>
 #include <limits>
@@ -40,6 +42,18 @@ struct Touching {
     double shear_impulse = 0;                                // N s, of the force's size
 };
 
+template <class Archive, As<WallPush> P> void carry(Archive& archive, P& push) {
+    auto& [body, triangle, foot, normal, force, velocity] = push;
+    archive(body, triangle, foot, normal, force, velocity);
+}
+
+template <class Archive, As<Touching> T> void carry(Archive& archive, T& touch) {
+    auto& [body, number, begin, duration, since, triangle, foot, approach, slip, peak_normal, peak_shear,
+           normal_impulse, shear_impulse] = touch;
+    archive(body, number, begin, duration, since, triangle, foot, approach, slip, peak_normal, peak_shear,
+            normal_impulse, shear_impulse);
+}
+
 /// Builds touches from the contacts of every step.
 class TouchHistory {
 public:
@@ -50,6 +64,24 @@ public:
     void take(double time, const std::vector<WallPush>& pushes);
     /// All touches in the order in which they began, those that still last included.
     [[nodiscard]] std::vector<Touching> touches() const;
+
+    /// All that was taken, for checkpoints.
+    template <class Archive, As<TouchHistory> H> friend void carry(Archive& archive, H& history) {
+        std::vector<std::int64_t> bodies;
+        std::vector<std::size_t> touches;
+        std::vector<double> seen;
+        for (const auto& [body, last] : history.last_) {
+            bodies.push_back(body);
+            touches.push_back(last.touch);
+            seen.push_back(last.seen);
+        }
+        archive(history.touches_, bodies, touches, seen);
+        if constexpr (!std::is_const_v<H>) {
+            history.last_.clear();
+            for (std::size_t k = 0; k < bodies.size() && k < touches.size() && k < seen.size(); ++k)
+                history.last_[bodies[k]] = {touches[k], seen[k]};
+        }
+    }
 
 private:
     double step_, pause_;

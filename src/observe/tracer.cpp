@@ -22,8 +22,14 @@ struct Quantity {
 };
 
 /// Three columns each.
-constexpr std::array<Quantity, 6> quantities{
-    {{"", "m"}, {"v", "m_s"}, {"a", "m_s2"}, {"point_v", "m_s"}, {"spin_", "rad_s"}, {"felt_", "m_s2"}}};
+constexpr std::array<Quantity, 8> quantities{{{"", "m"},
+                                              {"v", "m_s"},
+                                              {"a", "m_s2"},
+                                              {"point_", "m"},
+                                              {"point_v", "m_s"},
+                                              {"point_a", "m_s2"},
+                                              {"spin_", "rad_s"},
+                                              {"felt_", "m_s2"}}};
 
 } // namespace
 
@@ -42,17 +48,20 @@ std::vector<double> TracerReader::row(const Frame& frame) {
         return values;
     const Vector3d& spin = frame.angular_velocity[*body];
     const Vector3d arm = frame.orientation[*body] * tracer_.point;
-    const Moment now{frame.time, frame.velocity[*body], frame.velocity[*body] + spin.cross(arm)};
-    Vector3d acceleration = Vector3d::Constant(values[0]), felt = acceleration;
-    const Eigen::Quaterniond to_sensor = (frame.orientation[*body] * tracer_.sensor).conjugate();
+    const Eigen::Quaterniond turned = frame.orientation[*body] * tracer_.sensor;
+    const Moment now{frame.time, frame.velocity[*body], frame.velocity[*body] + spin.cross(arm), turned.coeffs()};
+    Vector3d acceleration = Vector3d::Constant(values[0]), of_point = acceleration, felt = acceleration;
     if (before_ && now.time > before_->time) {
         acceleration = (now.centre - before_->centre) / (now.time - before_->time);
-        felt = to_sensor * ((now.point - before_->point) / (now.time - before_->time) - tracer_.gravity);
+        const Eigen::Quaterniond half_way = Eigen::Quaterniond(before_->turned).slerp(0.5, turned);
+        of_point = (now.point - before_->point) / (now.time - before_->time);
+        felt = half_way.conjugate() * (of_point - tracer_.gravity);
     }
     before_ = now;
     std::size_t at = 0;
     for (const Vector3d& vector :
-         {frame.position[*body], now.centre, acceleration, now.point, Vector3d(to_sensor * spin), felt})
+         {frame.position[*body], now.centre, acceleration, Vector3d(frame.position[*body] + arm), now.point, of_point,
+          Vector3d(turned.conjugate() * spin), felt})
         for (int k = 0; k < 3; ++k)
             values[at++] = vector[k];
     return values;

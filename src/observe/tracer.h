@@ -37,8 +37,8 @@ public:
     template <class Archive, As<TracerReader> R> friend void carry(Archive& archive, R& reader) {
         bool seen = reader.before_.has_value();
         Moment moment = reader.before_.value_or(Moment{});
-        auto& [time, centre, point] = moment;
-        archive(seen, time, centre, point);
+        auto& [time, centre, point, turned] = moment;
+        archive(seen, time, centre, point, turned);
         if constexpr (!std::is_const_v<R>)
             reader.before_ = seen ? std::optional(moment) : std::nullopt;
     }
@@ -47,6 +47,7 @@ private:
     struct Moment {
         double time = 0;
         Eigen::Vector3d centre = Eigen::Vector3d::Zero(), point = Eigen::Vector3d::Zero(); // m/s, velocities
+        Eigen::Vector4d turned = Eigen::Quaterniond::Identity().coeffs();                  // sensor frame to world
     };
     Tracer tracer_;
     std::optional<Moment> before_;

@@ -1,5 +1,6 @@
 #include "observe/whole_file.h"
 
+#include "base/disk_calls.h"
 #include "base/remedy.h"
 #include "base/write_all.h"
 
@@ -26,7 +27,7 @@ Problem failed(const std::filesystem::path& file, const char* verb, int error, c
 
 /// Some kinds of disks cannot be waited for, which they call an invalid request.
 int sync(int file) {
-    return ::fsync(file) == 0 || errno == EINVAL ? 0 : errno;
+    return disk_calls().sync(file) == 0 || errno == EINVAL ? 0 : errno;
 }
 
 /// 0 or errno.
@@ -37,7 +38,7 @@ int write_new(const std::filesystem::path& file, std::string_view content, Writi
     int error = write_all(opened, content);
     if (error == 0 && writing == Writing::lasting)
         error = sync(opened);
-    if (::close(opened) != 0 && error == 0)
+    if (disk_calls().close(opened) != 0 && error == 0)
         error = errno;
     return error;
 }
@@ -51,7 +52,7 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
 Result<Done> write_whole(const std::filesystem::path& file, std::string_view content, Writing writing) {
     const std::filesystem::path unfinished = file.string() + ".part";
     int error = write_new(unfinished, content, writing);
-    if (error == 0 && std::rename(unfinished.c_str(), file.c_str()) != 0)
+    if (error == 0 && disk_calls().rename(unfinished.c_str(), file.c_str()) != 0)
         error = errno;
     if (error != 0) {
         std::remove(unfinished.c_str());

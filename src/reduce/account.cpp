@@ -58,6 +58,7 @@ Json quantities_of(const Account& account, const Price& price) {
                        {"deviation", number_or_null(price.spreads[q].deviation)},
                        {"error", number_or_null(error.relative)},
                        {"uncertainty", number_or_null(error.uncertainty)},
+                       {"at_least", error.at_least},
                        {"judged", static_cast<bool>(account.prices.judged[q])},
                        {"told_apart", error.told_apart()}});
     }
@@ -69,6 +70,10 @@ std::string column_of(const Quantity& quantity) {
     std::string name = quantity.name;
     std::replace(name.begin(), name.end(), ' ', '_');
     return name;
+}
+
+bool judged_and_finite(const Prices& prices, const Price& price, std::size_t quantity) {
+    return prices.judged[quantity] && std::isfinite(price.errors[quantity].uncertainty);
 }
 
 std::string reduced_name(const Account& account) {
@@ -83,6 +88,19 @@ std::optional<std::size_t> Account::cheapest() const {
 
 bool Account::sure() const {
     return prices.cheapest && prices.rungs[*prices.cheapest].verdict == Verdict::within;
+}
+
+std::optional<int> Account::seeds_needed() const {
+    if (!prices.cheapest || sure() || static_cast<int>(climb.rungs[*reference].runs.size()) != seeds)
+        return std::nullopt;
+    const Price& price = prices.rungs[*prices.cheapest];
+    double needed = seeds_to_be_sure;
+    for (std::size_t q = 0; q < price.errors.size(); ++q)
+        if (judged_and_finite(prices, price, q))
+            needed = std::max(
+                needed,
+                seeds * std::pow(price.errors[q].uncertainty / (tolerance - std::abs(price.errors[q].relative)), 2));
+    return needed < 1e4 ? std::optional(static_cast<int>(std::ceil(needed))) : std::nullopt;
 }
 
 Account account_of(const std::filesystem::path& scene, Climb climb, double tolerance, int seeds) {
@@ -141,6 +159,7 @@ Json to_json(const Account& account) {
             {"reference", name(account.reference)},
             {"cheapest", name(account.cheapest())},
             {"sure", account.sure()},
+            {"seeds_needed", account.seeds_needed() ? Json(*account.seeds_needed()) : Json(nullptr)},
             {"rungs", all}};
 }
 
@@ -195,11 +214,12 @@ std::string cheapest_scene(const Account& account) {
     return scene::to_toml(scene);
 }
 
-Result<std::vector<std::filesystem::path>> write_account(const Account& account, const std::filesystem::path& folder) {
+Result<std::vector<std::filesystem::path>> write_account(const Account& account, const std::filesystem::path& folder,
+                                                         bool unsure) {
     std::vector<std::pair<std::string, std::string>> files{{"reduction.csv", csv_of(account)},
                                                            {"reduction.json", to_json(account).dump(2) + "\n"}};
     std::error_code error;
-    if (account.cheapest())
+    if (account.sure() || (unsure && account.cheapest()))
         files.emplace_back(reduced_name(account), cheapest_scene(account));
     else
         std::filesystem::remove(folder / reduced_name(account), error);

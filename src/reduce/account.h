@@ -23,6 +23,9 @@ struct Account {
     /// Rung of the cheapest scene.
     [[nodiscard]] std::optional<std::size_t> cheapest() const;
     [[nodiscard]] bool sure() const;
+    /// With how many seeds of each the cheapest would surely be within, if its errors and scatter stay as they are.
+    /// Nothing where it is, where there is none, and where the reference has other runs than the rungs.
+    [[nodiscard]] std::optional<int> seeds_needed() const;
 };
 
 /// The reference is the scene as written, or else, where that was not finished, the rung that took the most work.
@@ -40,8 +43,9 @@ std::string csv_of(const Account& account);
 /// The cheapest scene as a scene file, its claim being what it was reduced by and how far it is off.
 std::string cheapest_scene(const Account& account);
 
-/// reduction.csv, reduction.json, and NAME-reduced.toml where a scene stays within; a scene that an earlier call left
-/// is taken away where none does. Returns the files. Problems: the system's reason.
-Result<std::vector<std::filesystem::path>> write_account(const Account& account, const std::filesystem::path& folder);
+/// reduction.csv, reduction.json, and NAME-reduced.toml where a scene surely stays within, or (with `unsure`) seems to;
+/// a scene that an earlier call left is taken away where none does. Returns the files. Problems: the system's reason.
+Result<std::vector<std::filesystem::path>> write_account(const Account& account, const std::filesystem::path& folder,
+                                                         bool unsure);
 
 } // namespace tumble::reduce

@@ -8,7 +8,9 @@ namespace tumble::reduce {
 
 namespace {
 
-std::string error_words(const Error& error) {
+std::string error_words(const Error& error, bool judged) {
+    if (!judged)
+        return error.at_least > 0 ? fmt::format("at least {:.0f} %", 100 * error.at_least) : "-";
     if (!std::isfinite(error.relative))
         return "lost";
     const std::string size = std::isfinite(error.uncertainty)
@@ -40,8 +42,7 @@ sheet::Grid table_of(const Account& account) {
         for (std::size_t q = 0; q < quantities.size(); ++q)
             row.emplace_back(reference
                                  ? value_words(price.spreads[q], account.prices.reference_spread[q], quantities[q].unit)
-                             : account.prices.judged[q] ? error_words(price.errors[q])
-                                                        : "-");
+                                 : error_words(price.errors[q], account.prices.judged[q]));
         row.emplace_back(reference ? "reference" : word_of(price.verdict));
         grid.rows.push_back(std::move(row));
     }
@@ -103,9 +104,10 @@ void say_what_judges(const Account& account, sheet::Sheet& sheet) {
     const auto& quantities = account.climb.stick.quantities();
     for (std::size_t q = 0; q < quantities.size(); ++q)
         if (!account.prices.judged[q])
-            sheet.say(fmt::format("{} judges nobody: {}.", quantities[q].name,
+            sheet.say(fmt::format("{} judges none of the others: {}.", quantities[q].name,
                                   std::isfinite(account.prices.reference_spread[q])
-                                      ? "the reference's own is not told apart from zero"
+                                      ? "the reference's own is not told apart from zero, so that only a scene that "
+                                        "surely has more of it is beyond"
                                       : "the reference does not have it in this stretch of time"));
 }
 
@@ -119,9 +121,15 @@ std::string conclusion(const Account& account) {
     if (account.sure())
         return fmt::format("The cheapest that stays within {:.3g} %, its uncertainty included: {}.",
                            100 * account.tolerance, what);
-    return fmt::format("The cheapest that seems to stay within {:.3g} %: {}. Its errors are below that and their "
-                       "uncertainties are not; more --seeds or a longer --time make these smaller.",
-                       100 * account.tolerance, what);
+    const auto needed = account.seeds_needed();
+    const std::string more =
+        needed ? fmt::format("--seeds {} would tell, if errors and scatter stay as they are", *needed)
+               : fmt::format("more seeds, of the reference too (at least {}), or a longer --time would tell",
+                             seeds_to_be_sure);
+    return fmt::format(
+        "The cheapest that seems to stay within {:.3g} %: {}. Its errors are below that, but not surely: "
+        "{}. --unsure writes it as a scene even so.",
+        100 * account.tolerance, what, more);
 }
 
 } // namespace
@@ -134,10 +142,13 @@ sheet::Sheet sheet_of(const Account& account) {
         return sheet;
     }
     sheet.parts.emplace_back(table_of(account));
+    const std::size_t references = account.climb.rungs[*account.reference].runs.size();
+    const std::string aside =
+        static_cast<int>(references) == account.seeds ? "" : fmt::format(" ({} of the reference)", references);
     sheet.say(
-        fmt::format("Means from {:.4g} to {:.4g} s over {} seeds. Errors are those against the reference, ± half of "
+        fmt::format("Means from {:.4g} to {:.4g} s over {} seeds{}. Errors are those against the reference, ± half of "
                     "a 95 % interval; one in brackets is not told apart from chance.",
-                    account.climb.stick.from(), account.climb.stick.until(), account.seeds));
+                    account.climb.stick.from(), account.climb.stick.until(), account.seeds, aside));
     if (!account.reference_is_whole())
         sheet.say(
             fmt::format("The scene as written was not run to its end: errors are against \"{}\", the fullest that "

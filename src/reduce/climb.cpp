@@ -1,5 +1,6 @@
 #include "reduce/climb.h"
 
+#include "reduce/given_run.h"
 #include "reduce/kept_run.h"
 #include "run/scene_check.h"
 
@@ -35,6 +36,8 @@ public:
     Result<Climb> climb() {
         for (Climbed& rung : result_.rungs)
             weigh(rung);
+        if (const Result<Done> taken = take_references(); !taken)
+            return taken.problems();
         std::vector<Climbed*> order;
         for (Climbed& rung : result_.rungs)
             if (rung.standing == Standing::waiting)
@@ -63,6 +66,23 @@ private:
         rung.mass = check->mass;
         rung.bodies = static_cast<double>(check->wanted);
         rung.work = check->body_steps * static_cast<double>(check->parts) / std::max(1.0, rung.bodies);
+    }
+
+    Result<Done> take_references() {
+        Climbed& whole = result_.rungs.front();
+        for (const std::filesystem::path& folder : options_.references) {
+            const auto given = read_given(folder, whole.rung.scene, result_.stick, whole.mass);
+            if (!given)
+                return given.problems();
+            for (const Seeded& run : whole.runs)
+                if (run.seed == given->seed)
+                    return Problem{.file = folder.string(),
+                                   .what = fmt::format("seed {} is among the references already", given->seed),
+                                   .fix = "give each run once, and only runs of different seeds"};
+            whole.runs.push_back(*given);
+            whole.standing = Standing::finished;
+        }
+        return Done{};
     }
 
     [[nodiscard]] scene::Scene prepared(const Climbed& rung, int nth) const {
@@ -119,16 +139,13 @@ private:
         return true;
     }
 
-    /// False when it was stopped. A run that was taken up again is charged its whole stepping time, at the share of it
-    /// that the processor was ours in the part just run.
+    /// False when it was stopped. Problems: what it failed by lies outside of the scene.
     Result<bool> perform(const scene::Scene& scene, const std::filesystem::path& folder, KeptRun& kept) {
         run::RunOptions options;
         options.folder = folder;
         options.threads = options_.threads;
         options.resume = true;
         options.stop = options_.stop;
-        const std::clock_t cpu = std::clock();
-        const Clock::time_point wall = Clock::now();
         const Result<run::RunSummary> summary = run::run_scene(scene, options, listener_);
         if (stop_wanted(options_.stop) && (!summary || summary->state == "stopped")) {
             result_.stopped = true;
@@ -136,9 +153,9 @@ private:
         }
         if (!summary)
             return summary.problems();
-        const double spent = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
-        const bool whole = summary->resumed.empty();
-        kept.core_s = whole ? spent : summary->stepping_s * spent / std::max(since(wall), 1e-9);
+        if (summary->state == "failed" && !summary->own_fault) // a full disk: the same command goes on once it is not
+            return summary->reason;
+        kept.core_s = summary->processor_s;
         kept.overlap = summary->overlap_ratio_max;
         kept.doubts = summary->warnings;
         if (summary->state == "failed")

@@ -13,8 +13,9 @@
 namespace tumble::reduce {
 
 struct ClimbOptions {
-    std::filesystem::path folder;                            // runs go to runs/ in it
-    int seeds = 2;                                           // the scene's own and those after it
+    std::filesystem::path folder{};                          // runs go to runs/ in it
+    int seeds = 4;                                           // the scene's own and those after it
+    std::vector<std::filesystem::path> references{};         // runs of the scene as written that are over, in its place
     double budget = std::numeric_limits<double>::infinity(); // s of wall time for all that is still to run
     int threads = 1;
     StopFlag stop = nullptr;
@@ -67,7 +68,8 @@ public:
 
 /// Runs what is not done yet: a run in the folder counts as done when scene, seed and program are the same, and one
 /// that was interrupted goes on from its checkpoint. Problems: a folder that cannot be written; a run's files that
-/// cannot be read. A rung that cannot be run is no problem but a standing.
+/// cannot be read; a reference that is none (given_run.h), or given twice. A rung that cannot be run is no problem but
+/// a standing.
 Result<Climb> climb(std::vector<Rung> ladder, const Yardstick& stick, const ClimbOptions& options,
                     ClimbListener& listener);
 

@@ -2,8 +2,8 @@
 
 #include "base/hash.h"
 #include "observe/whole_file.h"
+#include "run/build_mark.h"
 #include "run/mesh_copies.h"
-#include "run/run_report.h"
 #include "run/scene_changes.h"
 #include "scene/read_file.h"
 #include "scene/to_toml.h"
@@ -21,7 +21,7 @@ Result<std::string> name_of_run(const std::string& rung, const scene::Scene& sce
     if (!meshes)
         return meshes.problems();
     Hash64 hash;
-    hash.add(scene::to_toml(scene, run::names_of(*meshes))).add(run::version());
+    hash.add(scene::to_toml(scene, run::names_of(*meshes))).add(run::build_mark());
     for (const run::MeshMark& mark : run::marks_of(*meshes))
         hash.add(mark.hash);
     std::string name;

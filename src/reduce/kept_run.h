@@ -19,7 +19,7 @@ struct KeptRun {
 };
 
 /// "softening-4-seed-7-0123456789abcdef": the hash is that of the resolved scene, of what is in its meshes, and of the
-/// program's version. Problems: a mesh that cannot be read.
+/// sources that decide bits. Problems: a mesh that cannot be read.
 Result<std::string> name_of_run(const std::string& rung, const scene::Scene& scene);
 
 /// Nothing where there is no such file, or one that is damaged: the run then counts as not done.

@@ -47,18 +47,73 @@ Pool pooled(const std::vector<Sample>& samples, std::size_t quantity) {
     return pool;
 }
 
-/// Variance of a mean; of a rung that scatters more than the others by its own scatter.
-double variance_of_mean(const Spread& spread, std::size_t seeds, const Pool& pool) {
-    return std::max(spread.deviation * spread.deviation, pool.variance) / static_cast<double>(seeds);
+struct Mean {
+    double value = 0;
+    double variance = 0; // of the mean
+    double degrees = 0;  // of freedom, that the variance is known with
+    bool pooled = false; // the variance is that of all rungs
+
+    /// Half of its 95 % interval.
+    [[nodiscard]] double reach() const;
+};
+
+double t_of(double degrees) {
+    return degrees >= 1 ? student_t_95(static_cast<int>(std::min(degrees, 1e6)))
+                        : std::numeric_limits<double>::infinity();
 }
 
-Verdict judge(const Error& error, double tolerance) {
+double Mean::reach() const {
+    return t_of(degrees) * std::sqrt(variance);
+}
+
+Mean mean_of(const Sample& sample, std::size_t quantity, const Pool& pool) {
+    const Spread spread = spread_of(of_quantity(sample, quantity));
+    const double seeds = static_cast<double>(sample.values.size()), own = spread.deviation * spread.deviation;
+    if (seeds >= seeds_to_be_sure || (seeds > 1 && own > pool.variance))
+        return {spread.mean, own / seeds, seeds - 1, false};
+    return {spread.mean, pool.variance / seeds, static_cast<double>(pool.degrees), true};
+}
+
+/// Of what is made of two means: Welch and Satterthwaite, where they do not share one estimate.
+double degrees_of(const Mean& a, const Mean& b) {
+    const double sum = a.variance + b.variance;
+    return sum > 0 && !(a.pooled && b.pooled)
+               ? sum * sum / (a.variance * a.variance / a.degrees + b.variance * b.variance / b.degrees)
+               : std::min(a.degrees, b.degrees);
+}
+
+/// Of a ratio of two means, E. C. Fieller, J. R. Stat. Soc. B 16 (1954), 175.
+Error error_of(const Mean& mean, const Mean& reference) {
+    const double t = t_of(degrees_of(mean, reference)), size = std::abs(reference.value);
+    const double ratio = mean.value / reference.value;
+    Error error{.relative = (mean.value - reference.value) / size};
+    const double g = t * t * reference.variance / (size * size);
+    if (!std::isfinite(ratio) || !(g < 1))
+        return error;
+    const double half = t / size * std::sqrt(mean.variance * (1 - g) + ratio * ratio * reference.variance) / (1 - g);
+    error.uncertainty = half + std::abs(ratio) * g / (1 - g); // the interval's middle is ratio / (1 - g)
+    return error;
+}
+
+/// What the reference may have nothing of.
+Error error_beside_zero(const Mean& mean, const Mean& reference) {
+    const double reach = t_of(degrees_of(mean, reference)) * std::sqrt(mean.variance + reference.variance);
+    const double most = std::abs(reference.value) + reference.reach();
+    const double surely = std::abs(mean.value - reference.value) - reach;
+    return {.at_least = surely > 0 && most > 0 ? surely / most : 0};
+}
+
+Verdict judge(const Error& error, double tolerance, bool enough_seeds) {
     const double size = std::abs(error.relative);
     if (!std::isfinite(size) || size - error.uncertainty > tolerance)
         return Verdict::beyond;
-    if (size + error.uncertainty <= tolerance)
+    if (enough_seeds && size + error.uncertainty <= tolerance)
         return Verdict::within;
     return size <= tolerance ? Verdict::seems_within : Verdict::seems_beyond;
+}
+
+bool enough_seeds(const Sample& sample) {
+    return sample.values.size() >= seeds_to_be_sure;
 }
 
 /// Of that verdict, faster than the reference; nothing where nothing was judged.
@@ -82,7 +137,7 @@ bool Error::told_apart() const {
 }
 
 const char* word_of(Verdict verdict) {
-    constexpr const char* words[] = {"within", "seems within", "seems beyond", "beyond"};
+    constexpr const char* words[] = {"not judged", "within", "seems within", "seems beyond", "beyond"};
     return words[static_cast<int>(verdict)];
 }
 
@@ -114,28 +169,28 @@ Prices price(const std::vector<Sample>& samples, std::size_t reference, double t
     const std::size_t quantities = samples[reference].values.front().size();
     for (std::size_t q = 0; q < quantities; ++q) {
         const Pool pool = pooled(samples, q);
-        const double t = pool.degrees > 0 ? student_t_95(pool.degrees) : std::numeric_limits<double>::infinity();
-        const Spread of_reference = spread_of(of_quantity(samples[reference], q));
-        const double own = variance_of_mean(of_reference, samples[reference].values.size(), pool);
-        prices.reference_spread.push_back(t * std::sqrt(own));
-        prices.judged.push_back(std::abs(of_reference.mean) > prices.reference_spread.back());
+        const Mean of_reference = mean_of(samples[reference], q, pool);
+        prices.reference_spread.push_back(of_reference.reach());
+        prices.judged.push_back(std::abs(of_reference.value) > of_reference.reach());
         for (std::size_t i = 0; i < samples.size(); ++i) {
             Price& rung = prices.rungs[i];
             rung.spreads.push_back(spread_of(of_quantity(samples[i], q)));
-            rung.errors.emplace_back();
-            if (i == reference)
-                rung.errors.back() = {0, 0};
-            if (i == reference || !prices.judged[q])
-                continue;
-            const double both = own + variance_of_mean(rung.spreads.back(), samples[i].values.size(), pool);
-            const double size = std::abs(of_reference.mean);
-            Error& error = rung.errors.back();
-            error.relative = (rung.spreads.back().mean - of_reference.mean) / size;
-            error.uncertainty =
-                std::isfinite(error.relative) ? t * std::sqrt(both) / size : std::numeric_limits<double>::infinity();
-            rung.worst = std::max(rung.worst, std::isfinite(error.relative) ? std::abs(error.relative)
-                                                                            : std::numeric_limits<double>::infinity());
-            rung.verdict = std::max(rung.verdict, judge(error, tolerance));
+            Error& error = rung.errors.emplace_back();
+            const Mean mean = mean_of(samples[i], q, pool);
+            if (i == reference) {
+                error = {0, 0};
+            } else if (prices.judged[q]) {
+                error = error_of(mean, of_reference);
+                const bool enough = enough_seeds(samples[i]) && enough_seeds(samples[reference]);
+                rung.worst =
+                    std::max(rung.worst, std::isfinite(error.relative) ? std::abs(error.relative)
+                                                                       : std::numeric_limits<double>::infinity());
+                rung.verdict = std::max(rung.verdict, judge(error, tolerance, enough));
+            } else {
+                error = error_beside_zero(mean, of_reference);
+                if (error.at_least > tolerance)
+                    rung.verdict = Verdict::beyond;
+            }
         }
     }
     prices.cheapest = fastest_of(prices, reference, Verdict::within);

@@ -23,15 +23,17 @@ struct Spread {
 /// How far a rung's mean lies from the reference's, over the size of the reference's.
 struct Error {
     double relative = std::numeric_limits<double>::quiet_NaN();
-    double uncertainty = std::numeric_limits<double>::infinity(); // half of the 95 % interval
+    double uncertainty = std::numeric_limits<double>::infinity(); // half of the 95 % interval, its longer side
+    double at_least = 0; // where the reference's own is not told apart from zero: what it is off by even so
 
     /// More than its scatter can make.
     [[nodiscard]] bool told_apart() const;
 };
 
 enum class Verdict {
-    within,       // even with its uncertainty
-    seems_within, // the error is, its uncertainty is not
+    not_judged,   // by no quantity
+    within,       // even with its uncertainty, and enough seeds to know that
+    seems_within, // the error is, its uncertainty is not, or is known from too few seeds
     seems_beyond,
     beyond // even less its uncertainty, or a quantity is lost
 };
@@ -42,11 +44,15 @@ struct Price {
     std::vector<Spread> spreads; // per quantity
     std::vector<Error> errors;   // per quantity; of those that the reference does not have: the default
     double worst = 0;            // largest |relative|
-    Verdict verdict = Verdict::within;
+    Verdict verdict = Verdict::not_judged;
 };
 
+/// From how many seeds on a rung is as uncertain as it scatters itself; with fewer, at least as the mean rung does.
+constexpr int seeds_to_be_sure = 4;
+
 /// Of every sample against that at `reference`, within `tolerance` (relative). A quantity that the reference does not
-/// have in every seed, or has, but not told apart from zero, is no measure of anything and judges nobody (`judged`).
+/// have in every seed judges nobody (`judged`); one that is not told apart from zero there, only rungs that surely
+/// change it by more than the tolerance of the most that it may be.
 struct Prices {
     std::vector<Price> rungs;
     std::vector<bool> judged;             // per quantity

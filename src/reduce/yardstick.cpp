@@ -3,7 +3,6 @@
 #include "observe/cycle.h"
 #include "observe/mean_over.h"
 #include "observe/measures.h"
-#include "observe/series.h"
 #include "run/flow_report.h"
 #include "run/run_folder.h"
 #include "scene/settled.h"
@@ -18,6 +17,7 @@ namespace tumble::reduce {
 namespace {
 
 constexpr int layers_of_a_bowl = 5; // over its wall
+constexpr int rings_of_a_bowl = 5;  // the innermost a twentyfifth of its area
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 std::optional<observe::FlowGrid> layers_for(const scene::Scene& scene) {
@@ -30,9 +30,29 @@ std::optional<observe::FlowGrid> layers_for(const scene::Scene& scene) {
             grid.lo = bowl->base.y();
             grid.hi = bowl->base.y() + bowl->height;
             grid.layers = layers_of_a_bowl;
+            grid.rings = rings_of_a_bowl;
             return grid;
         }
     return std::nullopt;
+}
+
+/// How fast the media sink in the innermost ring, all layers together, m/s.
+double fall_at_axis(const observe::FlowField& field) {
+    observe::FlowCell column;
+    for (int layer = 0; layer < field.grid().layers; ++layer)
+        column += field.cell(0, layer);
+    return -column.mean_velocity().z();
+}
+
+double of_flow(const Quantity& quantity, const observe::FlowField& field) {
+    switch (quantity.from) {
+    case Quantity::From::vortex_depth:
+        return observe::vortex_depth(field);
+    case Quantity::From::fall_at_axis:
+        return fall_at_axis(field);
+    default:
+        return field.layer(quantity.layer).mean_speed();
+    }
 }
 
 observe::Cycle cycle_in(const std::vector<double>& times, const std::vector<double>& values,
@@ -78,6 +98,8 @@ Result<Yardstick> Yardstick::of(const scene::Scene& scene, const std::vector<std
             stick.quantities_.push_back({fmt::format("speed {:.0f} to {:.0f} mm", layer * height, (layer + 1) * height),
                                          "m/s", From::layer_speed, "", layer});
         }
+        stick.quantities_.push_back({"vortex depth", "m", From::vortex_depth});
+        stick.quantities_.push_back({"fall at the axis", "m/s", From::fall_at_axis});
     } else {
         (void)add("circulation");
         (void)add("surface_slope");
@@ -87,7 +109,7 @@ Result<Yardstick> Yardstick::of(const scene::Scene& scene, const std::vector<std
             stick.measures_.push_back(name);
             const std::string body = name.substr(7);
             stick.quantities_.push_back({body + " cycle", "s", From::cycle, name + "_y"});
-            stick.quantities_.push_back({body + " amplitude", "m", From::amplitude, name + "_y"});
+            stick.quantities_.push_back({body + " peak to peak", "m", From::peak_to_peak, name + "_y"});
         }
     for (const std::string& name : more)
         for (const Problem& problem : add(name))
@@ -107,7 +129,6 @@ Result<std::vector<double>> Yardstick::read(const std::filesystem::path& run, do
     const auto series = observe::read_series(run::RunFolder{run}.series());
     if (!series)
         return series.problems();
-    const scene::Stretch stretch{from_, until_};
     std::optional<run::FlowReport> flow;
     if (layers_) {
         run::FlowOptions options{.grid = *layers_, .bodies = {}, .when = {}};
@@ -118,25 +139,23 @@ Result<std::vector<double>> Yardstick::read(const std::filesystem::path& run, do
             return read.problems();
         flow = std::move(*read);
     }
-    const std::vector<double>& times = series->values.front();
     std::vector<double> values;
-    for (const Quantity& quantity : quantities_) {
-        if (quantity.from == Quantity::From::layer_speed) {
-            values.push_back(flow->field.layer(quantity.layer).mean_speed());
-            continue;
-        }
-        const std::vector<double>* column = series->find(quantity.column);
-        if (!column)
-            values.push_back(nothing);
-        else if (quantity.from == Quantity::From::cycle)
-            values.push_back(cycle_in(times, *column, stretch).period);
-        else if (quantity.from == Quantity::From::amplitude)
-            values.push_back(cycle_in(times, *column, stretch).peak_to_peak);
-        else
-            values.push_back(observe::mean_over(times, *column, from_, until_, every_) /
-                             (quantity.from == Quantity::From::energy_per_mass ? mass : 1));
-    }
+    for (const Quantity& quantity : quantities_)
+        values.push_back(quantity.column.empty() ? of_flow(quantity, flow->field) : of_series(quantity, *series, mass));
     return values;
+}
+
+double Yardstick::of_series(const Quantity& quantity, const observe::Series& series, double mass) const {
+    const std::vector<double>& times = series.values.front();
+    const std::vector<double>* column = series.find(quantity.column);
+    if (!column)
+        return nothing;
+    if (quantity.from == Quantity::From::cycle)
+        return cycle_in(times, *column, {from_, until_}).period;
+    if (quantity.from == Quantity::From::peak_to_peak)
+        return cycle_in(times, *column, {from_, until_}).peak_to_peak;
+    return observe::mean_over(times, *column, from_, until_, every_) /
+           (quantity.from == Quantity::From::energy_per_mass ? mass : 1);
 }
 
 } // namespace tumble::reduce

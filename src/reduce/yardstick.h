@@ -2,6 +2,7 @@
 
 #include "base/problem.h"
 #include "observe/flow_field.h"
+#include "observe/series.h"
 #include "scene/scene.h"
 
 #include <filesystem>
@@ -14,11 +15,11 @@ namespace tumble::reduce {
 
 /// One number of a run: a mean over the stretch that counts, or what a body's path in it is like.
 struct Quantity {
-    enum class From { column, energy_per_mass, layer_speed, cycle, amplitude };
+    enum class From { column, energy_per_mass, layer_speed, vortex_depth, fall_at_axis, cycle, peak_to_peak };
     std::string name; // "circulation", "speed 0 to 42 mm"
     std::string unit;
     From from = From::column;
-    std::string column{}; // of series.csv, for all but layers
+    std::string column{}; // of series.csv; none of what is read from frames
     int layer = 0;
 };
 
@@ -44,6 +45,9 @@ public:
     [[nodiscard]] double until() const { return until_; } // s
 
 private:
+    /// NaN where the series has no such column.
+    [[nodiscard]] double of_series(const Quantity& quantity, const observe::Series& series, double mass) const;
+
     std::vector<Quantity> quantities_;
     std::vector<std::string> measures_;
     std::optional<observe::FlowGrid> layers_;

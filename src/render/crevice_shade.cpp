@@ -1,8 +1,10 @@
 #include "render/crevice_shade.h"
 
-#include <string>
+#include <algorithm>
 
 namespace tumble::render {
+
+constexpr int rows_at_once = 16; // that one thread works on
 
 static const char* const whole_picture = R"(#version 400 core
 void main() {
@@ -11,129 +13,103 @@ void main() {
 }
 )";
 
-// Distances are read from the depth as written by the spheres: linear for a parallel projection, else a + b / distance.
-static const char* const with_distances = R"(#version 400 core
-uniform sampler2D depth;
-uniform bool perspective;
-uniform float nearest;
-uniform float farthest;
-uniform float radius;
-float distance_of(float d) {
-    return perspective ? nearest * farthest / (farthest - d * (farthest - nearest)) : mix(nearest, farthest, d);
-}
-)";
-
-static const char* const gather_source = R"(
-uniform float scale;
-out float sky;
-void main() {
-    ivec2 here = ivec2(gl_FragCoord.xy);
-    float d = texelFetch(depth, here, 0).r;
-    sky = 1.0;
-    if (d >= 1.0) return;
-    float own = distance_of(d);
-    float reach = clamp(radius * (perspective ? scale / own : scale), 3.0, 64.0);
-    ivec2 last = textureSize(depth, 0) - 1;
-    // 16 points on a spiral, turned from pixel to pixel in a pattern of 4 x 4 that the blur takes out again.
-    float turn = float((here.x & 3) * 4 + (here.y & 3)) * 0.3927 * 2.5;
-    float free_length = 0.0;
-    float whole_length = 0.0;
-    for (int i = 0; i < 16; ++i) {
-        float r = sqrt((float(i) + 0.5) / 16.0);
-        float angle = 2.39996 * float(i) + turn;
-        ivec2 there = clamp(here + ivec2(round(reach * r * vec2(cos(angle), sin(angle)))), ivec2(0), last);
-        float behind = distance_of(texelFetch(depth, there, 0).r) - own;
-        float half_length = radius * sqrt(1.0 - r * r);
-        float open_length = clamp(behind + half_length, 0.0, 2.0 * half_length);
-        // What lies far in front only shades a little: it is another body, not this crevice's wall.
-        float far_front = clamp(-behind / radius - 2.0, 0.0, 3.0) / 3.0;
-        free_length += mix(open_length, 0.75 * half_length, far_front);
-        whole_length += half_length;
-    }
-    sky = clamp(free_length / whole_length, 0.0, 1.0);
-}
-)";
-
-static const char* const blur_source = R"(
-uniform sampler2D sky;
-uniform float strength;
+static const char* const darken = R"(#version 400 core
+uniform sampler2D light;
 out vec4 shade;
-void main() {
-    ivec2 here = ivec2(gl_FragCoord.xy);
-    ivec2 last = textureSize(sky, 0) - 1;
-    float d = texelFetch(depth, here, 0).r;
-    if (d >= 1.0) {
-        shade = vec4(1.0);
-        return;
-    }
-    float own = distance_of(d);
-    float sum = 0.0;
-    float count = 0.0;
-    for (int y = -2; y < 2; ++y) {
-        for (int x = -2; x < 2; ++x) {
-            ivec2 there = clamp(here + ivec2(x, y), ivec2(0), last);
-            // Another body's shade would shine over the edge between them; a little of it keeps the edge smooth.
-            float same = abs(distance_of(texelFetch(depth, there, 0).r) - own) < 0.3 * radius ? 1.0 : 0.2;
-            sum += same * texelFetch(sky, there, 0).r;
-            count += same;
-        }
-    }
-    float open_sky = sum / max(count, 1.0);
-    shade = vec4(vec3(mix(1.0, open_sky, strength)), 1.0);
-}
+void main() { shade = vec4(vec3(texelFetch(light, ivec2(gl_FragCoord.xy), 0).r), 1.0); }
 )";
 
 Result<CreviceShade> CreviceShade::open(const Canvas& canvas) {
-    auto gather = make_program(whole_picture, with_distances + std::string(gather_source));
-    auto blur = make_program(whole_picture, with_distances + std::string(blur_source));
-    if (!gather || !blur) {
-        return gather ? blur.problems() : gather.problems();
+    auto program = make_program(whole_picture, darken);
+    if (!program) {
+        return program.problems();
     }
     CreviceShade shade;
-    shade.gather_program_ = std::move(*gather);
-    shade.blur_program_ = std::move(*blur);
+    shade.program_ = std::move(*program);
     shade.array_ = make_vertex_array();
-    shade.open_sky_ = make_plain_texture(GL_R8, canvas.width, canvas.height);
-    shade.target_ = make_framebuffer();
-    glBindFramebuffer(GL_FRAMEBUFFER, shade.target_.name());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, shade.open_sky_.name(), 0);
+    shade.light_ = make_plain_texture(GL_R8, canvas.width, canvas.height);
     return shade;
 }
 
-void CreviceShade::draw(const Canvas& canvas, const Camera& camera, double radius, double strength) {
-    const auto number = [](GLuint program, const char* name, double value) {
-        glUniform1f(glGetUniformLocation(program, name), static_cast<float>(value));
+CreviceJob CreviceShade::job_for(const Canvas& canvas, const Camera& camera, double radius, double strength) {
+    CreviceJob job;
+    job.width = canvas.width;
+    job.height = canvas.height;
+    constexpr int before = 8, behind = 16; // entries; render/kernels.h
+    job.row = before + (canvas.width + 7) / 8 * 8 + behind;
+    const auto all = static_cast<std::size_t>(job.row) * static_cast<std::size_t>(canvas.height);
+    depth_.resize(static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height));
+    distance_.resize(all);
+    sky_.resize(all);
+    shade_.resize(all);
+    job.depth = depth_.data();
+    job.perspective = camera.perspective;
+    job.nearest = static_cast<float>(camera.nearest);
+    job.farthest = static_cast<float>(camera.farthest);
+    job.radius = static_cast<float>(radius);
+    job.scale = static_cast<float>(camera.scale);
+    job.strength = static_cast<float>(strength);
+    job.distance = distance_.data() + before;
+    job.sky = sky_.data() + before;
+    job.shade = shade_.data() + before;
+    return job;
+}
+
+void CreviceShade::draw(const Canvas& canvas, const Camera& camera, double radius, double strength, Crew& crew) {
+    const CreviceJob job = job_for(canvas, camera, radius, strength);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas.resolved.name());
+    glReadPixels(0, 0, canvas.width, canvas.height, GL_DEPTH_COMPONENT, GL_FLOAT, depth_.data());
+    const int parts = (canvas.height + rows_at_once - 1) / rows_at_once;
+    const auto share = [&](const auto& work) {
+        crew.share(parts, [&](int part) {
+            CreviceJob mine = job;
+            mine.first = part * rows_at_once;
+            mine.last = std::min(mine.first + rows_at_once, job.height);
+            work(mine, part);
+        });
     };
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_BLEND);
-    glBindVertexArray(array_.name());
-    glActiveTexture(GL_TEXTURE1);
-    glBindTexture(GL_TEXTURE_2D, open_sky_.name());
+    share([&](const CreviceJob& mine, int) { kernels_->measure_distances(mine); });
+    share([&](const CreviceJob& mine, int) { kernels_->gather_sky(mine); });
+    std::vector<char> darker(static_cast<std::size_t>(parts)); // a thread each: no bits side by side
+    share([&](const CreviceJob& mine, int part) {
+        kernels_->blur_sky(mine);
+        for (int y = mine.first; y < mine.last && darker[static_cast<std::size_t>(part)] == 0; ++y) {
+            const std::uint8_t* begin = mine.shade + y * mine.row;
+            darker[static_cast<std::size_t>(part)] =
+                std::any_of(begin, begin + mine.width, [](std::uint8_t v) { return v != 255; }) ? 1 : 0;
+        }
+    });
+    const auto first = std::find(darker.begin(), darker.end(), 1);
+    const auto last = std::find(darker.rbegin(), darker.rend(), 1).base();
+    if (first < last) {
+        // A row more on either side: of a pixel's samples Mesa's scissor lets some of the neighbour's through.
+        multiply(canvas, job, std::max(rows_at_once * static_cast<int>(first - darker.begin()) - 1, 0),
+                 std::min(rows_at_once * static_cast<int>(last - darker.begin()) + 1, canvas.height));
+    }
+}
+
+/// Rows low to high of the canvas, the last not included.
+void CreviceShade::multiply(const Canvas& canvas, const CreviceJob& job, int low, int high) {
     glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, canvas.depth.name());
-
-    const auto use = [&](GLuint program) {
-        glUseProgram(program);
-        number(program, "nearest", camera.nearest);
-        number(program, "farthest", camera.farthest);
-        number(program, "radius", radius);
-        glUniform1i(glGetUniformLocation(program, "perspective"), camera.perspective ? 1 : 0);
-        glUniform1i(glGetUniformLocation(program, "depth"), 0);
-    };
-    const GLuint gather = gather_program_.name();
-    use(gather);
-    number(gather, "scale", camera.scale);
-    glBindFramebuffer(GL_FRAMEBUFFER, target_.name());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-
-    const GLuint blur = blur_program_.name();
-    use(blur);
-    number(blur, "strength", strength);
-    glUniform1i(glGetUniformLocation(blur, "sky"), 1);
+    glBindTexture(GL_TEXTURE_2D, light_.name());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, static_cast<GLint>(job.row));
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, low, canvas.width, high - low, GL_RED, GL_UNSIGNED_BYTE,
+                    job.shade + low * job.row);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glBindFramebuffer(GL_FRAMEBUFFER, canvas.samples.name());
+    glUseProgram(program_.name());
+    glUniform1i(glGetUniformLocation(program_.name(), "light"), 0);
+    glBindVertexArray(array_.name());
+    glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
     glBlendFunc(GL_DST_COLOR, GL_ZERO);
+    const int above = low == 0 ? 0 : low + 1, below = high == canvas.height ? high : high - 1;
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, above, canvas.width, below - above);
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
 }
 

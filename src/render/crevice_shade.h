@@ -1,7 +1,12 @@
 #pragma once
 
+#include "base/parallel_for.h"
 #include "render/camera.h"
 #include "render/gl_objects.h"
+#include "render/kernels.h"
+
+#include <cstdint>
+#include <vector>
 
 namespace tumble::render {
 
@@ -12,14 +17,20 @@ public:
     static Result<CreviceShade> open(const Canvas& canvas);
 
     /// Reads the canvas' depth (resolved), multiplies the colour of its samples. radius in m, strength 0 to 1.
-    void draw(const Canvas& canvas, const Camera& camera, double radius, double strength);
+    void draw(const Canvas& canvas, const Camera& camera, double radius, double strength, Crew& crew);
 
 private:
-    GlObject gather_program_;
-    GlObject blur_program_;
-    GlObject open_sky_;
-    GlObject target_;
+    [[nodiscard]] CreviceJob job_for(const Canvas& canvas, const Camera& camera, double radius, double strength);
+    void multiply(const Canvas& canvas, const CreviceJob& job, int low, int high);
+
+    const Kernels* kernels_ = &choose_kernels();
+    GlObject program_;
+    GlObject light_; // the shade as a texture
     GlObject array_;
+    std::vector<float> depth_;
+    std::vector<float> distance_;
+    std::vector<float> sky_;
+    std::vector<std::uint8_t> shade_;
 };
 
 } // namespace tumble::render

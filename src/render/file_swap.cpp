@@ -1,5 +1,6 @@
 #include "render/file_swap.h"
 
+#include "base/disk_calls.h"
 #include "base/remedy.h"
 #include "base/write_all.h"
 
@@ -21,7 +22,7 @@ Problem file_problem(const std::filesystem::path& file, const char* verb, int er
 }
 
 Result<Done> finish_file(const std::filesystem::path& file) {
-    if (std::rename(unfinished(file).c_str(), file.c_str()) != 0) {
+    if (disk_calls().rename(unfinished(file).c_str(), file.c_str()) != 0) {
         const int error = errno;
         ::unlink(unfinished(file).c_str());
         return file_problem(file, "write the file", error);
@@ -36,7 +37,7 @@ Result<Done> write_file(const std::filesystem::path& file, std::span<const std::
         return file_problem(file, "write the file", errno);
     }
     int error = write_all(descriptor, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    if (::close(descriptor) != 0 && error == 0) {
+    if (disk_calls().close(descriptor) != 0 && error == 0) {
         error = errno;
     }
     if (error != 0) {

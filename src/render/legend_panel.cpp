@@ -144,9 +144,10 @@ double draw_scale_bar(Pen& pen, const Area& area, double pixels_per_metre, const
     }
     // Where there is no room for the note a sign says that the length does not hold everywhere.
     const std::string plain = fmt::format("{:.12g} {}", length * shown.factor, shown.unit);
+    const double text_room = area.width() - 1.2 * area.height(); // up to the axes, whatever the bar leaves
     const bool fits = pen.width(plain + note, Lettering::small) <= room;
     const std::string words = note.empty() || fits ? plain + note : "\u2248 " + plain;
-    pen.text(left, bar.top - 6 * u - line, pen.shortened(words, Lettering::small, room), Lettering::small, Align::left,
+    pen.text(left, bar.top - 6 * u - line, pen.shortened(words, Lettering::small, text_room), Lettering::small, Align::left,
              theme.text);
     return length;
 }

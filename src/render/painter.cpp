@@ -1,23 +1,19 @@
 #include "render/painter.h"
 
-#include "render/crevice_shade.h"
-#include "render/depth_pyramid.h"
-#include "render/disc_drawer.h"
+#include "render/draw_crew.h"
+#include "render/drawers.h"
 #include "render/gl_context.h"
 #include "render/mark_key.h"
 #include "render/overlay.h"
 #include "render/paper.h"
-#include "render/patch_drawer.h"
-#include "render/sphere_drawer.h"
+#include "render/phase_clock.h"
 #include "render/style.h"
-#include "render/wall_drawer.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
-#include <span>
 #include <utility>
 
 namespace tumble::render {
@@ -25,26 +21,13 @@ namespace tumble::render {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-constexpr int fine_samples = 4;   // a pixel
-constexpr int sketch_samples = 0; // one, as OpenGL says it: Mesa makes four of 1
-// Below this many spheres looking for hidden ones costs more than drawing them.
-constexpr std::size_t worth_culling = 2000;
-constexpr int culling_rounds = 5;
+constexpr int fine_samples = 4;         // a pixel
+constexpr int sketch_samples = 0;       // one, as OpenGL says it: Mesa makes four of 1
 constexpr double crevice_radius = 0.75; // of a body's
 constexpr double crevice_strength = 0.8;
 // Outlines of discs, pixels at a picture's usual size; on small discs no more than this share of the smallest radius.
 constexpr double disc_line = 1.2;
 constexpr double disc_line_share = 0.25;
-
-/// Everything that holds a name in the GL context, to be dropped as one while the context is current.
-struct Drawers {
-    Canvas canvas;
-    SphereDrawer spheres;
-    DiscDrawer discs;
-    WallDrawer walls;
-    CreviceShade crevices;
-    PatchDrawer patches;
-};
 
 struct Painter::Inside {
     GlContext context;
@@ -60,6 +43,9 @@ struct Painter::Inside {
     Drawers* drawers = nullptr;    // those at work
     bool sketching = false;
     std::optional<Overlay> overlay; // its letters depend on the arrangement
+    SphereRaster raster;
+    std::unique_ptr<Crew> crew; // that draws beside the graphics library
+    PhaseClock clock;
 
     AlignedBox3d fitted;
     bool arranged = false;
@@ -69,9 +55,9 @@ struct Painter::Inside {
     Span span;
 
     Inside(GlContext made, const scene::Render& wanted, const PainterOptions& chosen,
-           std::shared_ptr<const observe::FrameLayout> scenery, Style shown)
+           std::shared_ptr<const observe::FrameLayout> scenery, Style shown, std::unique_ptr<Crew> threads)
         : context(std::move(made)), settings(wanted), options(chosen), layout(std::move(scenery)),
-          style(std::move(shown)), mark_maker(wanted.marks) {}
+          style(std::move(shown)), mark_maker(wanted.marks), crew(std::move(threads)) {}
     Inside(const Inside&) = delete;
     Inside& operator=(const Inside&) = delete;
     ~Inside() {
@@ -91,7 +77,7 @@ struct Painter::Inside {
     std::vector<std::uint32_t> colors_of(const observe::Frame& frame, Legend& legend);
     std::vector<std::uint32_t> take_in(const observe::Frame& frame, Legend& legend);
     void draw_bodies(const observe::Frame& frame, const std::vector<std::uint32_t>& colors);
-    void draw_spheres(std::vector<SphereMark> marks);
+    void draw_spheres(const observe::Frame& frame, const std::vector<std::uint32_t>& colors);
     void draw_discs(const observe::Frame& frame, const std::vector<std::uint32_t>& colors);
     void shade_crevices();
     void keep_to_window() const;
@@ -101,29 +87,6 @@ struct Painter::Inside {
     void write(const observe::Frame& frame, const PlotLine& plot, const Legend& legend);
 };
 
-static std::optional<Drawers> open_drawers(const scene::Render& settings, const observe::FrameLayout& layout,
-                                           const Theme& theme, int samples, Problems& problems) {
-    auto canvas = make_canvas(settings.width, settings.height, samples);
-    if (!canvas) {
-        problems = canvas.problems();
-        return std::nullopt;
-    }
-    auto spheres = SphereDrawer::open();
-    auto discs = DiscDrawer::open();
-    auto walls = WallDrawer::open(layout, theme, *canvas);
-    auto crevices = CreviceShade::open(*canvas);
-    auto patches = PatchDrawer::open();
-    for (const Problems& found :
-         {spheres.problems(), discs.problems(), walls.problems(), crevices.problems(), patches.problems()}) {
-        problems.insert(problems.end(), found.begin(), found.end());
-    }
-    if (!problems.empty()) {
-        return std::nullopt;
-    }
-    return Drawers{std::move(*canvas), std::move(*spheres),  std::move(*discs),
-                   std::move(*walls),  std::move(*crevices), std::move(*patches)};
-}
-
 Result<Painter> Painter::open(const scene::Render& settings, std::shared_ptr<const observe::FrameLayout> layout,
                               const PainterOptions& options) {
     auto style = find_style(settings, layout->dimension);
@@ -132,10 +95,12 @@ Result<Painter> Painter::open(const scene::Render& settings, std::shared_ptr<con
     }
     Problems problems;
     auto context = GlContext::open();
-    if (!context) {
-        return context.problems();
+    auto crew = gather_draw_crew();
+    if (!context || !crew) {
+        return context ? crew.problems() : context.problems();
     }
-    auto inside = std::make_unique<Inside>(*context, settings, options, std::move(layout), std::move(*style));
+    auto inside =
+        std::make_unique<Inside>(*context, settings, options, std::move(layout), std::move(*style), std::move(*crew));
     const GlContext::Current current(inside->context);
     // Opened again once the arrangement is known; here it shows whether it can be.
     const auto overlay = Overlay::open(Layout{}, inside->style.theme);
@@ -157,8 +122,9 @@ Result<Painter> Painter::open(const scene::Render& settings, std::shared_ptr<con
 bool Painter::Inside::take_drawers(int samples, Problems& problems) {
     auto found = opened.find(samples);
     if (found == opened.end()) {
-        auto made = open_drawers(settings, *layout, style.theme, samples, problems);
+        auto made = Drawers::open(settings, *layout, style.theme, samples);
         if (!made) {
+            problems = made.problems();
             return false;
         }
         found = opened.emplace(samples, std::move(*made)).first;
@@ -283,12 +249,18 @@ void Painter::Inside::draw_bodies(const observe::Frame& frame, const std::vector
     if (layout->dimension == 2) {
         draw_discs(frame, colors);
     } else {
-        std::optional<AlignedBox3d> clip;
-        if (settings.clip) {
-            clip.emplace(settings.clip->lo, settings.clip->hi);
-        }
-        draw_spheres(collect_spheres(frame, showing, colors, camera, clip));
+        draw_spheres(frame, colors);
     }
+}
+
+void Painter::Inside::draw_spheres(const observe::Frame& frame, const std::vector<std::uint32_t>& colors) {
+    std::optional<AlignedBox3d> clip;
+    if (settings.clip) {
+        clip.emplace(settings.clip->lo, settings.clip->hi);
+    }
+    const SphereLook look{arrangement.window, style.theme.rim, options.lighting, options.skip_hidden};
+    drawers->spheres.draw(collect_spheres(frame, showing, colors, camera, clip), camera, drawers->canvas, look, raster,
+                          *crew);
 }
 
 void Painter::Inside::draw_discs(const observe::Frame& frame, const std::vector<std::uint32_t>& colors) {
@@ -315,7 +287,7 @@ void Painter::Inside::shade_crevices() {
     }
     resolve(GL_DEPTH_BUFFER_BIT);
     const double size = *std::max_element(reach.begin(), reach.end());
-    drawers->crevices.draw(drawers->canvas, camera, crevice_radius * size, crevice_strength);
+    drawers->crevices.draw(drawers->canvas, camera, crevice_radius * size, crevice_strength, *crew);
 }
 
 /// What is drawn from here on stays in the scene's window.
@@ -334,36 +306,6 @@ void Painter::Inside::resolve(GLbitfield what) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas.samples.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, canvas.resolved.name());
     resolve_samples(canvas, what);
-}
-
-/// From front to back in a few rounds; before each, spheres behind what is drawn already are dropped. In a dense bed
-/// that is most of them.
-void Painter::Inside::draw_spheres(std::vector<SphereMark> marks) {
-    const Canvas& canvas = drawers->canvas;
-    auto front = marks.begin();
-    for (int round = 1; front != marks.end(); ++round) {
-        const auto left = marks.end() - front;
-        const bool all = !options.skip_hidden || marks.size() < worth_culling || round == culling_rounds;
-        const auto count = all ? left : std::max<std::ptrdiff_t>(left / (round == 1 ? 12 : 4), 1);
-        std::nth_element(front, front + count, marks.end(),
-                         [](const SphereMark& a, const SphereMark& b) { return a.z + a.radius > b.z + b.radius; });
-        glBindFramebuffer(GL_FRAMEBUFFER, canvas.samples.name());
-        drawers->spheres.draw(std::span(front, front + count), camera, canvas.width, canvas.height, style.theme.rim,
-                              options.lighting);
-        front += count;
-        if (front == marks.end()) {
-            return;
-        }
-        resolve(GL_DEPTH_BUFFER_BIT);
-        std::vector<float> depth(static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height));
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas.resolved.name());
-        glReadPixels(0, 0, canvas.width, canvas.height, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
-        const DepthPyramid pyramid(std::move(depth), canvas.width, canvas.height);
-        marks.erase(
-            std::remove_if(front, marks.end(),
-                           [&](const SphereMark& mark) { return is_hidden(mark, camera, canvas.height, pyramid); }),
-            marks.end());
-    }
 }
 
 void Painter::Inside::write(const observe::Frame& frame, const PlotLine& plot, const Legend& legend) {
@@ -433,6 +375,7 @@ void Painter::pass_over(const observe::Frame& frame) {
 Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
     Inside& in = *inside_;
     const GlContext::Current current(in.context);
+    in.clock.start(in.options.time_phases);
     if (in.fitted.isEmpty()) {
         fit(bounds_of(frame));
     }
@@ -447,24 +390,30 @@ Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
     glClearDepth(1);
     glDepthMask(GL_TRUE);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    in.clock.lap("take in");
     in.keep_to_window();
     in.draw_bodies(frame, colors);
+    in.clock.lap("bodies");
     in.drawers->walls.draw_opaque(frame, in.camera, canvas);
     glDisable(GL_SCISSOR_TEST); // shade needs its surroundings, and there is none where nothing has been drawn
     in.shade_crevices();
+    in.clock.lap("crevices");
     const double thickness = in.layout->dimension == 2 ? 2.0 : 1.0; // walls are nothing but their lines
     const double line = thickness * std::max(1.2, 1.5 * in.arrangement.unit);
     in.keep_to_window();
     in.drawers->walls.draw_translucent(frame, in.camera, canvas, line);
     in.draw_marks(frame);
     glDisable(GL_SCISSOR_TEST);
+    in.clock.lap("walls");
     in.resolve(GL_COLOR_BUFFER_BIT);
     if (in.overlay) {
         glBindFramebuffer(GL_FRAMEBUFFER, canvas.resolved.name());
         in.write(frame, plot, legend);
     }
+    in.clock.lap("letters");
     Picture picture = read_picture(canvas);
     picture.dots_per_metre = dots_per_metre(in.settings);
+    in.clock.lap("read back");
     return picture;
 }
 
@@ -482,6 +431,9 @@ const Span& Painter::range() const {
 }
 MarkKey Painter::mark_key() const {
     return inside_->mark_maker.key(*inside_->layout, inside_->mark_view());
+}
+const std::vector<PhaseTime>& Painter::phase_times() const {
+    return inside_->clock.times();
 }
 
 } // namespace tumble::render

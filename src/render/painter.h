@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/phases.h"
 #include "base/problem.h"
 #include "observe/frame.h"
 #include "render/area.h"
@@ -17,10 +18,11 @@ namespace tumble::render {
 
 /// What a caller with an own surface (a viewer, a test) may leave out of the pictures.
 struct PainterOptions {
-    bool lettering = true;   // title, time, legend, scale bar, plot
-    bool lighting = true;    // false: bodies in the bare colours of the colour map
-    double unit = 1;         // pixels: what lines over the bodies go by without lettering (render/layout.h)
-    bool skip_hidden = true; // false: draws spheres that lie behind others too, for the same picture
+    bool lettering = true;    // title, time, legend, scale bar, plot
+    bool lighting = true;     // false: bodies in the bare colours of the colour map
+    double unit = 1;          // pixels: what lines over the bodies go by without lettering (render/layout.h)
+    bool skip_hidden = true;  // false: draws spheres that lie behind others too, for the same picture
+    bool time_phases = false; // true: waits after each phase of a picture to see how long it took
 };
 
 /// Draws frames of one run. The view and, with an automatic range, the meaning of the colours stay the same from
@@ -68,6 +70,8 @@ public:
     [[nodiscard]] const Span& range() const;
     /// What its lines over the bodies mean (scene::Render::marks); for callers with a legend of their own.
     [[nodiscard]] MarkKey mark_key() const;
+    /// Of all pictures so far, when phases are timed; wall time.
+    [[nodiscard]] const std::vector<PhaseTime>& phase_times() const;
 
 private:
     struct Inside;

@@ -1,117 +1,132 @@
 #include "render/sphere_drawer.h"
 
-#include <cstddef>
+#include <algorithm>
+#include <array>
+#include <fmt/core.h>
 
 namespace tumble::render {
 
-// Both shaders are compiled once a projection: what a parallel one spares is a third of a picture's time.
-static const char* const sphere_vertices = R"(
-layout(location = 0) in vec4 sphere;
-layout(location = 1) in vec4 color;
-uniform mat4 clip;
-sample out vec3 offset;
-flat out vec4 centre;
-flat out vec3 paint;
+// So many samples travel at once that they stay in a processor's cache on their way.
+constexpr std::size_t samples_at_once_travelling = 1U << 20U;
+
+static const char* const run_vertices = R"(#version 400 core
+layout(location = 0) in ivec4 run; // left, bottom, right, top
+uniform vec2 size;
 void main() {
-    vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
-#ifdef PERSPECTIVE
-    // Across the line from the eye, and as wide as the cone that touches the sphere is at its centre.
-    float distance2 = dot(sphere.xyz, sphere.xyz);
-    vec3 back = -sphere.xyz * inversesqrt(distance2);
-    vec3 across = normalize(vec3(back.z, 0.0, -back.x));
-    float reach = sphere.w * sqrt(distance2 / (distance2 - sphere.w * sphere.w));
-    offset = reach * (corner.x * across + corner.y * cross(back, across));
-#else
-    offset = vec3(sphere.w * corner, 0.0);
-#endif
-    centre = sphere;
-    paint = color.rgb;
-    gl_Position = clip * vec4(sphere.xyz + offset, 1.0);
+    vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+    gl_Position = vec4(mix(vec2(run.xy), vec2(run.zw), corner) / size * 2.0 - 1.0, 0.0, 1.0);
 }
 )";
 
-static const char* const sphere_fragments = R"(
-sample in vec3 offset;
-flat in vec4 centre;
-flat in vec3 paint;
-uniform mat4 clip;
-uniform float rim;
-uniform float light; // 0: bare colours
+static const char* const sample_fragments = R"(#version 400 core
+uniform usamplerBuffer seen; // colours, and from `depths` on depths
+uniform int depths;
+uniform int row_length;
+uniform int bottom;
+uniform int samples;
 out vec4 shade;
-const vec3 lamp = vec3(-0.40, 0.66, 0.63);
 void main() {
-#ifdef PERSPECTIVE
-    vec3 ray = normalize(centre.xyz + offset);
-    vec3 nearest = offset - ray * dot(offset, ray);
-#else
-    const vec3 ray = vec3(0.0, 0.0, -1.0);
-    vec3 nearest = vec3(offset.xy, 0.0);
-#endif
-    float half_chord2 = centre.w * centre.w - dot(nearest, nearest);
-    if (half_chord2 < 0.0) discard;
-    vec3 arm = nearest - ray * sqrt(half_chord2);
-    float z = centre.z + arm.z;
-#ifdef PERSPECTIVE
-    gl_FragDepth = 0.5 - 0.5 * (clip[2].z + clip[3].z / z);
-#else
-    gl_FragDepth = 0.5 + 0.5 * (clip[2].z * z + clip[3].z);
-#endif
-    vec3 normal = arm / centre.w;
-    float turned = 1.0 + dot(normal, ray);
-    float gloss = max(dot(normal, normalize(lamp - ray)), 0.0);
-    gloss *= gloss;
-    gloss *= gloss;
-    gloss *= gloss;
-    gloss *= gloss;
-    gloss *= gloss;
-    vec3 lit = paint * (0.49 + 0.10 * normal.y + 0.54 * max(dot(normal, lamp), 0.0)) +
-               vec3(0.10 * gloss + rim * turned * turned);
-    shade = vec4(mix(paint, lit, light), 1.0);
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    int at = (pixel.y - bottom) * row_length + pixel.x * samples + gl_SampleID;
+    gl_FragDepth = uintBitsToFloat(texelFetch(seen, at + depths).r);
+    shade = unpackUnorm4x8(texelFetch(seen, at).r);
 }
 )";
 
-static Result<GlObject> compile_for(const char* projection) {
-    const std::string head = std::string("#version 400 core\n") + projection;
-    return make_program(head + sphere_vertices, head + sphere_fragments);
+/// Where the library takes the canvas' samples.
+static Result<Sampling> sampling_of(const Canvas& canvas) {
+    glBindFramebuffer(GL_FRAMEBUFFER, canvas.samples.name());
+    GLint samples = 0;
+    glGetIntegerv(GL_SAMPLES, &samples);
+    samples = std::max(samples, 1);
+    if (samples > samples_at_once || samples_at_once % samples != 0) {
+        return Problem{.what = fmt::format("the OpenGL library takes {} samples a pixel", samples),
+                       .fix = "install a current libosmesa6 (Mesa 22 or newer)"};
+    }
+    Sampling sampling;
+    sampling.samples = samples;
+    for (int lane = 0; lane < samples_at_once; ++lane) {
+        std::array<GLfloat, 2> place{0.5F, 0.5F};
+        if (samples > 1) {
+            glGetMultisamplefv(GL_SAMPLE_POSITION, static_cast<GLuint>(lane % samples), place.data());
+        }
+        sampling.across[lane] = place[0] + static_cast<float>(lane / samples);
+        sampling.up[lane] = place[1];
+    }
+    return sampling;
 }
 
-Result<SphereDrawer> SphereDrawer::open() {
-    auto parallel = compile_for("");
-    auto perspective = compile_for("#define PERSPECTIVE\n");
-    if (!parallel || !perspective) {
-        return parallel ? perspective.problems() : parallel.problems();
+Result<SphereDrawer> SphereDrawer::open(const Canvas& canvas) {
+    auto sampling = sampling_of(canvas);
+    auto program = make_program(run_vertices, sample_fragments);
+    if (!sampling || !program) {
+        return sampling ? program.problems() : sampling.problems();
     }
     SphereDrawer drawer;
-    drawer.parallel_ = std::move(*parallel);
-    drawer.perspective_ = std::move(*perspective);
-    drawer.marks_ = make_buffer();
+    drawer.sampling_ = *sampling;
+    drawer.program_ = std::move(*program);
+    drawer.texels_ = make_buffer();
+    drawer.seen_ = make_texture();
+    drawer.places_ = make_buffer();
     drawer.array_ = make_vertex_array();
     glBindVertexArray(drawer.array_.name());
-    glBindBuffer(GL_ARRAY_BUFFER, drawer.marks_.name());
+    glBindBuffer(GL_ARRAY_BUFFER, drawer.places_.name());
     glEnableVertexAttribArray(0);
-    glEnableVertexAttribArray(1);
-    glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(SphereMark), nullptr);
-    glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(SphereMark),
-                          reinterpret_cast<const void*>(offsetof(SphereMark, color)));
+    glVertexAttribIPointer(0, 4, GL_INT, sizeof(SphereRaster::Run), nullptr);
     glVertexAttribDivisor(0, 1);
-    glVertexAttribDivisor(1, 1);
     return drawer;
 }
 
-void SphereDrawer::draw(std::span<const SphereMark> marks, const Camera& camera, int width, int height, float rim,
-                        bool lit) {
-    const Eigen::Matrix4f clip = camera.clip_matrix(width, height);
-    const GLuint program = camera.perspective ? perspective_.name() : parallel_.name();
+void SphereDrawer::draw(std::span<const SphereMark> marks, const Camera& camera, const Canvas& canvas,
+                        const SphereLook& look, SphereRaster& raster, Crew& crew) {
+    raster.take(marks, camera, canvas.width, canvas.height, look.window, sampling_, look.skip_hidden);
+    const std::size_t a_row = raster.row_length() * static_cast<std::size_t>(raster.tile_height());
+    const int at_once = std::max(static_cast<int>(samples_at_once_travelling / a_row), 1);
+    const std::size_t needed = a_row * static_cast<std::size_t>(std::min(at_once, raster.rows()));
+    glBindBuffer(GL_TEXTURE_BUFFER, texels_.name());
+    if (room_ < needed) {
+        room_ = needed;
+        glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(2 * room_ * sizeof(std::uint32_t)), nullptr,
+                     GL_STREAM_DRAW);
+        glBindTexture(GL_TEXTURE_BUFFER, seen_.name());
+        glTexBuffer(GL_TEXTURE_BUFFER, GL_R32UI, texels_.name());
+    }
+    for (int row = 0; row < raster.rows(); row += at_once) {
+        glBindBuffer(GL_TEXTURE_BUFFER, texels_.name());
+        auto* const colors = static_cast<std::uint32_t*>(glMapBuffer(GL_TEXTURE_BUFFER, GL_WRITE_ONLY));
+        if (colors == nullptr) {
+            return; // memory ran out; there is no picture to lose yet
+        }
+        const auto runs =
+            raster.draw(row, at_once, {look.lit, look.rim}, colors, reinterpret_cast<float*>(colors + room_), crew);
+        glUnmapBuffer(GL_TEXTURE_BUFFER);
+        if (!runs.empty()) {
+            bring(runs, row * raster.tile_height(), canvas, raster);
+        }
+    }
+}
+
+void SphereDrawer::bring(const std::vector<SphereRaster::Run>& runs, int bottom, const Canvas& canvas,
+                         const SphereRaster& raster) {
+    const GLuint program = program_.name();
+    const auto whole = [&](const char* name, int value) { glUniform1i(glGetUniformLocation(program, name), value); };
+    glBindFramebuffer(GL_FRAMEBUFFER, canvas.samples.name());
     glUseProgram(program);
-    glUniformMatrix4fv(glGetUniformLocation(program, "clip"), 1, GL_FALSE, clip.data());
-    glUniform1f(glGetUniformLocation(program, "rim"), rim);
-    glUniform1f(glGetUniformLocation(program, "light"), lit ? 1.0F : 0.0F);
+    glUniform2f(glGetUniformLocation(program, "size"), static_cast<float>(canvas.width),
+                static_cast<float>(canvas.height));
+    whole("seen", 0);
+    whole("depths", static_cast<int>(room_));
+    whole("row_length", static_cast<int>(raster.row_length()));
+    whole("bottom", bottom);
+    whole("samples", sampling_.samples);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_BUFFER, seen_.name());
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glBindVertexArray(array_.name());
-    upload(marks_, marks.data(), marks.size_bytes());
-    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(marks.size()));
+    upload(places_, runs.data(), runs.size() * sizeof(SphereRaster::Run));
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(runs.size()));
 }
 
 } // namespace tumble::render

@@ -1,27 +1,44 @@
 #pragma once
 
+#include "render/area.h"
 #include "render/camera.h"
 #include "render/gl_objects.h"
 #include "render/sphere_list.h"
+#include "render/sphere_raster.h"
 
 #include <span>
 
 namespace tumble::render {
 
-/// Draws spheres as squares that face the eye; each sample meets the true sphere and gets its depth, so that spheres
-/// cut each other where they should, and edges and cuts are smoothed alike.
+/// How spheres look.
+struct SphereLook {
+    Area window;             // pixels, where they are seen
+    float rim = 0;           // brightens (below 0: darkens) what bends away from the eye
+    bool lit = true;         // false: bare colours
+    bool skip_hidden = true; // false: draws what lies behind others too, for the same picture
+};
+
+/// Brings spheres that a raster draws into a canvas: colour and depth of every sample, so that what else is drawn there
+/// cuts them where it should.
 class SphereDrawer {
 public:
-    static Result<SphereDrawer> open();
+    /// Problems: a library that takes a number of samples a pixel that the raster does not know.
+    static Result<SphereDrawer> open(const Canvas& canvas);
 
-    /// Into the bound framebuffer, of that size (pixels). `rim` brightens (below 0: darkens) what bends away from the
-    /// eye; `lit` false draws the bare colours.
-    void draw(std::span<const SphereMark> marks, const Camera& camera, int width, int height, float rim, bool lit);
+    /// Into the canvas' samples.
+    void draw(std::span<const SphereMark> marks, const Camera& camera, const Canvas& canvas, const SphereLook& look,
+              SphereRaster& raster, Crew& crew);
 
 private:
-    GlObject parallel_;
-    GlObject perspective_;
-    GlObject marks_;
+    void bring(const std::vector<SphereRaster::Run>& runs, int bottom, const Canvas& canvas,
+               const SphereRaster& raster);
+
+    Sampling sampling_;
+    GlObject program_;
+    GlObject texels_;
+    GlObject seen_;        // the texels as a texture
+    std::size_t room_ = 0; // samples that texels_ holds
+    GlObject places_;
     GlObject array_;
 };
 

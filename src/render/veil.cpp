@@ -35,21 +35,13 @@ Result<Veil> Veil::open(const Canvas& canvas) {
     Veil veil;
     veil.program_ = std::move(*program);
     veil.array_ = make_vertex_array();
-    veil.sample_sum_ = make_sample_buffer(GL_RGBA16F, canvas.width, canvas.height, canvas.samples_per_pixel);
-    veil.sample_clear_ = make_sample_buffer(GL_R16F, canvas.width, canvas.height, canvas.samples_per_pixel);
-    veil.samples_ = make_framebuffer();
-    glBindFramebuffer(GL_FRAMEBUFFER, veil.samples_.name());
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, both[0], GL_RENDERBUFFER, veil.sample_sum_.name());
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, both[1], GL_RENDERBUFFER, veil.sample_clear_.name());
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, canvas.sample_depth.name());
-    const bool drawn = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
     veil.sum_ = make_plain_texture(GL_RGBA16F, canvas.width, canvas.height);
     veil.clear_ = make_plain_texture(GL_R16F, canvas.width, canvas.height);
-    veil.resolved_ = make_framebuffer();
-    glBindFramebuffer(GL_FRAMEBUFFER, veil.resolved_.name());
+    veil.target_ = make_framebuffer();
+    glBindFramebuffer(GL_FRAMEBUFFER, veil.target_.name());
     glFramebufferTexture2D(GL_FRAMEBUFFER, both[0], GL_TEXTURE_2D, veil.sum_.name(), 0);
     glFramebufferTexture2D(GL_FRAMEBUFFER, both[1], GL_TEXTURE_2D, veil.clear_.name(), 0);
-    if (!drawn || glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
         return Problem{.what = "the OpenGL library cannot draw translucent walls",
                        .fix = "install a current libosmesa6 (Mesa 22 or newer)"};
     }
@@ -57,17 +49,13 @@ Result<Veil> Veil::open(const Canvas& canvas) {
 }
 
 void Veil::begin(const Canvas& canvas) {
-    glBindFramebuffer(GL_FRAMEBUFFER, samples_.name());
+    glBindFramebuffer(GL_FRAMEBUFFER, target_.name());
     glViewport(0, 0, canvas.width, canvas.height);
     glDrawBuffers(2, both.data());
     constexpr std::array<GLfloat, 4> nothing{0, 0, 0, 0};
     constexpr std::array<GLfloat, 4> all_clear{1, 1, 1, 1};
     glClearBufferfv(GL_COLOR, 0, nothing.data());
     glClearBufferfv(GL_COLOR, 1, all_clear.data());
-    // As if at the far end: only where nothing has been drawn a surface is not behind it.
-    glEnable(GL_DEPTH_TEST);
-    glDepthRange(1, 1);
-    glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
     glBlendFunci(0, GL_ONE, GL_ONE);
@@ -75,17 +63,11 @@ void Veil::begin(const Canvas& canvas) {
 }
 
 void Veil::finish(const Canvas& canvas) {
-    glDepthRange(0, 1);
-    glDepthFunc(GL_LESS);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, samples_.name());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.name());
-    for (const GLenum part : both) {
-        glReadBuffer(part);
-        glDrawBuffer(part);
-        resolve_samples(canvas, GL_COLOR_BUFFER_BIT);
-    }
+    // As if at the far end: only where nothing has been drawn the veil is not behind it.
     glBindFramebuffer(GL_FRAMEBUFFER, canvas.samples.name());
-    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_DEPTH_TEST);
+    glDepthRange(1, 1);
+    glDepthFunc(GL_LEQUAL);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glActiveTexture(GL_TEXTURE1);
     glBindTexture(GL_TEXTURE_2D, clear_.name());
@@ -96,6 +78,8 @@ void Veil::finish(const Canvas& canvas) {
     glUniform1i(glGetUniformLocation(program_.name(), "clearness"), 1);
     glBindVertexArray(array_.name());
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDepthRange(0, 1);
+    glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
 }
 

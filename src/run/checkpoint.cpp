@@ -9,20 +9,20 @@
 namespace tumble::run {
 
 template <class Archive, As<Resumption> R> void carry(Archive& archive, R& resumption) {
-    auto& [checkpoint, step, time, changes] = resumption;
-    archive(checkpoint, step, time, changes);
+    auto& [checkpoint, step, time, build_mark, changes] = resumption;
+    archive(checkpoint, step, time, build_mark, changes);
 }
 
 template <class Archive, As<RunSummary> S> void carry(Archive& archive, S& summary) {
-    auto& [state, reason, folder, scene, title, duration, solver, time_step, seed, threads, time, steps, bodies, rows,
-           frames, pictures, video, video_file, video_slowdown, wall_s, stepping_s, frames_s, waited_s, body_steps,
-           phases, books, energy_turnover, overlap_ratio_max, unfilled, warnings, checkpoint, checkpoints,
-           checkpoint_bytes, checkpoints_s, resumed] = summary;
-    archive(time, steps, bodies, rows, frames, pictures, wall_s, stepping_s, frames_s, waited_s, body_steps, phases,
-            books, energy_turnover, overlap_ratio_max, warnings, checkpoint, checkpoints, checkpoint_bytes,
-            checkpoints_s, resumed);
-    // How a run ends is its own: state, reason, unfilled. What was asked for comes with the asking: folder, scene,
-    // title, duration, solver, time_step, seed, threads, and those of the video.
+    auto& [state, reason, own_fault, folder, scene, title, duration, solver, time_step, seed, threads, time, steps,
+           bodies, rows, frames, pictures, video, video_file, video_slowdown, wall_s, processor_s, stepping_s, frames_s,
+           waited_s, body_steps, phases, books, energy_turnover, overlap_ratio_max, unfilled, warnings, checkpoint,
+           checkpoints, checkpoint_bytes, checkpoints_s, resumed] = summary;
+    archive(time, steps, bodies, rows, frames, pictures, wall_s, processor_s, stepping_s, frames_s, waited_s,
+            body_steps, phases, books, energy_turnover, overlap_ratio_max, warnings, checkpoint, checkpoints,
+            checkpoint_bytes, checkpoints_s, resumed);
+    // How a run ends is its own: state, reason, own_fault, unfilled. What was asked for comes with the asking: folder,
+    // scene, title, duration, solver, time_step, seed, threads, and those of the video.
 }
 
 template <class Archive, As<Outputs> O> void carry(Archive& archive, O& outputs) {
@@ -36,11 +36,11 @@ template <class Archive, As<MeshMark> M> void carry(Archive& archive, M& mark) {
 }
 
 template <class Archive, As<Checkpoint> C> void carry(Archive& archive, C& checkpoint) {
-    auto& [scene, meshes, summary, outputs, step, time, shots, last_shot, series_size, plot_measure, plot_times,
-           plot_values, tracers, world] = checkpoint;
+    auto& [build_mark, scene, meshes, summary, outputs, step, time, shots, last_shot, series_size, plot_measure,
+           plot_times, plot_values, tracers, world] = checkpoint;
     archive(meshes, summary, outputs, step, time, shots, last_shot, series_size, plot_measure, plot_times, plot_values,
             tracers);
-    // Arrays of their own: scene, world.
+    // Arrays of their own: scene, world. In the head: build_mark.
 }
 
 namespace {
@@ -64,7 +64,8 @@ std::string to_bytes(const Checkpoint& checkpoint) {
     writer(checkpoint);
     observe::ArrayFile file;
     file.kind = "checkpoint";
-    file.head = {{"version", version()}, {"layout", layout_of({})}, {"step", checkpoint.step}};
+    file.head = {{"version", version()}, {"build_mark", checkpoint.build_mark}, {"layout", layout_of({})}};
+    file.head["step"] = checkpoint.step;
     file.head["time_s"] = checkpoint.time;
     file.arrays = {bytes("scene", checkpoint.scene), bytes("run", writer.take()), bytes("world", checkpoint.world)};
     return observe::to_bytes(file);
@@ -84,6 +85,7 @@ Result<Checkpoint> checkpoint_from(const std::string& bytes, const std::filesyst
                                    "different things",
                                    word_of(read->head, "version"), version()));
     Checkpoint checkpoint;
+    checkpoint.build_mark = word_of(read->head, "build_mark");
     std::string run;
     for (const auto& [name, to] :
          {std::pair{"scene", &checkpoint.scene}, std::pair{"run", &run}, std::pair{"world", &checkpoint.world}}) {

@@ -25,7 +25,8 @@ struct MeshMark {
 /// All of a run between two steps: from it, its scene, and what lies in the folder up to then, the run goes on as if it
 /// had never ended.
 struct Checkpoint {
-    std::string scene; // TOML, resolved
+    std::string build_mark; // of the program that wrote it
+    std::string scene;      // TOML, resolved
     std::vector<MeshMark> meshes;
     RunSummary summary; // so far; its state and reasons are not kept
     Outputs outputs;

@@ -63,14 +63,14 @@ Result<std::vector<int>> shapes_named(const std::vector<std::string>& names, con
     return shapes;
 }
 
-/// Fills in what the caller left open: as far as the bodies reach.
-observe::FlowGrid fitted(observe::FlowGrid grid, const Eigen::AlignedBox3d& bounds) {
-    if (!(grid.radius > 0)) {
+observe::FlowGrid fitted(const FlowOptions& options, const Eigen::AlignedBox3d& bounds) {
+    observe::FlowGrid grid = options.grid;
+    if (options.fit_radius) {
         const Vector3d axis(grid.axis_x, 0, grid.axis_z);
         const Vector3d lo = (bounds.min() - axis).cwiseAbs(), hi = (bounds.max() - axis).cwiseAbs();
         grid.radius = std::max({lo.x(), lo.z(), hi.x(), hi.z()});
     }
-    if (!(grid.hi > grid.lo)) {
+    if (options.fit_heights) {
         grid.lo = bounds.min().y();
         grid.hi = bounds.max().y();
     }
@@ -154,7 +154,7 @@ Result<FlowReport> read_flow(const std::filesystem::path& run, const FlowOptions
     const auto shapes = shapes_named(options.bodies, *recording->layout);
     if (!shapes)
         return shapes.problems();
-    const observe::FlowGrid grid = fitted(options.grid, recording->bounds);
+    const observe::FlowGrid grid = fitted(options, recording->bounds);
     FlowReport report{observe::FlowField(grid), observe::Residence(grid), {}, {}, {}};
     for (const std::string& name : options.bodies)
         report.paths.push_back({name, {}, {}, {}});

@@ -14,8 +14,9 @@
 namespace tumble::run {
 
 struct FlowOptions {
-    observe::FlowGrid grid;          // of no radius or height: what the bodies reach in these frames
-    std::vector<std::string> bodies; // names; the first body of each is followed
+    observe::FlowGrid grid;
+    bool fit_radius = false, fit_heights = false; // of the grid: to what the bodies reach in these frames
+    std::vector<std::string> bodies;              // names; the first body of each is followed
     ReplayOptions when;
 };
 

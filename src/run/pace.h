@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <ctime>
 #include <optional>
 #include <utility>
 
@@ -62,6 +63,10 @@ public:
     [[nodiscard]] double seconds() const { return seconds_; }
     /// s of wall time since this was made.
     [[nodiscard]] double since_made() const { return std::chrono::duration<double>(Clock::now() - made_).count(); }
+    /// s of processor time of the program's threads since this was made.
+    [[nodiscard]] double processor_since_made() const {
+        return static_cast<double>(std::clock() - clock_made_) / CLOCKS_PER_SEC;
+    }
 
 private:
     using Clock = std::chrono::steady_clock;
@@ -71,6 +76,7 @@ private:
     }
 
     Clock::time_point made_ = Clock::now();
+    std::clock_t clock_made_ = std::clock();
     Clock::time_point begun_ = made_;
     std::optional<Clock::time_point> stopped_; // a round lasts from one stop to the next, the first from its start
     double seconds_ = 0;

@@ -1,10 +1,15 @@
 #include "run/part_loads.h"
 
+#include "base/make_folder.h"
+#include "observe/frame_file.h"
 #include "observe/measures.h"
+#include "run/build_mark.h"
+#include "run/checkpoint_files.h"
+#include "run/load_recorder.h"
+#include "run/resume.h"
+#include "run/run_in_work.h"
+#include "run/scene_changes.h"
 #include "run/schedule.h"
-#include "run/simulation.h"
-#include "solid/facet_load.h"
-#include "solid/locate.h"
 
 #include <chrono>
 #include <cmath>
@@ -13,96 +18,6 @@
 namespace tumble::run {
 
 namespace {
-
-// A body that was away for longer begins a new row of touches: what the thesis' dumps, 60 a second, could tell apart.
-constexpr double pause = 1.0 / 60; // s
-
-/// A step of a run and what it shows, gathered.
-class LoadRecorder {
-public:
-    LoadRecorder(const scene::Scene& scene, int wall, const LoadOptions& options,
-                 std::vector<observe::Measure> measures)
-        : scene_(scene), wall_(wall), mesh_(*std::get<scene::SpecimenShape>(wall_shape()).mesh), locator_(mesh_),
-          options_(options), measures_(std::move(measures)), history_(scene.time_step, pause) {
-        loads_.bulk.columns = {"time_s"};
-        for (const observe::Measure& measure : measures_)
-            loads_.bulk.columns.push_back(measure.column());
-        loads_.bulk.values.resize(loads_.bulk.columns.size());
-        sum_.setZero(3, static_cast<Eigen::Index>(mesh_.nodes.size()));
-    }
-
-    /// After one step.
-    void take(const Simulation& simulation) {
-        const double time = simulation.books().time; // of the forces
-        pushes_ = simulation.wall_pushes(wall_);
-        history_.take(time, pushes_);
-        for (const observe::WallPush& push : pushes_) {
-            const Eigen::Vector4d shares = solid::shares_at(mesh_, push.triangle / 2, push.foot);
-            const auto& corners = mesh_.facets[static_cast<std::size_t>(push.triangle / 2)].corners;
-            for (std::size_t k = 0; k < 4; ++k)
-                sum_.col(corners[k]) += shares[static_cast<Eigen::Index>(k)] * push.force;
-        }
-        ++summed_;
-    }
-
-    /// At an instant, after its step was taken.
-    std::optional<Problem> keep(const Simulation& simulation) {
-        const observe::Frame frame = simulation.frame();
-        const Books books = simulation.books();
-        if (auto problem = body_inside(frame))
-            return problem;
-        std::vector<solid::Push> pushes;
-        for (const observe::WallPush& push : pushes_)
-            pushes.push_back({push.triangle / 2, push.foot, push.force});
-        if (const auto balanced = solid::nodal_loads(mesh_, pushes); !balanced)
-            return balanced.problems()[0];
-        loads_.instants.push_back({books.time, pushes_});
-        if (summed_ > 0)
-            loads_.means.push_back(
-                {books.time, static_cast<double>(summed_) * scene_.time_step, sum_ / static_cast<double>(summed_)});
-        sum_.setZero();
-        summed_ = 0;
-        const observe::Seen seen(frame, books);
-        std::vector<double> row{books.time};
-        for (const observe::Measure& measure : measures_)
-            row.push_back(measure.value(seen));
-        loads_.bulk.append(row);
-        return std::nullopt;
-    }
-
-    PartLoads finish() {
-        loads_.touches = history_.touches();
-        return std::move(loads_);
-    }
-
-private:
-    [[nodiscard]] const scene::WallShape& wall_shape() const {
-        return scene_.walls[static_cast<std::size_t>(wall_)].shape;
-    }
-
-    [[nodiscard]] std::optional<Problem> body_inside(const observe::Frame& frame) const {
-        const observe::WallPlace& place = frame.walls[static_cast<std::size_t>(wall_)];
-        for (std::size_t i = 0; i < frame.bodies(); ++i)
-            if (locator_.find(place.rotation.transpose() * (frame.position[i] - place.translation)))
-                return Problem{.file = scene_.file.string(),
-                               .what = fmt::format("body {} lies inside '{}' at {:.4g} s", frame.id[i],
-                                                   scene_.walls[static_cast<std::size_t>(wall_)].name, frame.time),
-                               .fix = "fill beside the part, not across it; or take a shorter step"};
-        return std::nullopt;
-    }
-
-    const scene::Scene& scene_;
-    int wall_;
-    const solid::HexMesh& mesh_;
-    solid::Locator locator_;
-    LoadOptions options_;
-    std::vector<observe::Measure> measures_;
-    observe::TouchHistory history_;
-    std::vector<observe::WallPush> pushes_;
-    Eigen::Matrix3Xd sum_; // N, over `summed_` steps
-    std::int64_t summed_ = 0;
-    PartLoads loads_;
-};
 
 Progress progress_of(const Simulation& simulation, const scene::Scene& scene, std::int64_t last, double steps_per_s) {
     Progress now;
@@ -120,6 +35,83 @@ Progress progress_of(const Simulation& simulation, const scene::Scene& scene, st
 double seconds_since(std::chrono::steady_clock::time_point begun) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
 }
+
+/// What a run of loads leaves in its folder while it goes.
+class LoadFolder {
+public:
+    static Result<LoadFolder> open(const scene::Scene& scene, const LoadOptions& options) {
+        LoadFolder folder(options);
+        if (options.folder.empty())
+            return folder;
+        const auto meshes = read_meshes(scene);
+        if (!meshes)
+            return meshes.problems();
+        folder.toml_ = resolved(scene, *meshes);
+        folder.meshes_ = marks_of(*meshes);
+        if (const auto made = make_folder(folder.paths_.frames()); !made)
+            return made.problems();
+        return folder;
+    }
+
+    [[nodiscard]] bool can_resume() const { return options_.resume && !list_checkpoints(paths_.checkpoints()).empty(); }
+
+    Result<SimulationPtr> begin(const scene::Scene& scene) const {
+        auto simulation = simulate(scene, options_.threads, options_.stop);
+        if (!simulation || options_.folder.empty())
+            return simulation;
+        std::error_code ignored;
+        for (const auto& old : {observe::list_frames(paths_.frames()), list_checkpoints(paths_.checkpoints())})
+            for (const std::filesystem::path& file : old)
+                std::filesystem::remove(file, ignored);
+        if (const auto written = observe::write_layout(observe::layout_path(paths_.frames()), *(*simulation)->layout());
+            !written)
+            return written.problems();
+        return simulation;
+    }
+
+    Result<SimulationPtr> go_on(const scene::Scene& scene, LoadRecorder& recorder, RunListener& listener) const {
+        RunOptions as_run;
+        as_run.threads = options_.threads;
+        as_run.stop = options_.stop;
+        auto found = find_checkpoint(scene, toml_, meshes_, paths_, as_run);
+        if (!found)
+            return found.problems();
+        if (const auto recalled = recorder.recall(found->from.tracers); !recalled)
+            return recalled.problems();
+        for (const std::string& warning : found->warnings)
+            listener.warned(warning);
+        return std::move(found->simulation);
+    }
+
+    /// At the end of the run, and where the last one is older than wanted; `now`: s of wall time.
+    void keep(const Simulation& simulation, const LoadRecorder& recorder, double now, bool last,
+              RunListener& listener) {
+        if (options_.folder.empty() || !(options_.checkpoint_every > 0) ||
+            (!last && now < kept_ + options_.checkpoint_every))
+            return;
+        Checkpoint checkpoint;
+        checkpoint.build_mark = build_mark();
+        checkpoint.scene = toml_;
+        checkpoint.meshes = meshes_;
+        checkpoint.step = simulation.steps();
+        checkpoint.time = simulation.time();
+        checkpoint.tracers = recorder.state();
+        checkpoint.world = simulation.state();
+        kept_ = now;
+        if (const auto written = keep_checkpoint(paths_.checkpoints(), checkpoint); !written)
+            listener.warned(fmt::format("no checkpoint could be written at t = {:.6g} s: {}", checkpoint.time,
+                                        written.problems()[0].what));
+    }
+
+private:
+    explicit LoadFolder(const LoadOptions& options) : options_(options), paths_{options.folder} {}
+
+    const LoadOptions& options_;
+    RunFolder paths_;
+    std::string toml_;
+    std::vector<MeshMark> meshes_;
+    double kept_ = 0; // s of wall time
+};
 
 } // namespace
 
@@ -158,16 +150,19 @@ Result<PartLoads> record_loads(const scene::Scene& scene, int wall, const LoadOp
     auto measures = observe::choose_measures(scene.observe.measures);
     if (!measures)
         return measures.problems();
-    auto simulation = simulate(scene, options.threads, options.stop);
+    auto folder = LoadFolder::open(scene, options);
+    if (!folder)
+        return folder.problems();
+    LoadRecorder recorder(scene, wall, options, std::move(*measures));
+    auto simulation = folder->can_resume() ? folder->go_on(scene, recorder, listener) : folder->begin(scene);
     if (!simulation)
         return simulation.problems();
-    LoadRecorder recorder(scene, wall, options, std::move(*measures));
     Schedule instants(options.every, scene.time_step);
     const std::int64_t last = std::llround(scene.duration / scene.time_step);
     const std::int64_t first = std::max<std::int64_t>(1, std::llround(options.from / scene.time_step));
     bool stopped = false;
     double told = 0;
-    instants.pass(first - 1);
+    instants.pass(std::max(first - 1, (*simulation)->steps()));
     while ((*simulation)->steps() < last && !stopped) {
         // Until then nobody looks, and what comes is forgotten.
         const std::int64_t ahead =
@@ -182,6 +177,7 @@ Result<PartLoads> record_loads(const scene::Scene& scene, int wall, const LoadOp
                 return *problem;
             instants.pass((*simulation)->steps());
         }
+        folder->keep(**simulation, recorder, seconds_since(begun), stopped || (*simulation)->steps() >= last, listener);
         if (const double now = seconds_since(begun); now > told + 0.2) {
             told = now;
             listener.progressed(

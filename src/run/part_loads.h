@@ -19,6 +19,11 @@ struct LoadOptions {
     double every = 1.0 / 60; // s, between instants; the thesis' dumps
     double from = 0;         // s, nothing before counts
     int threads = 1;
+    /// Folder of a run: frames/ gets a frame an instant, under the instant's number, and state/ checkpoints; empty:
+    /// neither is kept.
+    std::filesystem::path folder{};
+    double checkpoint_every = 60; // s of wall time; 0: no checkpoints
+    bool resume = false;          // go on from the folder's last checkpoint where there is one
     StopFlag stop = nullptr;
 };
 
@@ -48,8 +53,10 @@ struct PartLoads {
 /// or several, no such wall, a wall of another shape.
 Result<int> find_specimen(const scene::Scene& scene, const std::string& name);
 
-/// Runs the scene and looks at the specimen after every step. Problems: those of the run; a periodic domain; a body
-/// that lies inside the part; contacts that nodal forces cannot bear (solid::nodal_loads).
+/// Runs the scene and looks at the specimen after every step. Looking changes no bit of the run, nor does going on from
+/// a checkpoint. Problems: those of the run; a periodic domain; a body that lies inside the part; contacts that nodal
+/// forces cannot bear (solid::nodal_loads); a folder that cannot be written; with `resume` those of find_checkpoint and
+/// other options than the run was begun with.
 Result<PartLoads> record_loads(const scene::Scene& scene, int wall, const LoadOptions& options, RunListener& listener);
 
 /// Loads as files of a folder: contacts.csv (all instants), means.csv (nodes with a mean force), facets.csv,

@@ -4,6 +4,7 @@
 #include "observe/frame_file.h"
 #include "observe/series.h"
 #include "observe/whole_file.h"
+#include "run/build_mark.h"
 #include "run/checkpoint_files.h"
 #include "run/scene_changes.h"
 
@@ -20,7 +21,7 @@ Result<Resumable> resumable_from(const fs::path& file, const scene::Scene& scene
                                  const RunOptions& options, Checkpoint checkpoint) {
     std::error_code error;
     const std::uintmax_t size = fs::file_size(folder.series(), error);
-    if (error || size < checkpoint.series_size)
+    if (checkpoint.series_size > 0 && (error || size < checkpoint.series_size))
         return Problem{.file = file.string(),
                        .what = "counts on rows of series.csv that are not there",
                        .fix = "put series.csv back as the run left it, or run the scene again"};
@@ -100,6 +101,11 @@ Result<Resumable> find_checkpoint(const scene::Scene& scene, const std::string& 
                                .fix = "give a longer --duration"};
             if (found) {
                 found->changes = *changes;
+                if (found->from.build_mark != build_mark())
+                    found->warnings.push_back(fmt::format("the checkpoint was written by another build of the program "
+                                                          "({}, this is {}): the run goes on from it, but need not end "
+                                                          "in the bits of one that never stopped",
+                                                          excerpt(found->from.build_mark), build_mark()));
                 for (const Problem& problem : useless)
                     found->warnings.push_back(fmt::format("a newer checkpoint was left out: {}: {}",
                                                           fs::path(problem.file).filename().string(), problem.what));

@@ -21,7 +21,7 @@ struct Resumable {
     SimulationPtr simulation;
     std::string name;                  // of the checkpoint, seen from the folder
     std::vector<std::string> changes;  // of the scene since then
-    std::vector<std::string> warnings; // of newer checkpoints that could not be used
+    std::vector<std::string> warnings; // of newer checkpoints that could not be used, of another build of the program
 };
 
 /// The newest checkpoint that is whole and fits the scene and the folder. Problems: there is none (with what is wrong

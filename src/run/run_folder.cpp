@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "observe/frame_file.h"
+#include "observe/whole_file.h"
 #include "scene/read_file.h"
 
 #include <algorithm>
@@ -218,6 +219,22 @@ void FolderInWork::keep() {
     bring_back_others(paths_);
     std::error_code ignored;
     fs::remove_all(set_aside_in(paths_.root), ignored);
+}
+
+Result<Done> FolderInWork::wait_for_names() const {
+    fs::path at = fs::absolute(paths_.root).lexically_normal();
+    if (!at.has_filename()) // "out/drop/"
+        at = at.parent_path();
+    if (Result<Done> there = observe::wait_for_disk(at); !there)
+        return there;
+    for (const fs::path top = made_from_.empty() ? at : made_from_;; at = at.parent_path()) {
+        const fs::path above = at.parent_path();
+        if (::access(above.c_str(), R_OK) == 0) // what may not be read cannot be waited for
+            if (Result<Done> there = observe::wait_for_disk(above); !there)
+                return there;
+        if (at == top || at == above)
+            return Done{};
+    }
 }
 
 void FolderInWork::release_reserve() {

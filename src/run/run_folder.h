@@ -46,6 +46,9 @@ public:
     [[nodiscard]] const RunFolder& paths() const { return paths_; }
     /// From now on the folder is worth keeping, whatever happens.
     void keep();
+    /// Waits until the disk has the names of what lies in the folder, and those of the folder and of all that were made
+    /// on the way to it. Problems: the system's reason.
+    [[nodiscard]] Result<Done> wait_for_names() const;
     /// Gives the reserved space free, for the last things to be written.
     void release_reserve();
 

@@ -251,10 +251,12 @@ void RunInWork::step_to_the_end() {
         const std::int64_t done = simulation_->steps() - step;
         pace_.stop(done);
         summary_.body_steps += static_cast<double>(done) * static_cast<double>(simulation_->books().bodies);
-        if (problem)
+        if (problem) {
+            summary_.own_fault = summary_.state != "failed";
             fail({*problem});
-        else
+        } else {
             observe_now();
+        }
         if (summary_.state == "running" && pace_.since_made() >= kept_at_ + keep_every_)
             keep_checkpoint();
         refresh_summary();
@@ -372,6 +374,7 @@ void RunInWork::take_stock() {
         summary_.phases[k].seconds += before.phases[k].seconds;
     summary_.stepping_s = before.stepping_s + pace_.seconds();
     summary_.wall_s = before.wall_s + pace_.since_made();
+    summary_.processor_s = before.processor_s + pace_.processor_since_made();
     summary_.frames_s = before.frames_s + queue_->worked_s();
     summary_.waited_s = before.waited_s + queue_->waited_s();
     summary_.frames = queue_->taken() + (resumed_ ? resumed_->shots : 0);

@@ -75,6 +75,7 @@ private:
     void observe_now();
     void keep_checkpoint();
     [[nodiscard]] Checkpoint checkpoint_now() const;
+    Result<Done> wait_for_beginnings();
     Result<Done> wait_for_outputs();
     void keep_last_state();
     void refresh_summary();
@@ -108,7 +109,8 @@ private:
     double refreshed_ = 0;        // s of wall time since the run was made
     std::int64_t kept_step_ = -1; // of the last checkpoint
     double kept_at_ = 0;          // s of wall time since the run was made
-    std::int64_t lasting_ = 0;    // frames that the disk is known to have
+    bool begun_to_last_ = false;  // what write_beginnings wrote: the disk is known to have it
+    std::int64_t lasting_ = 0;    // frames that it is known to have
     bool checkpoint_failed_ = false;
     bool done_before_ = false;
     std::optional<Checkpoint> resumed_; // from where; what was added up before goes on from its summary

@@ -1,6 +1,8 @@
 #include "base/archive.h"
+#include "base/make_folder.h"
 #include "observe/frame_file.h"
 #include "observe/whole_file.h"
+#include "run/build_mark.h"
 #include "run/checkpoint_files.h"
 #include "run/run_in_work.h"
 #include "run/run_report.h"
@@ -24,9 +26,13 @@ void RunInWork::keep_checkpoint() {
     if (const Problems problems = queue_->problems(); !problems.empty())
         return fail(problems);
     take_stock();
-    Result<Done> ready = wait_for_outputs();
+    Result<Done> ready = wait_for_beginnings();
+    if (ready)
+        ready = wait_for_outputs();
     const Result<std::int64_t> kept = ready ? run::keep_checkpoint(folder_.paths().checkpoints(), checkpoint_now())
                                             : Result<std::int64_t>(ready.problems());
+    if (!ready)
+        keep_every_ = 0; // a disk that lost what it was given may not say so again when asked once more
     kept_at_ = pace_.since_made();
     if (kept) {
         kept_step_ = simulation_->steps();
@@ -42,6 +48,7 @@ void RunInWork::keep_checkpoint() {
 
 Checkpoint RunInWork::checkpoint_now() const {
     Checkpoint now;
+    now.build_mark = build_mark();
     now.scene = toml_;
     now.meshes = meshes_;
     now.summary = summary_;
@@ -60,6 +67,26 @@ Checkpoint RunInWork::checkpoint_now() const {
     now.tracers = tracers.take();
     now.world = simulation_->state();
     return now;
+}
+
+/// Once, before the first checkpoint: what a run that is resumed reads beside it, and the names of all that.
+Result<Done> RunInWork::wait_for_beginnings() {
+    if (begun_to_last_)
+        return Done{};
+    const RunFolder& paths = folder_.paths();
+    if (Result<Done> made = make_folder(paths.checkpoints()); !made)
+        return made;
+    std::vector<std::filesystem::path> places{paths.scene(), observe::layout_path(paths.frames())};
+    for (const MeshMark& mesh : meshes_)
+        places.push_back(paths.root / mesh.name);
+    if (!meshes_.empty())
+        places.push_back(paths.meshes());
+    for (const std::filesystem::path& place : places)
+        if (Result<Done> there = observe::wait_for_disk(place); !there)
+            return there;
+    Result<Done> named = folder_.wait_for_names();
+    begun_to_last_ = named.ok();
+    return named;
 }
 
 /// A checkpoint counts on rows and frames: they must be on the disk before it is.
@@ -90,7 +117,8 @@ Result<std::unique_ptr<RunInWork>> RunInWork::go_on(const scene::Scene& scene, c
         run->done_before_ = true;
         return run;
     }
-    run->summary_.resumed.push_back({found->name, run->resumed_->step, run->resumed_->time, found->changes});
+    run->summary_.resumed.push_back(
+        {found->name, run->resumed_->step, run->resumed_->time, run->resumed_->build_mark, found->changes});
     if (const Result<Done> opened = run->open_all(meshes); !opened)
         return in_scene(opened.problems(), scene);
     const Result<std::vector<std::int64_t>> missing = cut_back(place, *run->resumed_);

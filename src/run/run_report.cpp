@@ -1,6 +1,7 @@
 #include "run/run_report.h"
 
 #include "observe/whole_file.h"
+#include "run/build_mark.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -58,6 +59,7 @@ nlohmann::ordered_json to_json(const RunSummary& summary) {
     json["state"] = summary.state;
     json["reason"] = in_one_line(summary.reason);
     json["version"] = version();
+    json["build_mark"] = build_mark();
     json["host"] = host();
     json["threads"] = summary.threads;
     json["seed"] = summary.seed;
@@ -77,6 +79,7 @@ nlohmann::ordered_json to_json(const RunSummary& summary) {
     json["video_slowdown"] = summary.video_slowdown;
     json["video_file"] = summary.video_file.string();
     json["wall_s"] = number(summary.wall_s);
+    json["processor_s"] = number(summary.processor_s);
     json["frames_s"] = number(summary.frames_s);
     json["waited_for_frames_s"] = number(summary.waited_s);
     const double stepping = summary.stepping_s;
@@ -102,6 +105,7 @@ nlohmann::ordered_json to_json(const RunSummary& summary) {
         json["resumed"].push_back({{"checkpoint", resumption.checkpoint},
                                    {"step", resumption.step},
                                    {"time_s", number(resumption.time)},
+                                   {"build_mark", resumption.build_mark},
                                    {"changes", resumption.changes}});
     return json;
 }

@@ -59,13 +59,15 @@ struct Resumption {
     std::string checkpoint; // in the folder of the run
     std::int64_t step = 0;
     double time = 0;                  // s
+    std::string build_mark;           // of the program that wrote it (run/build_mark.h)
     std::vector<std::string> changes; // of the scene since then, a sentence each
 };
 
 /// What run.json says; docs/run-folder.md explains each value.
 struct RunSummary {
-    std::string state; // running, finished, stopped, failed
-    Problems reason;   // why it failed
+    std::string state;      // running, finished, stopped, failed
+    Problems reason;        // why it failed
+    bool own_fault = false; // it failed by what the scene does, and would again; not by files or memory
     std::filesystem::path folder;
     std::filesystem::path scene;
     std::string title;
@@ -84,6 +86,7 @@ struct RunSummary {
     std::filesystem::path video_file; // empty without a video
     double video_slowdown = 1;        // s of watching per s of the run
     double wall_s = 0;                // s, all
+    double processor_s = 0;           // s, of the program's threads together while it went on
     double stepping_s = 0;            // s, inside the solver
     double frames_s = 0;              // s, drawing and writing frames, beside the steps
     double waited_s = 0;              // s, in which the steps stood still for that

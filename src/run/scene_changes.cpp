@@ -109,4 +109,15 @@ Result<std::vector<std::string>> judge_changes(const Checkpoint& checkpoint, con
     return sentences;
 }
 
+Result<std::vector<std::string>> changes_of_motion(const std::string& before, const std::string& now) {
+    const auto changes = scene::changes_between(before, now);
+    if (!changes)
+        return changes.problems();
+    std::vector<std::string> sentences;
+    for (const scene::Change& change : *changes)
+        if (weight_of(change.path) != Weight::none && change.path != "seed" && !fits("observe", change.path))
+            sentences.push_back(sentence(change));
+    return sentences;
+}
+
 } // namespace tumble::run

@@ -15,4 +15,8 @@ Result<std::vector<std::string>> judge_changes(const Checkpoint& checkpoint, con
                                                const std::vector<MeshMark>& meshes, bool accept,
                                                const std::filesystem::path& file);
 
+/// What differs between two scenes that has bodies move otherwise, a sentence each: everything but how long a run is,
+/// what it observes and draws, and the seed. Problems: one of them is no TOML.
+Result<std::vector<std::string>> changes_of_motion(const std::string& before, const std::string& now);
+
 } // namespace tumble::run

@@ -10,8 +10,9 @@ KeyTable reduce() {
                      "`tumble reduce` measures its price. Every default leaves the scene as it is.";
     table.keys = {
         number("softening", "", from(1, 1e6),
-               "Young's moduli and stiffnesses of all materials are divided by it; the step gets longer as impacts do: "
-               "by its power 2/5 for `normal = \"hertz\"`, by its root for \"linear\".")
+               "Young's moduli and stiffnesses of all materials are divided by it, works of adhesion by its power 2/5; "
+               "the step gets longer as impacts do: by its power 2/5 for `normal = \"hertz\"`, by its root for "
+               "\"linear\".")
             .otherwise(1.0),
         number("size", "", from(1, 100),
                "Size factor of every body that comes in numbers: so many times as long, of the same density, and as "

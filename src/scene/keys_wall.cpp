@@ -94,11 +94,14 @@ std::vector<Key> specimens() {
     const std::vector<std::string> cylinder{"bored-cylinder"}, prism{"prism"}, both{"bored-cylinder", "prism"},
         file_part{"hexahedra"}, all{"bored-cylinder", "prism", "hexahedra"};
     return {
-        file("inp", "Hexahedra of a CalculiX or Abaqus file: *NODE, *ELEMENT of type C3D8, *NSET.")
+        file("inp",
+             "Hexahedra of a CalculiX or Abaqus file (*NODE, *ELEMENT of type C3D8, *NSET), or of gmsh where its name "
+             "ends in .msh (format 2.2 or 4.1, ASCII).")
             .only_for(file_part)
             .in_3d()
             .must(),
-        text("held_set", "Node set of that file that cannot move when `tumble stress` solves it.")
+        text("held_set",
+             "Node set of that file, or physical group of gmsh, that cannot move when `tumble stress` solves it.")
             .only_for(file_part)
             .in_3d()
             .must(),
@@ -243,9 +246,10 @@ KeyTable motion() {
             .only_for({"rocking"})
             .must(),
         number("frequency_Hz", "Hz", above(0, 1e6), "Cycles per second.").only_for({"harmonic", "rocking"}).must(),
-        number("phase_deg", "deg", from(-360, 360), "Phase at the start; 90 is a quarter period ahead.")
+        number("phase_deg", "deg", from(-360, 360),
+               "Phase at the start; 90 is a quarter period ahead. Of harmonics: added to the phase of each.")
             .si(radians_per_degree)
-            .only_for({"harmonic", "rocking"})
+            .only_for({"harmonic", "rocking", "harmonics"})
             .otherwise(0.0),
         vector("centre_m", "m", from(-1e4, 1e4), "A point of the axis, where the wall stands at rest.")
             .only_for({"rotation", "rocking"})
@@ -275,6 +279,13 @@ KeyTable motion() {
              "and seconds. table: CSV with the head `t_s,x_m,y_m,z_m`, without `z_m` in two dimensions.")
             .only_for({"harmonics", "table"})
             .one_of("table"),
+        number("amplitude_factor", "", from(0, 1000),
+               "What every displacement of the file or the rows is multiplied by.")
+            .only_for({"harmonics", "table"})
+            .otherwise(1.0),
+        number("frequency_factor", "", above(0, 1000), "How many times as fast the file's or the rows' motion goes.")
+            .only_for({"harmonics", "table"})
+            .otherwise(1.0),
     };
     return table;
 }

@@ -84,7 +84,8 @@ Result<Done> soften(Scene& scene, double factor) {
     if (scene.contact.additions.adhesion == contact::AdhesionLaw::sjkr)
         return Problem{
             .what = "softer bodies touch with larger areas, and adhesion = \"sjkr\" would pull harder by as much",
-            .fix = "take adhesion = \"jkr\", whose pull does not depend on stiffness, or leave it at 1"};
+            .fix = "take adhesion = \"jkr\", whose work of adhesion follows so that the speed stays below which bodies "
+                   "stick, or leave it at 1"};
     for (contact::Material& material : scene.materials)
         material.youngs_modulus /= factor;
     for (contact::PairProperties& pair : scene.pairs) {
@@ -92,6 +93,9 @@ Result<Done> soften(Scene& scene, double factor) {
         pair.tangential_stiffness /= factor;
         pair.contact_time *= std::sqrt(factor);
         pair.damping_time *= std::sqrt(factor); // the same share of critical damping
+        // The energy that parts a contact goes as (w^5 R^4 / E^2)^(1/3) under JKR and DMT. It stays, and with it the
+        // speed below which bodies stick, where w follows E^(2/5) (Haervig et al. 2017; Chen, Liu and Li 2019).
+        pair.work_of_adhesion *= std::pow(factor, -0.4);
     }
     // Impacts last as E^-2/5 (Johnson 1985, 11.24) or k^-1/2.
     scene.time_step *= scene.contact.normal == NormalLaw::hertz ? std::pow(factor, 0.4) : std::sqrt(factor);

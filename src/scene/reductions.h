@@ -7,8 +7,8 @@
 /// what is wrong and what to do.
 namespace tumble::scene {
 
-/// Moduli and stiffnesses over `factor`, the step as much longer as impacts get. Problems: a pull that grows with the
-/// area of contact (adhesion = "sjkr").
+/// Moduli and stiffnesses over `factor`, the step as much longer as impacts get, and the work of adhesion less, so that
+/// the energy stays that parts what sticks. Problems: a pull that grows with the area of contact (adhesion = "sjkr").
 Result<Done> soften(Scene& scene, double factor);
 
 /// Bodies that come in numbers `factor` times as long and as many times fewer as each is heavier, the step as much

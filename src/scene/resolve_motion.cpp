@@ -45,6 +45,9 @@ void add_harmonics(const View& view, const Active& active, const Resolving& to, 
                 return;
             }
             one.active = active;
+            one.amplitude *= view.number("amplitude_factor");
+            one.frequency *= view.number("frequency_factor");
+            one.phase += view.number("phase_deg");
             motion.harmonics.push_back(one);
         }
         return;
@@ -78,6 +81,10 @@ void add_table(const View& view, const Active& active, const Resolving& to, Wall
             fmt::format("at start_s = {} s the wall jumps to the first displacement of its table, which is not zero",
                         plain(active.start)),
             "take the first displacement off all of them, or let the table start at 0");
+    for (double& time : table.time)
+        time /= view.number("frequency_factor");
+    for (Vector3d& displacement : table.displacement)
+        displacement *= view.number("amplitude_factor");
     table.active = active;
     motion.tables.push_back(std::move(table));
 }

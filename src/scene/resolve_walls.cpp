@@ -92,7 +92,8 @@ SpecimenShape specimen(const View& view, const Resolving& to) {
     shape.poisson_ratio = view.number("part_poisson_ratio");
     if (view.kind() == "hexahedra") {
         shape.part = solid::MeshFile{to.file(view.text("inp")), view.number("scale")};
-        shape.held_set = upper(view.text("held_set"));
+        const bool gmsh = std::get<solid::MeshFile>(shape.part).file.extension() == ".msh";
+        shape.held_set = gmsh ? view.text("held_set") : upper(view.text("held_set"));
     } else if (view.kind() == "prism")
         shape.part = solid::Prism{.length = view.number("length_m"),
                                   .side = view.number("side_m"),

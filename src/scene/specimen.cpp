@@ -15,7 +15,8 @@ Result<SpecimenShape> with_mesh(SpecimenShape specimen) {
             names += (names.empty() ? "" : ", ") + name;
         return Problem{.key = "held_set",
                        .what = fmt::format("{} has no node set '{}'", mesh->file, specimen.held_set),
-                       .fix = names.empty() ? "name the nodes that are held in the file: *NSET, NSET=HELD"
+                       .fix = names.empty() ? "name the nodes that are held in the file: *NSET, NSET=HELD, or a "
+                                              "physical group of gmsh"
                                             : "it has " + names};
     }
     specimen.mesh = std::make_shared<const solid::HexMesh>(std::move(*mesh));

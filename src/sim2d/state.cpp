@@ -8,6 +8,17 @@ namespace tumble::sim2d {
 
 namespace {
 
+void adapt(World& world) {
+    const auto follow = [&](std::vector<FurtherMemory>& further, std::size_t size) {
+        world.ledger.lost_history += solver::adapt_further(further, size, world.remembers_more);
+    };
+    for (Chunk& chunk : world.chunks) {
+        for (NearDiscs& near : chunk.near_discs)
+            follow(near.further, near.pairs.size());
+        follow(chunk.wall_further, max_wall_touches * chunk.wall_nears.size());
+    }
+}
+
 /// What does not follow from the members that were read one by one.
 void complete(World& world) {
     std::vector<int> slot_of(world.id.size());
@@ -29,7 +40,7 @@ std::string state_of(const World& world) {
 }
 
 std::optional<Problem> restore(World& world, std::string_view state) {
-    if (auto problem = solver::read_state(world, state, flaw_of))
+    if (auto problem = solver::read_state(world, state, adapt, flaw_of))
         return problem;
     complete(world);
     return std::nullopt;

@@ -26,7 +26,7 @@ constexpr double near_skin_per_skin = 0.25;
 // Walls do not take part in the mean flow, so bodies may pass them long before they pass each other.
 constexpr double wall_skin_per_skin = 3;
 // Necks of adhesion must lie well within every skin.
-constexpr double longest_neck = 0.04; // of the smallest radius
+constexpr double neck_per_radius = 0.04; // of the smallest radius
 
 /// Smallest sphere around all spheres, by repeatedly stepping towards the farthest (Badoiu and Clarkson 2003); a little
 /// too large is fine, too small never happens because the radius is measured at the end.
@@ -122,20 +122,22 @@ void make_drag(World& world) {
 }
 
 /// How far necks of adhesion reach between the largest spheres, and between them and walls.
-Problems make_holds(World& world) {
+Problems make_necks(World& world) {
     double largest = 0;
     for (const ShapeConstants& shape : world.shape_constants)
         for (int s = 0; s < shape.exposed_count; ++s)
             largest = std::max(largest, shape.exposed[4 * s + 3]);
     for (const contact::PairConstants& pair : world.pairs)
-        world.holds.push_back(pair.adhesion == contact::AdhesionLaw::jkr ? contact::Jkr::reach(largest, pair) : 0.0);
-    world.hold = world.holds.empty() ? 0 : *std::max_element(world.holds.begin(), world.holds.end());
-    if (world.hold <= longest_neck * world.smallest_radius)
+        world.neck_reach.push_back(pair.adhesion == contact::AdhesionLaw::jkr ? contact::Jkr::reach(largest, pair)
+                                                                              : 0.0);
+    if (!world.neck_reach.empty())
+        world.longest_neck = *std::max_element(world.neck_reach.begin(), world.neck_reach.end());
+    if (world.longest_neck <= neck_per_radius * world.smallest_radius)
         return {};
     return {scene::problem_about(
         world.scene, "contact.adhesion",
         fmt::format("necks of adhesion would reach over {:.3g} m, more than {:.3g} of the smallest sphere's radius",
-                    world.hold, longest_neck),
+                    world.longest_neck, neck_per_radius),
         "a material so soft and sticky is beyond JKR; use a larger Young's modulus or a smaller work of adhesion")};
 }
 
@@ -194,7 +196,7 @@ Result<WorldPtr> prepare_world(const scene::Scene& scene, int threads, StopFlag 
         return problems;
     choose_skins(*world);
     make_drag(*world);
-    append(problems, make_holds(*world));
+    append(problems, make_necks(*world));
     append(problems, check_periods(*world));
     append(problems, solver::faults_of_step(scene, time_step_report(scene, world->plain_shapes), "materials"));
     append(problems, prepare_fills(*world));

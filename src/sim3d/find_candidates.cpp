@@ -10,7 +10,7 @@ namespace {
 void find_near_spheres(const World& world, Chunk& chunk) {
     chunk.found.resize(chunk.sphere_pairs.size() + 8);
     // What touched a step ago must stay listed until it is seen apart, however fast it left.
-    const double skin = std::max(world.near_skin, world.last_rush + world.hold);
+    const double skin = std::max(world.near_skin, world.last_rush + world.longest_neck);
     const int count = world.kernels->near_spheres(world.motion.data(), chunk.sphere_pairs.data(),
                                                   static_cast<int>(chunk.sphere_pairs.size()), world.images.data(),
                                                   skin, chunk.found.data());

@@ -121,6 +121,12 @@ struct Placements {
     const Shift* images;
 };
 
+/// m, over how wide a gap two that touched may stay in contact, per pair of materials; null where none does.
+struct Necks {
+    const double* reach;
+    int materials;
+};
+
 /// A touching pair of clump spheres; d is from b's sphere centre to a's. Rows of four, as the kernels load them.
 struct alignas(32) BodyContact {
     double d[3]; // m
@@ -222,13 +228,13 @@ struct Kernels {
     int (*near_spheres)(const BodyMotion* motion, const SpherePair* pairs, int count, const Shift* images, double skin,
                         int* found);
     /// Brings touching[] of `count` pairs up to date: those that overlap touch, and those that touched do until their
-    /// gap exceeds `hold`, m. Writes the indices of those that touch to `contacts` and of those that ceased to touch to
+    /// gap exceeds `neck`, m. Writes the indices of those that touch to `contacts` and of those that ceased to touch to
     /// `ended`. touching[] and contacts[] have room for count + 8.
     TouchCounts (*touch_spheres)(const BodyMotion* motion, const NearPair* pairs, int count, const Shift* images,
-                                 double hold, std::uint8_t* touching, int* contacts, int* ended);
+                                 double neck, std::uint8_t* touching, int* contacts, int* ended);
     /// The same for the candidates of `count` pairs of bodies; touching[] has room for eight more.
     TouchCounts (*touch_clumps)(const Placements&, const BodyPair* pairs, int count, const SphereCandidate* candidates,
-                                double hold, std::uint8_t* touching, ClumpTouch* contacts, int* ended);
+                                const Necks& necks, std::uint8_t* touching, ClumpTouch* contacts, int* ended);
     /// `which` lists the `count` pairs that touch; memory is parallel to pairs.
     void (*push_spheres)(PushContext&, const NearPair* pairs, const int* which, int count, MemoryLanes* memory);
     void (*push_bodies)(PushContext&, const BodyContact* contacts, int count, MemoryLanes* memory);

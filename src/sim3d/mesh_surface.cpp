@@ -1,6 +1,6 @@
 #include "base/closest_point.h"
+#include "base/triangle_tree.h"
 #include "sim3d/mesh_topology.h"
-#include "sim3d/mesh_tree.h"
 #include "sim3d/wall_parts.h"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ public:
             flats_.push_back(flat_triangle(topology.vertices[static_cast<std::size_t>(a)],
                                            topology.vertices[static_cast<std::size_t>(b)],
                                            topology.vertices[static_cast<std::size_t>(c)]));
-        tree_ = MeshTree(flats_);
+        tree_ = TriangleTree(flats_);
     }
 
     [[nodiscard]] int primitives() const override { return static_cast<int>(flats_.size()); }
@@ -154,7 +154,7 @@ private:
     std::vector<std::array<int, 3>> corners_; // vertices of each triangle
     std::vector<std::array<MeshFeature, 7>> features_;
     std::vector<FlatTriangle> flats_;
-    MeshTree tree_;
+    TriangleTree tree_;
 };
 
 } // namespace

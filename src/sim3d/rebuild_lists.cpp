@@ -90,7 +90,7 @@ bool may_remember(const World& world, int a, int b, int image) {
     const BodyMotion& body_b = world.motion[static_cast<std::size_t>(b)];
     const Vector3d d = Vector3d(body_a.position) - Vector3d(body_b.position) -
                        Vector3d(world.images[static_cast<std::size_t>(image)].along);
-    const double reach = body_a.radius + body_b.radius + 2.001 * world.books.speed_max * world.dt + world.hold;
+    const double reach = body_a.radius + body_b.radius + 2.001 * world.books.speed_max * world.dt + world.longest_neck;
     return d.squaredNorm() < reach * reach;
 }
 

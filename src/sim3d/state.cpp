@@ -8,6 +8,18 @@ namespace tumble::sim3d {
 
 namespace {
 
+void adapt(World& world) {
+    const auto follow = [&](std::vector<FurtherLanes>& further, std::size_t size) {
+        world.ledger.lost_history += solver::adapt_further(further, size, world.remembers_more);
+    };
+    for (Chunk& chunk : world.chunks) {
+        for (NearSpheres& near : chunk.near_spheres)
+            follow(near.further, near.pairs.size());
+        follow(chunk.candidates.further, chunk.candidates.spheres.size());
+        follow(chunk.wall_further, max_wall_touches * chunk.wall_candidates.size());
+    }
+}
+
 /// What does not follow from the members that were read one by one.
 void complete(World& world) {
     world.slot_of.resize(world.id.size());
@@ -26,7 +38,7 @@ std::string state_of(const World& world) {
 }
 
 std::optional<Problem> restore(World& world, std::string_view state) {
-    if (auto problem = solver::read_state(world, state, flaw_of))
+    if (auto problem = solver::read_state(world, state, adapt, flaw_of))
         return problem;
     complete(world);
     return std::nullopt;

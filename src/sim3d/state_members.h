@@ -134,18 +134,19 @@ template <class Archive, As<solver::Ledger> L> void carry_ledger(Archive& archiv
 }
 
 template <class Archive, As<World> W> void carry(Archive& archive, W& world) {
-    auto& [scene, dt, step, shapes, plain_shapes, drag, pairs, materials, remembers_more, has_clumps, holds, hold,
-           walls, fills, next_fill_step, id, shape, motion, load, orientation, turn, travel, slot_of, shape_constants,
-           chunks, chunk_of, images, flow, reach, skin, wall_skin, near_skin, rush, last_rush, sphere_skin,
-           smallest_radius, stale, kept, cells, wraps, bounds, rebuilds, ledger, books, kernels, stop, crew, seconds] =
-        world;
+    auto& [scene, dt, step, shapes, plain_shapes, drag, pairs, materials, remembers_more, has_clumps, neck_reach,
+           longest_neck, walls, fills, next_fill_step, id, shape, motion, load, orientation, turn, travel, slot_of,
+           shape_constants, chunks, chunk_of, images, flow, reach, skin, wall_skin, near_skin, rush, last_rush,
+           sphere_skin, smallest_radius, stale, kept, cells, wraps, bounds, rebuilds, ledger, books, kernels, stop,
+           crew, seconds] = world;
     archive(step, Standing{walls}, Standing{fills}, next_fill_step, id, shape, motion, load, orientation, turn, travel,
             chunks, chunk_of, flow, rush, stale, rebuilds);
     carry_ledger(archive, ledger);
     archive(books);
-    // Of the scene: scene, dt, shapes, plain_shapes, drag, pairs, materials, remembers_more, has_clumps, holds, hold,
-    // shape_constants, images, reach and the skins, smallest_radius. Follows from id: slot_of. Each step's own:
-    // last_rush. Room for rebuilds: kept, cells, wraps, bounds. Of this process: kernels, stop, crew, seconds.
+    // Of the scene: scene, dt, shapes, plain_shapes, drag, pairs, materials, remembers_more, has_clumps, neck_reach,
+    // longest_neck, shape_constants, images, reach and the skins, smallest_radius. Follows from id: slot_of. Each
+    // step's own: last_rush. Room for rebuilds: kept, cells, wraps, bounds. Of this process: kernels, stop, crew,
+    // seconds.
 }
 
 } // namespace tumble::sim3d

@@ -1,3 +1,4 @@
+#include "contact/jkr.h"
 #include "sim3d/refresh.h"
 #include "sim3d/step.h"
 #include "solver/arrays.h"
@@ -23,12 +24,12 @@ void forget(Chunk& chunk, FurtherLanes& further) {
     further = {};
 }
 
-void touch_spheres(const World& world, Chunk& chunk, NearSpheres& near, double hold) {
+void touch_spheres(const World& world, Chunk& chunk, NearSpheres& near, double neck) {
     solver::make_room(near.contacts, near.pairs.size() + 8);
     solver::make_room(near.touching, near.pairs.size() + 8);
     solver::make_room(chunk.found, near.pairs.size());
     const TouchCounts counts = world.kernels->touch_spheres(
-        world.motion.data(), near.pairs.data(), static_cast<int>(near.pairs.size()), world.images.data(), hold,
+        world.motion.data(), near.pairs.data(), static_cast<int>(near.pairs.size()), world.images.data(), neck,
         near.touching.data(), near.contacts.data(), chunk.found.data());
     near.contact_count = counts.contacts;
     for (int k = 0; k < counts.ended; ++k) {
@@ -59,10 +60,35 @@ BodyContact body_contact(const World& world, const BodyPair& pair, const SphereC
             candidate};
 }
 
-template <class Contact> void share_damping(std::vector<Contact>& contacts, int last) {
-    const double share = 1 / std::sqrt(static_cast<double>(last));
-    for (auto contact = contacts.end() - last; contact != contacts.end(); ++contact)
-        contact->damping_share = share;
+/// Whether a listed contact of that kind is one, and not a gap that no neck holds over.
+bool holds(const World& world, const Chunk& chunk, std::size_t kind, const BodyContact& contact) {
+    if (world.neck_reach[kind] == 0)
+        return true;
+    const double radii = contact.radius_a + contact.radius_b;
+    const double reach = contact::Jkr::reach(contact.radius_a * contact.radius_b / radii, world.pairs[kind]);
+    return contact::Jkr::holds(radii - Vector3d(contact.d).norm(), reach,
+                               chunk.candidates.further[static_cast<std::size_t>(contact.memory)].bonded) > 0;
+}
+
+bool holds(const World& world, const Chunk& chunk, std::size_t kind, const WallContact& contact) {
+    if (world.neck_reach[kind] == 0)
+        return true;
+    const auto further = static_cast<std::size_t>(max_wall_touches * contact.candidate + contact.touch);
+    return contact::Jkr::holds(contact.overlap, contact::Jkr::reach(contact.radius, world.pairs[kind]),
+                               chunk.wall_further[further].bonded) > 0;
+}
+
+/// The last `listed` contacts of a kind, all between the same two, share their damping.
+template <class Contact>
+void share_damping(const World& world, const Chunk& chunk, std::size_t kind, std::vector<Contact>& contacts,
+                   int listed) {
+    const auto first = contacts.end() - listed;
+    const auto count = listed > 1 ? std::count_if(first, contacts.end(),
+                                                  [&](const Contact& each) { return holds(world, chunk, kind, each); })
+                                  : 1;
+    if (count > 1)
+        for (auto contact = first; contact != contacts.end(); ++contact)
+            contact->damping_share = 1 / std::sqrt(static_cast<double>(count));
 }
 
 TouchCounts find_clump_touches(const World& world, Chunk& chunk) {
@@ -71,8 +97,9 @@ TouchCounts find_clump_touches(const World& world, Chunk& chunk) {
     solver::make_room(chunk.found, candidates.spheres.size());
     return world.kernels->touch_clumps(
         {world.motion.data(), world.turn.data(), world.shape.data(), world.shape_constants.data(), world.images.data()},
-        chunk.body_pairs.data(), static_cast<int>(chunk.body_pairs.size()), candidates.spheres.data(), world.hold,
-        candidates.touching.data(), chunk.touches.data(), chunk.found.data());
+        chunk.body_pairs.data(), static_cast<int>(chunk.body_pairs.size()), candidates.spheres.data(),
+        {world.longest_neck > 0 ? world.neck_reach.data() : nullptr, world.materials}, candidates.touching.data(),
+        chunk.touches.data(), chunk.found.data());
 }
 
 void touch_clumps(const World& world, Chunk& chunk) {
@@ -88,15 +115,15 @@ void touch_clumps(const World& world, Chunk& chunk) {
     for (int first = 0, next = 0; first < counts.contacts; first = next) {
         const int listed = chunk.touches[static_cast<std::size_t>(first)].pair;
         const BodyPair& pair = chunk.body_pairs[static_cast<std::size_t>(listed)];
-        auto& contacts =
-            chunk.body_contacts[static_cast<std::size_t>(world.kind_of(pair.a, world.shape_at(pair.b).material))];
+        const auto kind = static_cast<std::size_t>(world.kind_of(pair.a, world.shape_at(pair.b).material));
+        auto& contacts = chunk.body_contacts[kind];
         for (; next < counts.contacts && chunk.touches[static_cast<std::size_t>(next)].pair == listed; ++next) {
             const int candidate = chunk.touches[static_cast<std::size_t>(next)].candidate;
             contacts.push_back(
                 body_contact(world, pair, chunk.candidates.spheres[static_cast<std::size_t>(candidate)], candidate));
         }
-        if (next - first > 1 && world.scene.contact.share_among_body_contacts)
-            share_damping(contacts, next - first);
+        if (world.scene.contact.share_among_body_contacts)
+            share_damping(world, chunk, kind, contacts, next - first);
     }
 }
 
@@ -117,9 +144,9 @@ void put(double* to, const Vector3d& from) {
 }
 
 void set_geometry(WallContact& contact, const WallState& wall, const BodyMotion& body, const Vector3d& arm,
-                  double radius, const WallTouch& touch, double hold) {
+                  double radius, const WallTouch& touch, double neck) {
     contact.damping_share = 1;
-    contact.overlap = -touch.gap - hold;
+    contact.overlap = -touch.gap - neck;
     contact.radius = radius;
     const Vector3d normal = wall.pose.rotation * touch.normal;
     const Vector3d point = Vector3d(body.position) + arm - normal * (radius - 0.5 * contact.overlap);
@@ -136,14 +163,14 @@ int touch_wall(const World& world, Chunk& chunk, const BodyWall& near, std::vect
     const WallState& wall = world.walls[static_cast<std::size_t>(near.wall)];
     const BodyMotion& body = world.motion[static_cast<std::size_t>(near.body)];
     const ShapeConstants& shape = world.shape_at(near.body);
-    const double hold = world.holds[static_cast<std::size_t>(world.kind_of(near.body, wall.wall.material))];
+    const double neck = world.neck_reach[static_cast<std::size_t>(world.kind_of(near.body, wall.wall.material))];
     int touching = 0;
     for (int k = near.begin; k < near.begin + near.count; ++k) {
         WallCandidate& candidate = chunk.wall_candidates[static_cast<std::size_t>(k)];
         const Vector3d arm = sphere_arm(world, near.body, candidate.sphere);
         const double radius = shape.exposed[4 * candidate.sphere + 3];
         const Vector3d local = wall.pose.rotation.transpose() * (Vector3d(body.position) + arm - wall.pose.translation);
-        const int count = wall.surface.touches(local, radius + hold,
+        const int count = wall.surface.touches(local, radius + neck,
                                                {chunk.sphere_primitives.data() + candidate.primitives_begin,
                                                 static_cast<std::size_t>(candidate.primitives_count)},
                                                touches);
@@ -159,7 +186,7 @@ int touch_wall(const World& world, Chunk& chunk, const BodyWall& near, std::vect
                 now, [&](auto& lost) { forget(chunk, lost); });
         for (int t = 0; t < count; ++t) {
             WallContact& contact = contacts.emplace_back();
-            set_geometry(contact, wall, body, arm, radius, touches[static_cast<std::size_t>(t)], hold);
+            set_geometry(contact, wall, body, arm, radius, touches[static_cast<std::size_t>(t)], neck);
             const WallTouch& touch = touches[static_cast<std::size_t>(t)];
             put(contact.foot, local - touch.normal * (radius + touch.gap));
             contact.triangle = touch.triangle;
@@ -180,11 +207,12 @@ void touch_walls(const World& world, Chunk& chunk) {
     for (const BodyWall& near : chunk.body_walls) {
         if (near.count == 0)
             continue;
-        const int kind = world.kind_of(near.body, world.walls[static_cast<std::size_t>(near.wall)].wall.material);
-        auto& contacts = chunk.wall_contacts[static_cast<std::size_t>(kind)];
+        const auto kind = static_cast<std::size_t>(
+            world.kind_of(near.body, world.walls[static_cast<std::size_t>(near.wall)].wall.material));
+        auto& contacts = chunk.wall_contacts[kind];
         const int touching = touch_wall(world, chunk, near, contacts, touches);
-        if (touching > 1 && world.scene.contact.share_among_body_contacts)
-            share_damping(contacts, touching);
+        if (world.scene.contact.share_among_body_contacts)
+            share_damping(world, chunk, kind, contacts, touching);
     }
 }
 
@@ -194,7 +222,7 @@ void touch_candidates(World& world, Chunk& chunk) {
     chunk.dropped_history = 0;
     chunk.dropped_adhesion = 0;
     for (std::size_t kind = 0; kind < chunk.near_spheres.size(); ++kind)
-        touch_spheres(world, chunk, chunk.near_spheres[kind], world.holds[kind]);
+        touch_spheres(world, chunk, chunk.near_spheres[kind], world.neck_reach[kind]);
     touch_clumps(world, chunk);
     touch_walls(world, chunk);
 }

@@ -164,10 +164,10 @@ struct World {
     std::vector<contact::AirDrag> drag;        // per shape; empty without air
     std::vector<contact::PairConstants> pairs; // materials squared
     int materials = 0;
-    bool remembers_more = false; // some pair's law is not plain
-    bool has_clumps = false;     // some template is not a single sphere
-    std::vector<double> holds;   // m, per pair: the widest gap over which two that touched may still push or pull
-    double hold = 0;             // m, the largest of them
+    bool remembers_more = false;    // some pair's law is not plain
+    bool has_clumps = false;        // some template is not a single sphere
+    std::vector<double> neck_reach; // m, per pair: the widest gap over which two that touched may still pull
+    double longest_neck = 0;        // m, the largest of them
     std::vector<WallState> walls;
     std::vector<FillState> fills;
     std::int64_t next_fill_step = 0;

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 
 namespace tumble::solid {
 
@@ -35,6 +36,29 @@ Eigen::Vector4d shares_at(const HexMesh& mesh, int facet, const Vector3d& point)
     }
     at = at.cwiseMax(-1.0).cwiseMin(1.0);
     return facet_shape_at(at.x(), at.y());
+}
+
+std::optional<Push> moved_to(const HexMesh& mesh, const Push& push, const Vector3d& normal) {
+    std::optional<Push> moved;
+    double nearest = std::numeric_limits<double>::infinity(); // m
+    for (int f = 0; f < static_cast<int>(mesh.facets.size()); ++f) {
+        const auto& corners = mesh.facets[static_cast<std::size_t>(f)].corners;
+        const auto node = [&](std::size_t k) -> const Vector3d& {
+            return mesh.nodes[static_cast<std::size_t>(corners[k])];
+        };
+        const double reach = std::max((node(2) - node(0)).norm(), (node(3) - node(1)).norm()) / 2;
+        if ((mesh.centre_of(f) - push.point).norm() > nearest + reach || mesh.area_of(f).normalized().dot(normal) < 0.5)
+            continue;
+        const Eigen::Vector4d shares = shares_at(mesh, f, push.point);
+        Vector3d foot = Vector3d::Zero();
+        for (std::size_t k = 0; k < 4; ++k)
+            foot += shares[static_cast<Eigen::Index>(k)] * node(k);
+        if (const double away = (foot - push.point).norm(); away < nearest) {
+            nearest = away;
+            moved = Push{f, foot, push.force};
+        }
+    }
+    return moved;
 }
 
 Result<Eigen::Matrix3Xd> nodal_loads(const HexMesh& mesh, const std::vector<Push>& pushes) {

@@ -4,6 +4,7 @@
 #include "solid/hex_mesh.h"
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 /// What touches a part, as forces on its nodes.
@@ -20,6 +21,11 @@ struct Push {
 /// there, so that the force does the same work on the brick's displacements. They add up to 1; inside a flat facet
 /// they bear the same moment.
 Eigen::Vector4d shares_at(const HexMesh& mesh, int facet, const Eigen::Vector3d& point);
+
+/// A push that was recorded on another mesh of the same surface, moved to the nearest point of this one's facets that
+/// look the same way as `normal` (unit, outward there), within 60 degrees (at an edge a body touches aslant); nothing
+/// where none does.
+std::optional<Push> moved_to(const HexMesh& mesh, const Push& push, const Eigen::Vector3d& normal);
 
 /// Forces of the pushes on the nodes: 3 x nodes, N. Problems: facets that do not exist; nodal forces whose sum or
 /// moment differs from that of the pushes by more than 1e-9 of what they add up to (a point off its facet), with the

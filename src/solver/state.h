@@ -23,9 +23,25 @@ template <class World> std::string state_of(const World& world) {
 
 Problem unusable_state(const scene::Scene& scene, const std::string& what);
 
-/// Reads them into a world that was prepared for the same scene; flaw_of(world) tells what does not fit together.
+/// What contacts remember beside their springs, as the pairs' laws of now need it, which may be others than those of
+/// the state: nothing where none does, for each of `size` contacts where one does. Returns the energy forgotten, J.
+template <class Further> double adapt_further(std::vector<Further>& further, std::size_t size, bool remembers_more) {
+    double forgotten = 0;
+    if (!remembers_more) {
+        for (const Further& one : further)
+            forgotten += one.rolling_energy;
+        further.clear();
+    } else if (further.empty()) {
+        further.resize(size);
+    }
+    return forgotten;
+}
+
+/// Reads them into a world that was prepared for the same scene; adapt(world) lets follow what its laws ask for, and
+/// flaw_of(world) tells what does not fit together.
 template <class World>
-std::optional<Problem> read_state(World& world, std::string_view state, std::string (*flaw_of)(const World&)) {
+std::optional<Problem> read_state(World& world, std::string_view state, void (*adapt)(World&),
+                                  std::string (*flaw_of)(const World&)) {
     std::uint64_t layout = 0;
     ArchiveReader reader(state);
     reader(layout);
@@ -36,6 +52,7 @@ std::optional<Problem> read_state(World& world, std::string_view state, std::str
     if (!reader.whole())
         return unusable_state(world.scene,
                               "the saved state does not fit the scene: it has other walls or fills, or is damaged");
+    adapt(world);
     if (const std::string flaw = flaw_of(world); !flaw.empty())
         return unusable_state(world.scene, "the saved state does not fit the scene: " + flaw);
     return std::nullopt;

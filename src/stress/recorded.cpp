@@ -1,9 +1,11 @@
 #include "stress/recorded.h"
 
+#include "observe/frame_file.h"
 #include "observe/whole_file.h"
 #include "scene/load.h"
 #include "scene/specimen.h"
 #include "scene/to_toml.h"
+#include "solid/facet_load.h"
 #include "solid/inp.h"
 
 #include <fmt/format.h>
@@ -24,7 +26,7 @@ Result<Recorded> specimen_in(scene::Scene scene, const std::string& part) {
     const auto wall = run::find_specimen(scene, part);
     if (!wall)
         return wall.problems();
-    return Recorded{std::move(scene), *wall, {}};
+    return Recorded{std::move(scene), *wall, {}, {}};
 }
 
 bool holds_loads(const fs::path& folder) {
@@ -53,6 +55,35 @@ Result<Recorded> read_recorded(const fs::path& folder, const std::string& part) 
     if (!loads)
         return loads.problems();
     recorded->loads = std::move(*loads);
+    if (std::error_code ignored; fs::exists(observe::layout_path(folder / "frames"), ignored))
+        recorded->frames = folder / "frames";
+    return recorded;
+}
+
+Result<Recorded> read_remeshed(const fs::path& folder, const std::string& part, const std::vector<std::string>& sets) {
+    auto recorded = read_recorded(folder, part);
+    if (!recorded)
+        return recorded;
+    std::vector<scene::Override> overrides;
+    for (const std::string& set : sets)
+        overrides.push_back({fmt::format("wall.{}.{}", recorded->name(), set)});
+    auto changed = scene::load_scene(folder / "scene.toml", overrides);
+    if (!changed)
+        return changed.problems();
+    recorded->scene = std::move(*changed);
+    recorded->loads.means.clear();
+    const solid::HexMesh& mesh = *recorded->specimen().mesh;
+    for (run::LoadInstant& instant : recorded->loads.instants)
+        for (observe::WallPush& push : instant.pushes) {
+            auto moved = solid::moved_to(mesh, {0, push.foot, push.force}, push.normal);
+            if (!moved)
+                return Problem{.file = folder.string(),
+                               .what =
+                                   fmt::format("a contact at {:.6g} s finds no facet of the new mesh", instant.time),
+                               .fix = "change the mesh, not the part"};
+            push.triangle = 2 * moved->facet;
+            push.foot = moved->point;
+        }
     return recorded;
 }
 

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace tumble::stress {
 
@@ -15,6 +16,7 @@ struct Recorded {
     scene::Scene scene;
     int wall = 0; // the specimen, into scene.walls
     run::PartLoads loads;
+    std::filesystem::path frames{}; // folder with a frame an instant; empty: none were kept
 
     [[nodiscard]] const scene::SpecimenShape& specimen() const;
     [[nodiscard]] const std::string& name() const;
@@ -31,6 +33,13 @@ Result<Done> write_recorded(const Recorded& recorded, const std::filesystem::pat
 /// The same read again; `part` names the specimen where the scene has several. Problems: files that are missing or
 /// damaged.
 Result<Recorded> read_recorded(const std::filesystem::path& folder, const std::string& part);
+
+/// The instants of such a folder on another mesh: `sets` are keys of the specimen's wall, "around=120". Each contact
+/// moves to the nearest point of the new surface, so that all that differs is the mesh; means are left out, they are
+/// known at nodes alone. Problems: those of read_recorded and of the scene with its changes; a contact that finds no
+/// facet.
+Result<Recorded> read_remeshed(const std::filesystem::path& folder, const std::string& part,
+                               const std::vector<std::string>& sets);
 
 /// The part with a step for every load case as CalculiX reads it.
 std::string to_calculix(const Recorded& recorded, const std::vector<Eigen::Matrix3Xd>& cases,

@@ -88,6 +88,7 @@ public:
         study.hexes = mesh_->hexes.size();
         study.unknowns = 3 * study.nodes - supports.size();
         study.factor_entries = part_->factor().entries();
+        study.factor_operations = part_->factor().operations();
         const solid::Locator locator(*mesh_);
         for (const std::string& side : options_.sides.empty() ? outward_sides(specimen) : options_.sides)
             for (const double depth : options_.depths) {

@@ -59,8 +59,9 @@ struct Study {
     Field worst; // the case with the largest von Mises stress
     std::size_t nodes = 0, hexes = 0, unknowns = 0;
     std::int64_t factor_entries = 0;
-    double prepare_s = 0; // s, of wall time: assembly and factorisation
-    double solve_s = 0;   // s, all cases: loads, displacements, stresses, slices
+    double factor_operations = 0; // multiplications and additions
+    double prepare_s = 0;         // s, of wall time: assembly and factorisation
+    double solve_s = 0;           // s, all cases: loads, displacements, stresses, slices
     std::vector<std::string> warnings;
 };
 

@@ -120,6 +120,32 @@ sheet::Figure over_time(const Study& study) {
     return figure;
 }
 
+sheet::Figure loads_over_time(const Study& study) {
+    sheet::Figure figure{"loads", "Force of the media on the part", {"time", "s"}, {"force", "N"}};
+    for (const auto& [axis, label] : {std::pair{0, "x"}, std::pair{1, "y"}, std::pair{2, "z"}}) {
+        sheet::Curve curve{label};
+        for (const Case& now : study.cases)
+            curve.add(now.time, now.force[axis]);
+        figure.curves.push_back(std::move(curve));
+    }
+    return figure;
+}
+
+/// As the thesis' figures 7.15 and 7.19 show them.
+sheet::Figure surface_over_time(const Study& study) {
+    sheet::Figure figure{
+        "surface-stress", "Largest stresses of a facet, and inside the part", {"time", "s"}, {"stress", "kPa"}};
+    for (const auto& [member, label] : {std::pair{&Case::facet_normal, "normal, force over area"},
+                                        std::pair{&Case::facet_shear, "shear, force over area"},
+                                        std::pair{&Case::von_mises, "von Mises, of all nodes"}}) {
+        sheet::Curve curve{label};
+        for (const Case& now : study.cases)
+            curve.add(now.time, 1e-3 * now.*member);
+        figure.curves.push_back(std::move(curve));
+    }
+    return figure;
+}
+
 void tell_contacts(const Study& study, sheet::Sheet& sheet) {
     std::vector<double> normal, shear, contacts, facet_normal, facet_shear;
     int normal_above = 0;
@@ -188,6 +214,9 @@ sheet::Sheet sheet_of(const Study& study, const StudyOptions& options) {
                     options.trivial));
     sheet.parts.emplace_back(signs(study, sheet));
     sheet.parts.emplace_back(over_time(study));
+    if (!options.means) // what touches is known of instants
+        sheet.parts.emplace_back(surface_over_time(study));
+    sheet.parts.emplace_back(loads_over_time(study));
     return sheet;
 }
 

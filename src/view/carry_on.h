@@ -12,9 +12,9 @@ struct CarriedOn {
 };
 
 /// The scene that a run takes up at `now` (s) when its scene shall become `wanted`, which has the same walls with the
-/// same motions in the same order. No wall jumps: a harmonic or a rocking changes amplitude, frequency and phase where
-/// a period ends and the wall is where it began, and begins anew from there; a rotation turns on from the angle that it
-/// has. Everything else changes at once.
+/// same motions in the same order. No wall jumps: a harmonic or a rocking goes on with a new frequency from the angle
+/// of its swing, and changes amplitude and phase where a period ends and the wall is where it began; a rotation turns
+/// on from the angle that it has; a table goes over to its new rows by degrees. Everything else changes at once.
 CarriedOn carry_on(const scene::Scene& running, const scene::Scene& wanted, double now);
 
 } // namespace tumble::view

@@ -40,6 +40,10 @@ std::array<double, 2> span_of(const std::string& word, const std::string& unit, 
         return {-180, 180};
     if (word == "frequency")
         return {0.1 * value, 2.5 * value};
+    if (word == "frequency factor")
+        return {0.1 * value, 2.5 * value};
+    if (word == "amplitude factor")
+        return {0, value > 0 ? 3 * value : 1};
     if (word == "amplitude")
         return {0, value > 0 ? 3 * value : (unit == "m" ? least_amplitude : 5)};
     const double most = value != 0 ? 2 * std::abs(value) : 60; // a speed
@@ -84,8 +88,14 @@ void Controls::add_motions(const scene::Scene& scene, const SceneText& text) {
         for (const MotionKey& key : motion_keys)
             if (scene.written.contains(path + "." + key.name))
                 add(text, path + "." + key.name, key.word, key.unit);
-        if (scene.written.contains(path + ".frequency_Hz"))
-            add(text, path + ".phase_deg", "phase", "deg");
+        const bool from_file = scene.written.contains(path + ".file");
+        if (from_file || scene.written.contains(path + ".rows")) {
+            add(text, path + ".amplitude_factor", "amplitude factor", "");
+            add(text, path + ".frequency_factor", "frequency factor", "");
+        }
+        const std::string phase = path + ".phase_deg"; // of a file's motion only harmonics have one
+        if (scene.written.contains(path + ".frequency_Hz") || (from_file && text.load({{phase + "=0"}})))
+            add(text, phase, "phase", "deg");
     }
 }
 

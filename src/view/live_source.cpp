@@ -8,6 +8,7 @@
 #include "run/view_box.h"
 #include "scene/to_toml.h"
 #include "view/carry_on.h"
+#include "view/film.h"
 
 #include <algorithm>
 #include <chrono>
@@ -28,14 +29,6 @@ constexpr double stretch_s = 0.02; // of wall time between two looks at what is 
 double seconds_since(Clock::time_point begun) {
     return std::chrono::duration<double>(Clock::now() - begun).count();
 }
-
-/// Frames on their way to a video. The steps wait for it: a film with holes would show another motion.
-struct Film {
-    std::unique_ptr<run::FrameQueue> queue;
-    run::Schedule schedule;
-    std::filesystem::path file;
-    std::int64_t shots = 0;
-};
 
 class LiveSource final : public Source {
 public:
@@ -64,6 +57,7 @@ public:
     [[nodiscard]] Eigen::AlignedBox3d bounds() const override { return bounds_; }
     [[nodiscard]] bool can_seek() const override { return false; }
     [[nodiscard]] bool can_change() const override { return can_change_; }
+    [[nodiscard]] bool can_show_contacts() const override { return true; }
 
     MomentPtr newest() override {
         const std::lock_guard lock(mutex_);
@@ -93,11 +87,20 @@ public:
     void change(std::vector<scene::Override> changes) override {
         order([&] { orders_.changes = std::move(changes); });
     }
+    void show_contacts(bool on) override {
+        order([&] {
+            orders_.look_again = orders_.look_again || on != orders_.contacts;
+            orders_.contacts = on;
+        });
+    }
     void film(const scene::Render& settings, const std::filesystem::path& file) override {
         order([&] {
             orders_.film = {settings, file};
             orders_.film_ends = false; // whatever is filmed now ends with this
         });
+    }
+    void restyle_film(const scene::Render& settings) override {
+        order([&] { orders_.film_look = settings; });
     }
     void film_no_more() override {
         order([&] { orders_.film_ends = true; });
@@ -108,13 +111,18 @@ private:
         bool close = false;
         bool play = false;
         bool look = false; // the newest moment was taken
+        bool contacts = false;
+        bool look_again = false; // something else is to be seen of the same state
         std::int64_t steps = 0;
         double speed = 0;
         std::optional<std::vector<scene::Override>> changes;
         std::optional<std::pair<scene::Render, std::filesystem::path>> film;
+        std::optional<scene::Render> film_look;
         bool film_ends = false;
 
-        [[nodiscard]] bool any() const { return close || play || steps > 0 || changes || film || film_ends; }
+        [[nodiscard]] bool any() const {
+            return close || play || steps > 0 || changes || film || film_ends || look_again;
+        }
     };
 
     template <class Change> void order(Change change) {
@@ -135,7 +143,9 @@ private:
                 state_.filming = state_.filming || orders_.film; // opening it takes a while
                 orders_.changes.reset();
                 orders_.film.reset();
+                orders_.film_look.reset();
                 orders_.film_ends = false;
+                orders_.look_again = false;
             }
             if (now.close)
                 break;
@@ -149,8 +159,11 @@ private:
     }
 
     void obey(const Orders& now) {
+        contacts_ = now.contacts;
         if (now.film)
             begin_film(now.film->first, now.film->second);
+        if (film_ && now.film_look)
+            film_->restyle(*now.film_look);
         if (now.film_ends)
             end_film();
         if (now.changes)
@@ -179,7 +192,7 @@ private:
             halt(to_string(*problem));
         if (next_change_ && simulation_->time() >= *next_change_ - 0.25 * running_.step())
             adopt();
-        if (film_ && film_->schedule.due(simulation_->steps()))
+        if (film_ && film_->due(simulation_->steps()))
             shoot();
     }
 
@@ -199,7 +212,7 @@ private:
     }
 
     [[nodiscard]] std::int64_t to_next_shot() const {
-        return film_ ? std::max(film_->schedule.next() - simulation_->steps(), std::int64_t{1}) : all_steps_;
+        return film_ ? std::max(film_->next() - simulation_->steps(), std::int64_t{1}) : all_steps_;
     }
 
     /// What the steps done change of the orders, and what others may see of it.
@@ -216,7 +229,7 @@ private:
                 orders_.steps = 0;
             }
             state_.change_waits = next_change_.has_value();
-            state_.filming = film_.has_value();
+            state_.filming = film_ != nullptr;
             note_pace(obeyed);
             idle = !orders_.play && orders_.steps == 0;
             look = orders_.look;
@@ -244,8 +257,7 @@ private:
 
     void publish() {
         auto moment = std::make_shared<Moment>();
-        moment->frame = simulation_->frame();
-        moment->frame.layout = layout_; // one for all, however often the simulation was begun anew
+        moment->frame = frame(contacts_);
         moment->books = simulation_->books();
         moment->number = ++moments_;
         {
@@ -255,6 +267,14 @@ private:
             orders_.look = false;
         }
         news_();
+    }
+
+    observe::Frame frame(bool with_contacts) const {
+        observe::Frame frame = simulation_->frame();
+        frame.layout = layout_; // one for all, however often the simulation was begun anew
+        if (with_contacts)
+            frame.contacts = simulation_->contacts();
+        return frame;
     }
 
     void halt(const std::string& reason) {
@@ -296,33 +316,24 @@ private:
 
     void begin_film(const scene::Render& settings, const std::filesystem::path& file) {
         end_film();
-        auto sink = run::keep_pictures(settings, layout_, {.folder = {}, .video = file}, bounds_);
-        if (!sink) {
-            tell_of_film(to_string(sink.problems().front()));
+        auto film = Film::open(settings, layout_, file, bounds_, running_.step());
+        if (!film) {
+            tell_of_film(to_string(film.problems().front()));
             return;
         }
-        run::FrameSinks sinks;
-        sinks.push_back(std::move(*sink));
-        film_ = Film{std::make_unique<run::FrameQueue>(std::move(sinks)),
-                     run::Schedule(settings.every, running_.step()), file};
+        film_ = std::move(*film);
         shoot(); // what is seen as it begins
     }
 
     void shoot() {
-        film_->schedule.pass(simulation_->steps());
-        observe::Frame frame = simulation_->frame();
-        frame.layout = layout_;
-        film_->queue->push({std::move(frame), film_->shots++, {}});
-        if (!film_->queue->problems().empty())
+        if (!film_->shoot(simulation_->steps(), frame(film_->shows_contacts())))
             end_film();
     }
 
     void end_film() {
         if (!film_)
             return;
-        const Problems problems = film_->queue->close();
-        tell_of_film(problems.empty() ? fmt::format("{} with {} pictures", film_->file.string(), film_->shots)
-                                      : to_string(problems.front()));
+        tell_of_film(film_->close());
         film_.reset();
     }
 
@@ -347,7 +358,7 @@ private:
         std::unique_lock lock(mutex_);
         changed_.wait_for(lock, std::chrono::duration<double>(std::clamp(ahead, 0.0, 1.0)), [&] {
             return orders_.close || !orders_.play || orders_.speed != speed || orders_.changes || orders_.film ||
-                   orders_.film_ends;
+                   orders_.film_ends || orders_.look_again;
         });
     }
 
@@ -362,11 +373,12 @@ private:
     std::int64_t all_steps_;
     bool can_change_;
     bool dead_ = false;
+    bool contacts_ = false;             // are wanted in moments
     std::optional<double> next_change_; // s
     std::int64_t stretch_ = 1;
     double rate_ = 0; // steps per s of wall time
     std::uint64_t moments_ = 0;
-    std::optional<Film> film_;
+    std::unique_ptr<Film> film_;
     Clock::time_point paced_ = Clock::now(); // when the pace was last looked at
     double paced_from_ = 0;                  // s, of the scene then
     double paced_speed_ = 0;                 // that is being kept

@@ -221,8 +221,60 @@ void show_keeping(Desk& desk) {
             ImGui::TextWrapped("%s", sentence.c_str());
 }
 
+/// The widget just made says which key of the scene it sets.
+void tell_key(const std::string& key) {
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s", key.c_str());
+}
+
+/// One word of a few; true when another was chosen.
+bool choose(Desk& desk, const std::string& name, const std::string& label, const std::vector<std::string>& words,
+            std::string& chosen, const std::string& key) {
+    bool changed = false;
+    ImGui::SetNextItemWidth(-1);
+    const bool open = ImGui::BeginCombo(("##" + name).c_str(), (label + ": " + chosen).c_str());
+    mark(desk, name);
+    tell_key(key);
+    if (!open)
+        return false;
+    for (const std::string& word : words) {
+        if (ImGui::Selectable(word.c_str(), word == chosen)) {
+            changed = word != chosen;
+            chosen = word;
+        }
+        mark(desk, name + " " + word);
+    }
+    ImGui::EndCombo();
+    return changed;
+}
+
+void show_marks(Desk& desk) {
+    scene::Marks& marks = desk.look.marks;
+    ImGui::TextDisabled("over the bodies");
+    desk.wishes.restyle |=
+        choose(desk, "arrows", "velocities", {"none", "bodies", "field"}, marks.arrows, "render.arrows");
+    std::string trail = marks.trails.empty() ? "none" : marks.trails.front();
+    std::vector<std::string> names{"none"};
+    for (const observe::FrameShape& shape : desk.layout.shapes)
+        names.push_back(shape.name);
+    if (choose(desk, "trail", "way of", names, trail, "render.trails")) {
+        marks.trails.clear();
+        if (trail != "none")
+            marks.trails.push_back(trail);
+        desk.wishes.restyle = true;
+    }
+    if (!desk.source.can_show_contacts()) {
+        ImGui::TextWrapped("Force chains need a run with observe.contacts = true.");
+        return;
+    }
+    desk.wishes.restyle |= ImGui::Checkbox("force chains", &marks.chains);
+    mark(desk, "force chains");
+    tell_key("render.force_chains, with observe.contacts");
+}
+
 void show_look(Desk& desk) {
     show_colors(desk);
+    show_marks(desk);
     if (desk.layout.dimension == 3)
         show_section(desk);
 }

@@ -20,10 +20,10 @@ using Clock = std::chrono::steady_clock;
 
 class RecordedSource final : public Source {
 public:
-    RecordedSource(std::filesystem::path folder, run::Recording recording, std::vector<double> times, double speed,
-                   std::function<void()> news)
-        : folder_(std::move(folder)), recording_(std::move(recording)), times_(std::move(times)), speed_(speed),
-          news_(std::move(news)), clock_(times_.front()) {}
+    RecordedSource(std::filesystem::path folder, run::Recording recording, std::vector<double> times, bool contacts,
+                   double speed, std::function<void()> news)
+        : folder_(std::move(folder)), recording_(std::move(recording)), times_(std::move(times)),
+          has_contacts_(contacts), speed_(speed), news_(std::move(news)), clock_(times_.front()) {}
     RecordedSource(const RecordedSource&) = delete;
     RecordedSource& operator=(const RecordedSource&) = delete;
     ~RecordedSource() override { stop_film_ = true; }
@@ -32,6 +32,7 @@ public:
     [[nodiscard]] Eigen::AlignedBox3d bounds() const override { return recording_.bounds; }
     [[nodiscard]] bool can_seek() const override { return true; }
     [[nodiscard]] bool can_change() const override { return false; }
+    [[nodiscard]] bool can_show_contacts() const override { return has_contacts_; }
 
     MomentPtr newest() override {
         tick();
@@ -139,6 +140,7 @@ private:
     std::filesystem::path folder_;
     run::Recording recording_;
     std::vector<double> times_; // s, of its frames
+    bool has_contacts_;         // in its frames
     double speed_;              // s of the run per s
     std::function<void()> news_;
     double clock_; // s of the run
@@ -164,17 +166,19 @@ Result<std::unique_ptr<Source>> open_recorded(const std::filesystem::path& folde
         return recording.problems();
     std::vector<std::filesystem::path> readable;
     std::vector<double> times;
+    bool contacts = false;
     for (const std::filesystem::path& file : recording->frames)
         if (const Result<observe::Frame> frame = observe::read_frame(file, recording->layout)) {
             readable.push_back(file);
             times.push_back(frame->time);
+            contacts = contacts || frame->contacts;
         }
     if (times.empty())
         return Problem{
             .file = folder.string(), .what = "no frame of this run can be read", .fix = "run the scene again"};
     recording->frames = std::move(readable);
-    return std::unique_ptr<Source>(std::make_unique<RecordedSource>(folder, std::move(*recording), std::move(times),
-                                                                    1 / settings.slowdown(), std::move(news)));
+    return std::unique_ptr<Source>(std::make_unique<RecordedSource>(
+        folder, std::move(*recording), std::move(times), contacts, 1 / settings.slowdown(), std::move(news)));
 }
 
 } // namespace tumble::view

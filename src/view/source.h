@@ -61,12 +61,18 @@ public:
     [[nodiscard]] virtual bool can_seek() const = 0;
     virtual void seek(double /*time*/) {}
 
+    /// Whether moments can say who touches whom, and whether they are wanted to.
+    [[nodiscard]] virtual bool can_show_contacts() const = 0;
+    virtual void show_contacts(bool /*on*/) {}
+
     /// Simulations: the scene with other values on top, from now on; whatever was changed before is replaced.
     [[nodiscard]] virtual bool can_change() const = 0;
     virtual void change(std::vector<scene::Override> /*changes*/) {}
 
     /// Films from here on (a recorded run: all of it) with these settings, until film_no_more.
     virtual void film(const scene::Render& settings, const std::filesystem::path& file) = 0;
+    /// A film of a simulation goes on with another camera and other colours.
+    virtual void restyle_film(const scene::Render& /*settings*/) {}
     virtual void film_no_more() = 0;
 };
 

@@ -17,7 +17,7 @@ namespace {
 constexpr double panel_share = 300;   // pixels of the page
 constexpr double panel_letters = 0.8; // of a picture's usual letters
 constexpr int least_width = 320, least_height = 200;
-constexpr int most_width = 2560, most_height = 1600;
+constexpr int most_side = 2560;                // pixels; of a phone held upright the height
 constexpr std::chrono::milliseconds rest{250}; // without anything new
 constexpr double zoom_per_notch = 1.15;
 constexpr double key_turn = 20;    // pixels of dragging that an arrow stands for
@@ -40,8 +40,8 @@ Studio::Studio(std::unique_ptr<Source> source, const SceneText& text, const scen
                const StudioOptions& options)
     : source_(std::move(source)), text_(text), settings_(scene.render), look_(scene.render), name_(stem_of(scene.file)),
       title_(scene.title), folder_(options.folder), controls_(scene, text), plots_(std::move(plots)),
-      layout_(source_->layout()), width_(std::clamp(options.width, least_width, most_width)),
-      height_(std::clamp(options.height, least_height, most_height)) {}
+      layout_(source_->layout()), width_(std::clamp(options.width, least_width, most_side)),
+      height_(std::clamp(options.height, least_height, most_side)) {}
 
 Result<std::unique_ptr<Studio>> Studio::open(std::unique_ptr<Source> source, const SceneText& text,
                                              const scene::Scene& scene, Plots plots, const StudioOptions& options) {
@@ -54,10 +54,11 @@ Result<std::unique_ptr<Studio>> Studio::open(std::unique_ptr<Source> source, con
     return studio;
 }
 
-/// In a narrow window the panel takes all of it while it is shown.
+/// In a narrow window the panel takes all of it while it is shown, and until a hand asks for it that is not.
 Result<Done> Studio::open_panel() {
     const int wanted = static_cast<int>(std::lround(panel_share * ratio_));
     panel_width_ = width_ - wanted < least_width ? width_ : wanted;
+    panel_shown_ = panel_toggled_ ? panel_shown_ : panel_width_ < width_;
     passes_left_ = settling_passes;
     const double unit = panel_letters * ratio_;
     if (panel_ && panel_->unit() == unit)
@@ -142,6 +143,7 @@ void Studio::take(const Message& message) {
         resize(*size);
     } else if (std::holds_alternative<PanelToggled>(message)) {
         panel_shown_ = !panel_shown_;
+        panel_toggled_ = true;
         resized_ = true;
     }
 }
@@ -210,8 +212,8 @@ void Studio::set_camera(const std::string& name) {
 void Studio::resize(const Resized& size) {
     if (size.width == 0 || size.height == 0)
         return;
-    const int width = std::clamp(size.width, least_width, most_width);
-    const int height = std::clamp(size.height, least_height, most_height);
+    const int width = std::clamp(size.width, least_width, most_side);
+    const int height = std::clamp(size.height, least_height, most_side);
     if (width == width_ && height == height_ && size.ratio == ratio_)
         return;
     width_ = width;
@@ -261,13 +263,16 @@ void Studio::grant(const Wishes& wishes) {
         save_scene();
     if (wishes.film_ends)
         source_->film_no_more();
-    if (wishes.film) {
-        scene::Render settings = look_;
-        settings.plot = settings_.plot && source_->can_seek(); // a film of what goes on knows no series
-        if (!settings.range)
-            settings.range = {painter_->range().lo, painter_->range().hi};
-        source_->film(settings, free_name(".mp4"));
-    }
+    if (wishes.film)
+        source_->film(film_settings(), free_name(".mp4"));
+}
+
+scene::Render Studio::film_settings() const {
+    scene::Render settings = look_;
+    settings.plot = settings_.plot && source_->can_seek(); // a film of what goes on knows no series
+    if (!settings.range)
+        settings.range = {painter_->range().lo, painter_->range().hi};
+    return settings;
 }
 
 bool Studio::is_at_rest() const {
@@ -286,6 +291,9 @@ void Studio::draw_scene() {
     for (const Result<Done>& done : {painter_->restyle(look_), painter_->set_sketching(sketched_)})
         if (!done)
             notice_ = to_string(done.problems().front());
+    source_->show_contacts(look_.marks.chains);
+    if (look_changed_ && source_->state().filming)
+        source_->restyle_film(film_settings());
     plots_.take(*moment_);
     scene_picture_ = painter_->draw(moment_->frame);
     drawn_ = moment_->number;
@@ -303,7 +311,8 @@ Result<Shown> Studio::draw() {
         return Problem{.what = "there is nothing to be seen yet", .fix = "wait for the first frame"};
     do {
         pass_panel(); // at least once, and until all that hands did has been told and has settled
-        passes_left_ = std::max(passes_left_ - 1, 0);
+        if (!hands_.any())
+            passes_left_ = std::max(passes_left_ - 1, 0);
     } while (hands_.any() || passes_left_ > 0);
     const bool is_new = look_changed_ || moment_->number != drawn_;
     if (is_new || (sketched_ && is_at_rest()))
@@ -357,6 +366,7 @@ void Studio::save_scene() {
     scene->render.width = settings_.width;
     scene->render.height = settings_.height;
     scene->render.plot = settings_.plot;
+    scene->observe.contacts = scene->observe.contacts || look_.marks.chains; // without them no chain can be drawn
     const std::filesystem::path file = free_name(".toml");
     const auto written = observe::write_whole(file, scene::to_toml(*scene));
     notice_ = written ? file.string() : to_string(written.problems().front());
@@ -386,6 +396,7 @@ std::string Studio::describe() const {
                               {"playing", state.playing},
                               {"ended", state.ended},
                               {"sketched", sketched_},
+                              {"panel", panel_shown_},
                               {"trouble", state.trouble},
                               {"notice", notice_},
                               {"filmed", state.filmed},

@@ -67,6 +67,7 @@ private:
     void draw_scene();
     [[nodiscard]] bool is_at_rest() const;
     void grant(const Wishes& wishes);
+    [[nodiscard]] scene::Render film_settings() const;
     void keep_picture();
     void save_scene();
     [[nodiscard]] std::filesystem::path free_name(const std::string& extension);
@@ -89,8 +90,9 @@ private:
     std::optional<render::Painter> painter_;
     std::optional<render::PanelCanvas> panel_;
     bool panel_shown_ = true;
-    int panel_width_ = 0;  // pixels
-    bool resized_ = false; // and not yet drawn so
+    bool panel_toggled_ = false; // by a hand
+    int panel_width_ = 0;        // pixels
+    bool resized_ = false;       // and not yet drawn so
     Hands hands_;
     std::optional<Orbit> orbit_;
     std::optional<int> dragged_; // button that holds the camera

@@ -1,5 +1,6 @@
 #include "../folder.h"
 #include "base/write_all.h"
+#include "through.h"
 
 #include <cerrno>
 #include <doctest/doctest.h>
@@ -36,14 +37,13 @@ struct Written {
     std::string content;
 };
 
-Written through(WriteCall call) {
+Written through(decltype(DiskCalls::write) call) {
     const Folder folder;
     const std::filesystem::path path = folder.path / "file";
     const int file = ::open(path.c_str(), O_CREAT | O_WRONLY, 0600);
     REQUIRE(file >= 0);
-    write_through(call);
+    const Through given({.write = call});
     const int error = write_all(file, "ten bytes.");
-    write_through(nullptr);
     ::close(file);
     return {error, content_of(path)};
 }
@@ -51,7 +51,7 @@ Written through(WriteCall call) {
 } // namespace
 
 TEST_CASE("short writes and signals are gone on from, and what the system says comes back") {
-    CHECK(through(nullptr).content == "ten bytes.");
+    CHECK(through(&::write).content == "ten bytes.");
     const Written in_pieces = through(three_at_most);
     CHECK(in_pieces.error == 0);
     CHECK(in_pieces.content == "ten bytes.");

@@ -225,6 +225,12 @@ TEST_CASE("fit and walls write what they say, and nothing twice; flow wants a ru
     const Outcome flow = tumble_in(folder, {"flow", "out/ball", "--json", "--layers", "3"});
     CHECK(flow.code == 0);
     CHECK(nlohmann::json::parse(flow.out)["layers"].size() == 3);
+    const Outcome between = tumble_in(folder, {"flow", "out/ball", "--json", "--layers", "2", "--heights", "0,0.3"});
+    CHECK(nlohmann::json::parse(between.out)["layers"][1]["from_m"] == 0.15);
+    const Outcome reversed = tumble_in(folder, {"flow", "out/ball", "--heights", "0.16,0"});
+    CHECK(reversed.code == 2);
+    CHECK(contains(reversed.err, "--heights: the lowest height, 0.16 m, does not lie below the highest, 0 m"));
+    CHECK(contains(reversed.err, "give the lower one first, as in --heights 0,0.16"));
 }
 
 } // namespace test_command_line

@@ -58,6 +58,43 @@ width_px = 96
 height_px = 72
 )";
 
+/// The same of clumps that stick and resist rolling, and of balls with a paddle, a mesh that turns among them, whose
+/// restitution falls and whose friction weakens with speed.
+std::string sticky_clumps() {
+    std::string text = crowd;
+    text.replace(text.find("radius_mm = 3\n"), 14, "spheres_m = [[0, 0, 0, 0.003], [0.002, 0, 0, 0.0025]]\n");
+    text.replace(text.find("friction = 0.4\n"), 15,
+                 "friction = 0.4\nrolling_friction = 0.1\nwork_of_adhesion_J_m2 = 0.1\n");
+    return text + "[contact]\nrolling = \"epsd\"\nadhesion = \"jkr\"\n";
+}
+
+std::string stirred() {
+    std::string text = crowd;
+    text.replace(text.find("friction = 0.4\n"), 15,
+                 "friction = 0.4\nsliding_friction = 0.2\nsliding_speed_m_s = 0.1\nrestitution_exponent = 0.1\n"
+                 "restitution_speed_m_s = 1\n");
+    return text + "[[wall]]\nname = \"paddle\"\nstl = \"paddle.stl\"\nscale = 0.001\nmaterial = \"glass\"\n"
+                  "[[wall.motion]]\nkind = \"rotation\"\nabout = [0, 1, 0]\ncentre_m = [0, 0, 0]\nspeed_rpm = 200\n";
+}
+
+const std::string paddle = R"(solid paddle, 16 by 20 mm
+facet normal 0 0 1
+  outer loop
+    vertex -8 0 0
+    vertex 8 0 0
+    vertex 8 20 0
+  endloop
+endfacet
+facet normal 0 0 1
+  outer loop
+    vertex -8 0 0
+    vertex 8 20 0
+    vertex -8 20 0
+  endloop
+endfacet
+endsolid
+)";
+
 /// Every file of a run by its name, but for those that hold wall times.
 std::map<std::string, std::string> content_of_run(const fs::path& run) {
     std::map<std::string, std::string> content;
@@ -86,37 +123,54 @@ int kills_wanted() {
 } // namespace
 
 TEST_CASE("a run that is killed at random moments ends in the bits of one that never was") {
-    const Folder folder;
-    put(folder.path / "crowd.toml", crowd);
-    REQUIRE(tumble_in(folder, {"run", "crowd.toml", "--threads", "1", "--out", "whole", "--dump", "--quiet"}).code ==
-            0);
-    const auto whole = content_of_run(folder.path / "whole");
-    const auto end = summary_in(folder.path / "whole");
+    const std::map<std::string, std::string> scenes{
+        {"crowd", crowd}, {"clumps", sticky_clumps()}, {"stirred", stirred()}};
     std::mt19937 random(7);
-    int kills = 0, finished = 0;
-    while (kills < kills_wanted()) {
-        // Also during the start of the program, and while it takes up what the last one left.
-        const auto wait = std::chrono::milliseconds(random() % 250);
-        const std::string threads = std::to_string(1 + random() % 2);
-        Process process(folder.path, {"run", "crowd.toml", "--out", "parts", "--dump", "--resume", "--checkpoint-every",
-                                      "0.02", "--threads", threads, "--quiet"});
-        std::this_thread::sleep_for(wait);
-        process.send(SIGKILL);
-        const int code = process.wait().code;
-        REQUIRE((code == 137 || code == 0)); // killed, or quicker than that
-        kills += code == 137 ? 1 : 0;
-        if (code == 0 || kills == kills_wanted()) {
-            const Outcome last = tumble_in(
-                folder, {"run", "crowd.toml", "--out", "parts", "--dump", "--resume", "--threads", threads, "--quiet"});
+    int kills = 0, chains = 0;
+    for (const auto& [name, text] : scenes) {
+        CAPTURE(name);
+        const Folder folder;
+        put(folder.path / "scene.toml", text);
+        put(folder.path / "paddle.stl", paddle);
+        const auto run_in = [&](const std::string& place, std::vector<std::string> more) {
+            std::vector<std::string> words{"run", "scene.toml", "--out", place, "--dump", "--quiet"};
+            words.insert(words.end(), more.begin(), more.end());
+            return words;
+        };
+        REQUIRE(tumble_in(folder, run_in("whole", {"--threads", "1"})).code == 0);
+        const auto whole = content_of_run(folder.path / "whole");
+        const auto end = summary_in(folder.path / "whole");
+        const auto check_finished = [&](const std::string& place) {
+            const Outcome last =
+                tumble_in(folder, run_in(place, {"--resume", "--threads", std::to_string(1 + random() % 2)}));
             REQUIRE_MESSAGE(last.code == 0, last.err);
-            check_same(whole, folder.path / "parts");
+            check_same(whole, folder.path / place);
             for (const char* key : {"rows", "frames", "steps", "energy_closure_J", "energy_turnover_J"})
-                CHECK(summary_in(folder.path / "parts")[key] == end[key]);
-            fs::remove_all(folder.path / "parts");
-            ++finished;
+                CHECK(summary_in(folder.path / place)[key] == end[key]);
+            fs::remove_all(folder.path / place);
+        };
+        const int share = (kills_wanted() + 2) / static_cast<int>(scenes.size());
+        for (int killed = 0; killed < share;) {
+            // Also during the start of the program, and while it takes up what the last one left.
+            const auto wait = std::chrono::milliseconds(random() % 250);
+            Process process(folder.path, run_in("parts", {"--resume", "--checkpoint-every", "0.02", "--threads",
+                                                          std::to_string(1 + random() % 2)}));
+            std::this_thread::sleep_for(wait);
+            process.send(SIGKILL);
+            const int code = process.wait().code;
+            REQUIRE((code == 137 || code == 0)); // killed, or quicker than that
+            killed += code == 137 ? 1 : 0;
+            if (code == 0 || killed == share) {
+                check_finished("parts");
+                ++chains;
+            } else if (fs::exists(folder.path / "parts")) { // what this kill left, whatever later ones would mend
+                fs::copy(folder.path / "parts", folder.path / "copy", fs::copy_options::recursive);
+                check_finished("copy");
+            }
         }
+        kills += share;
     }
-    MESSAGE(kills << " kills in " << finished << " runs");
+    MESSAGE(kills << " kills in " << chains << " runs");
 }
 
 TEST_CASE("Ctrl-C leaves a checkpoint, from which the same command with --resume goes on") {

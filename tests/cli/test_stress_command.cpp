@@ -16,8 +16,9 @@ TEST_CASE("stress runs a scene, keeps its loads, solves them, and solves them ag
     const auto facts = nlohmann::json::parse(first.out)["facts"];
     CHECK(facts["cases"]["value"] == 6);
     CHECK(facts["unbalance"]["value"] < 1e-10);
-    for (const char* file : {"scene.toml", "contacts.csv", "means.csv", "touches.csv", "bulk.csv", "cases.csv",
-                             "slices.csv", "worst.vtu", "normal-stress.png"})
+    for (const char* file :
+         {"scene.toml", "contacts.csv", "means.csv", "touches.csv", "bulk.csv", "cases.csv", "slices.csv", "worst.vtu",
+          "normal-stress.png", "surface-stress.png", "loads.png", "frames/frame_000005.tumble"})
         CHECK_MESSAGE(fs::file_size(folder.path / "out/ball-stress" / file) > 10, file);
 
     const std::string loads = content_of(folder.path / "out/ball-stress/contacts.csv");
@@ -28,6 +29,11 @@ TEST_CASE("stress runs a scene, keeps its loads, solves them, and solves them ag
     CHECK(nlohmann::json::parse(again.out)["facts"].contains("normal_+x_0.4mm"));
     CHECK(content_of(folder.path / "out/ball-stress/contacts.csv") == loads);
     CHECK(fs::exists(folder.path / "second/slices.csv"));
+    const Outcome drawn = tumble_in(folder, {"stress", "out/ball-stress", "--side", "+x", "--depth", "0.4", "--out",
+                                             "third", "--pictures", "--show", "compression", "--json"});
+    REQUIRE_MESSAGE(drawn.code == 0, drawn.err);
+    for (const char* file : {"part.png", "cut-along.png", "cut-across.png", "slice-+x-0.4mm.png"})
+        CHECK_MESSAGE(fs::file_size(folder.path / "third" / file) > 1000, file);
 
     const Outcome exported = tumble_in(folder, {"export", "out/ball-stress", "--to", "calculix"});
     REQUIRE_MESSAGE(exported.code == 0, exported.err);
@@ -38,6 +44,32 @@ TEST_CASE("stress runs a scene, keeps its loads, solves them, and solves them ag
         ++steps;
     CHECK(steps == 6);
     CHECK(tumble_in(folder, {"export", "out/ball-stress", "--to", "calculix"}).code == 2); // is there already
+}
+
+TEST_CASE("stress goes on where it was stopped, and solves the same contacts on another mesh") {
+    const Folder folder;
+    put(folder.path / "ball.toml", ball_on_prism);
+    const std::vector<std::string> every{"--every", "0.04", "--json"};
+    const auto stress = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), "stress");
+        words.insert(words.end(), every.begin(), every.end());
+        const Outcome outcome = tumble_in(folder, words);
+        REQUIRE_MESSAGE(outcome.code == 0, outcome.err);
+        return nlohmann::json::parse(outcome.out)["facts"];
+    };
+    stress({"ball.toml", "--out", "whole"});
+    stress({"ball.toml", "--out", "parts", "--set", "duration_s=0.13"});
+    const auto rest = stress({"ball.toml", "--out", "parts", "--resume"});
+    CHECK(rest["cases"]["value"] == 7);
+    for (const char* file : {"contacts.csv", "means.csv", "touches.csv", "bulk.csv", "cases.csv"})
+        CHECK_MESSAGE(content_of(folder.path / "parts" / file) == content_of(folder.path / "whole" / file), file);
+
+    const auto finer = stress({"parts", "--out", "finer", "--remesh", "along=20", "--remesh", "middle_cells=8"});
+    CHECK(finer["cases"]["value"] == 7);
+    CHECK(finer["unbalance"]["value"] < 1e-10);
+    const Outcome early = tumble_in(folder, {"stress", "ball.toml", "--remesh", "along=20"});
+    CHECK(early.code == 2);
+    CHECK_MESSAGE(contains(early.err, "--remesh is for a folder with loads"), early.err);
 }
 
 TEST_CASE("stress refuses scenes without a specimen, folders without loads, and changes to what was run") {

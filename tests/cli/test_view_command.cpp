@@ -43,6 +43,18 @@ TEST_CASE("view prints its link and nothing else on stdout, and ends well with C
           "the newest of these links opens the view in a browser on this machine, once; Ctrl-C ends it\n");
 }
 
+TEST_CASE("on a screen without a program that opens browsers the link is printed all the same, with a word about it") {
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(0.1));
+    Process process(folder.path, {"view", "ball.toml"}, {"DISPLAY=:99", "PATH=/nowhere"});
+    REQUIRE(eventually([&] { return content_of(folder.path / ".stderr").ends_with("open the link yourself\n"); }));
+    CHECK(contains(content_of(folder.path / ".stderr"), "no browser opens by itself here (xdg-open: No such file"));
+    CHECK(content_of(folder.path / ".stdout").starts_with("http://127.0.0.1:"));
+    REQUIRE(eventually([&] { return process.catches(SIGINT); }));
+    process.send(SIGINT);
+    CHECK(process.wait().code == 0);
+}
+
 TEST_CASE("a port in use, a port that is none, a scene or run that is not there: each says what to do, with code 2") {
     const Folder folder;
     put(folder.path / "ball.toml", bouncing_ball(0.1));

@@ -12,6 +12,7 @@ namespace test_adhesion {
 using namespace tumble;
 using namespace tumble::contact;
 using tumble::test::about;
+using TUMBLE_ISA::Pack;
 
 namespace {
 
@@ -44,6 +45,14 @@ struct Pull {
     double force = 0, stored = 0, torn = 0; // N, J, J lost to tearing
     bool held = false;
 };
+
+Touch<double> touch_of(int k) {
+    return {1e-7 * (k + 1), {0.6, 0, 0.8}, {0.1 * k - 0.4, 0.3 * k, -0.05 * k * k}, radius, 5e-6, 1};
+}
+
+bool same(const Vec3<double>& a, const Vec3<double>& b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
 
 /// Carries two grains along the normal through these overlaps (m), slowly; `each` sees overlap and Pull.
 template <class Each> void drag(const PairConstants& pair, const std::vector<double>& corners, Each&& each) {
@@ -167,12 +176,128 @@ TEST_CASE("the energy that an adhesive contact stores is the force's integral ov
     }
 }
 
+TEST_CASE("with limit_force the dashpot adds nothing to what adhesion pulls") {
+    // Parting so fast that every dashpot would pull a hundred times as hard as the surfaces stick.
+    for (const auto law : {AdhesionLaw::jkr, AdhesionLaw::dmt, AdhesionLaw::sjkr})
+        for (const double scaled : {-2.5, -0.5, 0.5, 2.0, 20.0}) {
+            if (scaled < 0 && law != AdhesionLaw::jkr)
+                continue;
+            CAPTURE(static_cast<int>(law));
+            CAPTURE(scaled);
+            PairConstants pair = sticky(law);
+            pair.hertz_damping = 1e6;
+            Touch<double> touch{scaled * tear_scale(), {1, 0, 0}, {0, 0, 0}, radius, 1e-6, 1};
+            const Further<double> stuck{fresh, 1, 1, 0};
+            const double at_rest = FullLaw<Hertz, Mindlin>{true}.push(touch, {}, pair, fresh, stuck, dt).force.x;
+            const double expected = law == AdhesionLaw::jkr   ? std::min(Jkr::push(touch, 0.0, pair).elastic, 0.0)
+                                    : law == AdhesionLaw::dmt ? -2 * pi * work * radius
+                                                              : -2e4 * 2 * pi * radius * touch.overlap;
+            touch.velocity = {10, 0, 0};
+            const double parting = FullLaw<Hertz, Mindlin>{true}.push(touch, {}, pair, fresh, stuck, dt).force.x;
+            CHECK(parting == about(expected, 1e-12));
+            if (law != AdhesionLaw::sjkr) // the pull-off force is the most that they ever pull
+                CHECK(parting >= -(law == AdhesionLaw::jkr ? 1.5 : 2.0) * pi * work * radius * (1 + 1e-12));
+            CHECK(at_rest == about(FullLaw<Hertz, Mindlin>{}
+                                       .push({scaled * tear_scale(), {1, 0, 0}, {0, 0, 0}, radius, 1e-6, 1}, {}, pair,
+                                             fresh, stuck, dt)
+                                       .force.x,
+                                   1e-9));
+        }
+}
+
 TEST_CASE("a parameter of 0 takes each adhesion law away, bit for bit") {
-    PairProperties plain;
-    plain.restitution = 0.5;
-    plain.friction = 0.3;
-    for (const auto law : {AdhesionLaw::sjkr, AdhesionLaw::dmt, AdhesionLaw::jkr})
-        CHECK(derive(soft, soft, plain, {RollingLaw::none, law}).plain());
+    PairProperties dry;
+    dry.restitution = 0.5;
+    dry.friction = 0.3;
+    const PairConstants plain = derive(soft, soft, dry);
+    for (const auto law : {AdhesionLaw::none, AdhesionLaw::sjkr, AdhesionLaw::dmt, AdhesionLaw::jkr}) {
+        PairConstants zero = derive(soft, soft, dry, {RollingLaw::none, law});
+        REQUIRE(zero.plain()); // so JKR, which has no contact radius without w, is not even asked
+        if (law != AdhesionLaw::jkr)
+            zero.adhesion = law;
+        for (const bool limited : {false, true})
+            for (int k = 0; k < 8; ++k) {
+                const Touch<double> touch = touch_of(k);
+                const auto one = Law<Hertz, Mindlin>{limited}.push(touch, plain, fresh, dt);
+                const auto full = FullLaw<Hertz, Mindlin>{limited}.push(touch, {}, zero, fresh, Further<double>{}, dt);
+                CHECK(same(one.force, full.force));
+                CHECK(same(one.memory.spring, full.memory.spring));
+                CHECK(one.memory.energy == full.memory.energy);
+                CHECK(one.stored_normal == full.stored_normal);
+                CHECK(one.lost_normal_damping == full.lost_normal_damping);
+                CHECK(one.lost_tangential_damping == full.lost_tangential_damping);
+                CHECK(one.lost_sliding == full.lost_sliding);
+                CHECK(full.lost_adhesion == 0);
+            }
+    }
+}
+
+TEST_CASE("eight contacts that stick, touch or are torn give each the very bits of one alone") {
+    for (const auto law : {AdhesionLaw::sjkr, AdhesionLaw::dmt, AdhesionLaw::jkr}) {
+        CAPTURE(static_cast<int>(law));
+        const PairConstants pair = sticky(law, 0.5);
+        Touch<Pack> touch{};
+        Further<Pack> further{};
+        const auto touch_at = [&](int k) {
+            Touch<double> one = touch_of(k);
+            // Two gaps beyond the reach of a neck, two within it of which one never touched, four overlaps.
+            constexpr double overlaps[] = {-3.5, -3.1, -2.9, -0.5, 0.0, 0.3, 4.0, 300.0};
+            if (law == AdhesionLaw::jkr)
+                one.overlap = overlaps[k] * tear_scale();
+            return one;
+        };
+        const auto further_at = [](int k) { return Further<double>{fresh, 0.1 * k, k == 3 ? 0.0 : 1.0, 1e-9 * k}; };
+        for (int k = 0; k < 8; ++k) {
+            const Touch<double> one = touch_at(k);
+            touch.overlap.v[k] = one.overlap;
+            touch.normal.x.v[k] = one.normal.x;
+            touch.normal.y.v[k] = one.normal.y;
+            touch.normal.z.v[k] = one.normal.z;
+            touch.velocity.x.v[k] = one.velocity.x;
+            touch.velocity.y.v[k] = one.velocity.y;
+            touch.velocity.z.v[k] = one.velocity.z;
+            touch.radius.v[k] = one.radius;
+            touch.mass.v[k] = one.mass;
+            touch.damping_share.v[k] = one.damping_share;
+            further.impact_speed.v[k] = further_at(k).impact_speed;
+            further.bonded.v[k] = further_at(k).bonded;
+            further.bond_energy.v[k] = further_at(k).bond_energy;
+        }
+        const auto eight = FullLaw<Hertz, Mindlin>{true}.push(touch, {}, pair, Memory<Pack>{}, further, Pack(dt));
+        int holding = 0;
+        for (int k = 0; k < 8; ++k) {
+            CAPTURE(k);
+            const auto one = FullLaw<Hertz, Mindlin>{true}.push(touch_at(k), {}, pair, fresh, further_at(k), dt);
+            CHECK(eight.force.x.v[k] == one.force.x);
+            CHECK(eight.force.y.v[k] == one.force.y);
+            CHECK(eight.force.z.v[k] == one.force.z);
+            CHECK(eight.memory.energy.v[k] == one.memory.energy);
+            CHECK(eight.holds.v[k] == one.holds);
+            CHECK(eight.stored_normal.v[k] == one.stored_normal);
+            CHECK(eight.lost_adhesion.v[k] == one.lost_adhesion);
+            CHECK(eight.further.bonded.v[k] == one.further.bonded);
+            CHECK(eight.further.bond_energy.v[k] == one.further.bond_energy);
+            holding += one.holds > 0 ? 1 : 0;
+        }
+        CHECK(holding == (law == AdhesionLaw::jkr ? 5 : 8)); // all from -2.9 on but the one that never touched
+    }
+}
+
+TEST_CASE("rolling resistance feels what presses the surfaces together, as friction does") {
+    // M = mu_r R* times Hertz' part beside the pull of DMT and SJKR, times F + 3 pi w R* (twice the pull-off force) of
+    // JKR; the spin is all rolling.
+    const Touch<double> pressed{20 * tear_scale(), {1, 0, 0}, {0, 0, 0}, radius, 1e-6, 1};
+    const Turn<double> turn{{0, 0, 5}, 1e20};
+    for (const auto law : {AdhesionLaw::sjkr, AdhesionLaw::dmt, AdhesionLaw::jkr}) {
+        CAPTURE(static_cast<int>(law));
+        PairConstants pair = sticky(law);
+        pair.rolling = RollingLaw::cdt;
+        pair.rolling_friction = 0.2;
+        const auto push = FullLaw<Hertz, Mindlin>{}.push(pressed, turn, pair, fresh, Further<double>{}, dt);
+        const double pressing =
+            law == AdhesionLaw::jkr ? push.force.x + 3 * pi * work * radius : hertz(pressed.overlap);
+        CHECK(push.torque.z == about(-0.2 * radius * pressing, 1e-9));
+    }
 }
 
 TEST_CASE("friction is limited by what presses the surfaces together: the pull of adhesion counts in") {

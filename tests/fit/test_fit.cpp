@@ -155,6 +155,36 @@ TEST_CASE("spheres in a closed mesh stay inside it and fill it; a long box gets 
     CHECK(!spheres_in(bar, {100000, 0.004}).ok());
 }
 
+TEST_CASE("asked for many points, depths are those of each by itself, bit for bit, and so are spheres on two threads") {
+    Rng rng(5);
+    for (const Solid& solid : {solid_of(box(0.04, 0.01, 0.02)).value(), solid_of(Cone{0.02, 0.024})}) {
+        const Depths depths(solid);
+        int inside = 0;
+        for (int k = 0; k < 1500; ++k) {
+            const Vector3d point(rng.uniform(-0.03, 0.05), rng.uniform(-0.01, 0.03), rng.uniform(-0.03, 0.03));
+            const double depth = depth_in(solid, point);
+            CHECK(depths.at(point) == depth);
+            CHECK(depths.distance2(point, 1.01 * depth * depth) == depths.distance2(point));
+            inside += depth > 0 ? 1 : 0;
+        }
+        CHECK(inside > 10);
+        const auto one = spheres_in(solid, {40, 0.0008}).value(), two = spheres_in(solid, {40, 0.0008}, 2).value();
+        REQUIRE(one.size() == two.size());
+        for (std::size_t k = 0; k < one.size(); ++k) {
+            CHECK(one[k].centre == two[k].centre);
+            CHECK(one[k].radius == two[k].radius);
+            CHECK(one[k].radius == depth_in(solid, one[k].centre)); // signs of the grid's points come from few of them
+        }
+    }
+}
+
+TEST_CASE("a fit that is told to stop does") {
+    const std::atomic<bool> stop{true};
+    const auto spheres = spheres_in(solid_of(box(0.04, 0.01, 0.01)).value(), {4, 0.001}, 1, &stop);
+    REQUIRE(!spheres.ok());
+    CHECK(spheres.problems()[0].what == "stopped before the spheres were found");
+}
+
 TEST_CASE("scaled to a volume, the union has it, and the clump file reads back to the same spheres") {
     auto spheres = spheres_in(Cone{0.010, 0.012}, {36, 0.000775}).value();
     const double factor = scale_to_volume(spheres, 3e-7);

@@ -38,10 +38,21 @@ TEST_CASE("a sine has its period, twice its amplitude and its number of cycles")
     const Cycle cycle = Signal(4.7, 0.01, wave).cycle();
     CHECK(cycle.period == about(0.97, 0.011)); // a sample
     CHECK(cycle.peak_to_peak == about(0.07, 1e-3));
-    CHECK(cycle.cycles >= 3);
-    CHECK(cycle.cycles <= 4);
+    // Turning points stand every 0.485 s from 0.18 s on. The first is not seen approached by 0.35 of the span, nor the
+    // tenth, at 4.55 s, left by as much: eight, with seven half cycles between them.
+    CHECK(cycle.cycles == 3.5);
     CHECK(cycle.highest == about(0.095, 1e-3));
     CHECK(cycle.lowest == about(0.025, 1e-2));
+}
+
+TEST_CASE("a cycle that was seen from top to top counts as one, from top to bottom as half of one") {
+    // Of cos(2 pi t) the top at 0 is the record's end; tops and bottoms follow every 0.5 s.
+    const auto cosine = [](double t) { return std::cos(2 * std::numbers::pi * t); };
+    CHECK(Signal(0.9, 0.01, cosine).cycle().cycles == 0); // the bottom at 0.5 s alone
+    CHECK(Signal(1.4, 0.01, cosine).cycle().cycles == 0.5);
+    const Cycle whole = Signal(1.9, 0.01, cosine).cycle();
+    CHECK(whole.cycles == 1);
+    CHECK(whole.period == about(1.0, 0.011));
 }
 
 TEST_CASE("jitter of a tenth of the height makes no turning points of its own") {

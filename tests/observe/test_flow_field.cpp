@@ -80,11 +80,20 @@ TEST_CASE("a positive rotation about y gives positive tangential velocities") {
 TEST_CASE(
     "the surface of an even column is its height, a funnel's depth is its own, and bodies in flight do not matter") {
     const auto still = [](double, double) { return Vector3d(0, 0, 0); };
-    observe::FlowField flat(grid);
-    flat.add(filled(0.06, still));
-    for (const double height : flat.surface())
-        CHECK(height == about(0.06, 1e-6));
-    CHECK(std::abs(observe::vortex_depth(flat)) < 1e-6 * 0.06);
+    // Columns that end within the layers of 20 mm as well as between them: known to a thousandth of the grid's 80 mm
+    // and to half of the 0.05 mm at which bodies stand above each other.
+    for (const double top : {0.005, 0.03, 0.06, 0.071}) {
+        observe::FlowField flat(grid);
+        observe::Frame column;
+        column.layout = open_layout(ball(0.001, 2e-3));
+        for (int ring = 0; ring < 5; ++ring)
+            for (double y = 0.025e-3; y < top; y += 0.05e-3)
+                add_body(column, {0.01 + 0.02 * (ring + 0.5), y, -0.02});
+        flat.add(column);
+        for (const double height : flat.surface())
+            CHECK(std::abs(height - top) < 0.08e-3 + 0.025e-3);
+        CHECK(std::abs(observe::vortex_depth(flat)) < 1e-12);
+    }
 
     // A cone-shaped funnel: the surface rises from 20 mm at the axis to 70 mm at the wall.
     observe::FlowField funnel(observe::FlowGrid{0.01, -0.02, 0.1, 0, 0.08, 5, 40});

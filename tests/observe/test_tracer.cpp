@@ -64,6 +64,29 @@ TEST_CASE("at rest a sensor feels g upwards in its own frame, in free fall nothi
         CHECK(std::abs(fall.at(axis)) < rounding);
 }
 
+TEST_CASE("of a body that turns quickly a sensor feels what its turning axes average over the interval") {
+    // At rest but for its spin about z, the sensor in the centre: the upward push g, seen from axes that turn by
+    // phi = omega T in an interval, averages to g sin(phi/2) / (phi/2) along the axes half-way. Turned half-way the
+    // mean is too large by phi^2 / 24; at the end of the interval it would point phi / 2 beside that: 7 % of g and 40
+    // %.
+    for (const double phi : {0.15, 0.8}) {
+        CAPTURE(phi);
+        const double interval = 5e-3, rate = phi / interval;
+        observe::TracerReader reader(sensor(Vector3d::Zero()));
+        std::map<std::string, double> row;
+        for (int i = 0; i <= 4; ++i) {
+            const Eigen::Quaterniond turn(Eigen::AngleAxisd(phi * i, Vector3d::UnitZ()));
+            row = told(reader, with_body(interval * i, Vector3d::Zero(), Vector3d::Zero(), turn, {0, 0, rate}));
+        }
+        const double mean = g * std::sin(phi / 2) / (phi / 2), half_way = 3.5 * phi;
+        const double bound = 1.01 * g * phi * phi / 24;
+        CHECK(std::abs(row.at("felt_x_m_s2") - mean * std::sin(half_way)) < bound);
+        CHECK(std::abs(row.at("felt_y_m_s2") - mean * std::cos(half_way)) < bound);
+        CHECK(std::abs(row.at("felt_z_m_s2")) < 1e-12);
+        CHECK(row.at("spin_z_rad_s") == about(rate));
+    }
+}
+
 TEST_CASE("carried round an axis, a sensor off its body's centre feels the centripetal acceleration of its own place") {
     // The body turns with the circle, once in 2 pi / 5 s; the sensor sits 20 mm farther out than the centre at 0.1 m.
     observe::TracerReader reader(sensor(Vector3d(0.02, 0, 0)));
@@ -79,7 +102,11 @@ TEST_CASE("carried round an axis, a sensor off its body's centre feels the centr
     CHECK(row.at("felt_y_m_s2") == about(g));
     CHECK(row.at("spin_y_rad_s") == about(rate));
     CHECK(std::hypot(row.at("point_vx_m_s"), row.at("point_vz_m_s")) == about(rate * (radius + 0.02)));
+    CHECK(std::hypot(row.at("point_x_m"), row.at("point_z_m")) == about(radius + 0.02));
+    CHECK(std::atan2(-row.at("point_z_m"), row.at("point_x_m")) == about(rate * 0.01)); // beside the centre, not behind
     CHECK(std::hypot(row.at("ax_m_s2"), row.at("az_m_s2")) == about(rate * rate * radius, 1e-3));
+    CHECK(std::hypot(row.at("point_ax_m_s2"), row.at("point_az_m_s2")) == about(rate * rate * (radius + 0.02), 1e-3));
+    CHECK(std::abs(row.at("point_ay_m_s2")) < 1e-12);
 }
 
 TEST_CASE("a tracer follows the body of its shape with the lowest id, and is not a number while there is none") {

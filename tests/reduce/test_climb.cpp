@@ -43,10 +43,17 @@ Climb climbed(const test::Folder& folder, Witness& witness, const std::vector<Wi
     const auto stick = Yardstick::of(rungs->front().scene, {}, std::nullopt, std::nullopt);
     REQUIRE_MESSAGE(stick, to_string(stick.problems()));
     options.folder = folder.path;
+    options.seeds = 2;
     options.stop = &witness.stop;
     auto climb = reduce::climb(*rungs, *stick, options, witness);
     REQUIRE_MESSAGE(climb, to_string(climb.problems()));
     return *climb;
+}
+
+/// Processor time of a rung's two runs.
+double cost_of(const Climb& climb, std::size_t rung) {
+    const std::vector<Seeded>& runs = climb.rungs[rung].runs;
+    return runs[0].core_s + runs[1].core_s;
 }
 
 std::vector<double> values_of(const Climb& climb) {
@@ -92,13 +99,72 @@ TEST_CASE("a ladder is climbed from its cheapest rung, goes on where it was stop
     const Account account = account_of("small.toml", resumed, 0.1, 2);
     CHECK(*account.reference == 0);
     CHECK(account.prices.rungs.size() == 2);
-    CHECK(account.prices.rungs[1].speed_up > 1.2); // half of the steps
+    CHECK(account.prices.rungs[1].speed_up == about(cost_of(resumed, 0) / cost_of(resumed, 1), 1e-12));
     const auto json = to_json(account);
     CHECK(json["reference"] == "as written");
     CHECK(json["rungs"][1]["softening"] == 4);
     CHECK(json["rungs"][1]["quantities"].size() == 3);
     CHECK(csv_of(account).starts_with(
         "rung,standing,verdict,runs,core_s,speed_up,overlap,kinetic_energy_per_mass_mean,"));
+}
+
+TEST_CASE("runs that were made before stand for the scene as written, if they are runs of it") {
+    const test::Folder folder, ladder_folder;
+    const auto run_of = [&](const std::string& name, const std::vector<scene::Override>& sets) {
+        SceneText text = test::small_trough();
+        text.sets.insert(text.sets.end(), sets.begin(), sets.end());
+        const auto scene = text.load();
+        REQUIRE_MESSAGE(scene, to_string(scene.problems()));
+        run::RunListener nobody;
+        run::RunOptions options;
+        options.folder = folder.path / name;
+        const auto done = run::run_scene(*scene, options, nobody);
+        REQUIRE_MESSAGE(done, to_string(done.problems()));
+        REQUIRE(done->state == "finished");
+        CHECK(done->processor_s > 0);
+        return folder.path / name;
+    };
+    // What is drawn and how long it goes on makes no other run of it.
+    const std::filesystem::path whole =
+        run_of("whole", {{"seed=11"},
+                         {"render.color=vy"},
+                         {"title=mine"},
+                         {R"(observe.measures=["kinetic_energy", "circulation", "surface_slope", "bodies"])"}});
+    Witness witness;
+    const std::vector<Wish> wishes{*read_wish("softening=4")};
+    const Climb climb = climbed(ladder_folder, witness, wishes, {.references = {whole}});
+    CHECK(witness.began == std::vector<std::string>{"softening 4", "softening 4"});
+    REQUIRE(climb.rungs[0].runs.size() == 1);
+    CHECK(climb.rungs[0].runs[0].seed == 11);
+    const Account account = account_of("small.toml", climb, 0.1, 2);
+    CHECK(account.reference_is_whole());
+    CHECK(account.prices.rungs[1].errors[0].relative != 0);
+
+    // The same run, made by the ladder itself.
+    const auto own = test::small_trough().load();
+    const auto stick = Yardstick::of(*own, {}, std::nullopt, std::nullopt);
+    scene::Scene seeded = *own;
+    seeded.seed = 11;
+    Witness again;
+    const Climb straight =
+        reduce::climb({{"as written", {}, seeded}}, *stick, {.folder = ladder_folder.path, .seeds = 1}, again).value();
+    CHECK(straight.rungs[0].runs[0].values == climb.rungs[0].runs[0].values);
+
+    const auto refused = [&](const std::vector<std::filesystem::path>& references) {
+        Witness nobody;
+        const auto tried = reduce::climb(*ladder(test::small_trough(), wishes), *stick,
+                                         {.folder = ladder_folder.path, .references = references}, nobody);
+        REQUIRE_FALSE(tried);
+        return tried.problems().front().what;
+    };
+    CHECK(refused({whole, whole}) == "seed 11 is among the references already");
+    CHECK(refused({run_of("other", {{"pair.media-media.friction=0.3"}})})
+              .starts_with("it is a run of another scene: pair."));
+    CHECK(refused({run_of("short", {{"duration_s=0.5"}})}) ==
+          "it has come to t = 0.5 s, and what counts ends at 0.6 s");
+    CHECK(refused({run_of("blind", {{R"(observe.measures=["bodies"])"}})}) ==
+          "its series.csv has no column 'kinetic_energy'");
+    CHECK(refused({folder.path}).starts_with("is not the folder of a run"));
 }
 
 TEST_CASE("a budget leaves out what would go beyond it") {
@@ -144,15 +210,20 @@ TEST_CASE("the cheapest scene is a scene file that says what it was reduced by a
     const Account account = account_of("scenes/small.toml", climb, 0.1, 2);
     REQUIRE(account.cheapest());
     const test::Folder folder;
-    REQUIRE(write_account(account, folder.path));
+    REQUIRE(write_account(account, folder.path, true));
     const auto scene = scene::load_scene(folder.path / "small-reduced.toml");
     REQUIRE_MESSAGE(scene, to_string(scene.problems()));
     CHECK(scene->pair(0, 0).normal_stiffness == about(2e5 / 4, 1e-12));
     CHECK(scene->claim.find("softening 4), 2 times as fast") != std::string::npos);
     CHECK(scene->claim.find("kinetic energy per mass +2.0 +- 0.0 %") != std::string::npos);
-    // Seeds of either rung scatter alike, 0.4 deg apart: t = 4.30 of two degrees times 0.28 deg over 8.2 deg.
-    CHECK(scene->claim.find("surface slope +0.0 +- 14.8 % (not told apart)") != std::string::npos);
+    // Seeds of either rung scatter alike, 0.4 deg apart, of two degrees of freedom: t = 4.30, g = (4.30 x 0.2 / 8.2)^2
+    // = 0.0110; half of the interval 4.30 / 8.2 sqrt(0.04 (1 - g) + 0.04) / (1 - g) = 0.1496, its middle 1 / (1 - g).
+    CHECK(scene->claim.find("surface slope +0.0 +- 16.1 % (not told apart)") != std::string::npos);
     CHECK_FALSE(account.sure());
+    // 2 (0.1607 / 0.1)^2, which is that quantity's.
+    CHECK(*account.seeds_needed() == 6);
+    REQUIRE(write_account(account, folder.path, false));
+    CHECK_FALSE(std::filesystem::exists(folder.path / "small-reduced.toml"));
 }
 
 TEST_CASE("a run's name changes with its scene and its seed, and a damaged note of it counts as none") {

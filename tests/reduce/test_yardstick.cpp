@@ -1,5 +1,7 @@
+#include "../observe/frames.h"
 #include "about.h"
 #include "folder.h"
+#include "observe/frame_file.h"
 #include "reduce/yardstick.h"
 #include "small_trough.h"
 
@@ -42,7 +44,8 @@ TEST_CASE("a bowl is measured by layers over its wall and by its sensor") {
     CHECK(stick->from() == about(1.2, 1e-12)); // it turns from 0.4 to 2 s
     CHECK(names_of(*stick) == std::vector<std::string>{"kinetic energy per mass", "rms velocity y", "speed 0 to 42 mm",
                                                        "speed 42 to 84 mm", "speed 84 to 126 mm", "speed 126 to 168 mm",
-                                                       "speed 168 to 210 mm", "sensor cycle", "sensor amplitude"});
+                                                       "speed 168 to 210 mm", "vortex depth", "fall at the axis",
+                                                       "sensor cycle", "sensor peak to peak"});
 }
 
 TEST_CASE("the mean over a stretch takes each phase of a period once, and what is no number not at all") {
@@ -65,6 +68,52 @@ TEST_CASE("the mean over a stretch takes each phase of a period once, and what i
     CHECK((*values)[0] == about(3, 1e-12));  // 6 J of 2 kg
     CHECK((*values)[1] == about(0.5, 1e-5)); // the sine is gone, to the digits written
     CHECK((*values)[2] == 8);
+}
+
+TEST_CASE("a bowl's layers, vortex and sensor are read as they were put in") {
+    const auto stick = Yardstick::of(loaded("bowl-quick.toml"), {}, std::nullopt, std::nullopt); // from 1.2 to 2 s
+    REQUIRE_MESSAGE(stick, to_string(stick.problems()));
+    const test::Folder folder;
+    std::string rows = "time_s,kinetic_energy_J,rms_velocity_y_m_s,tracer:sensor_y_m\n";
+    for (int row = 0; row <= 400; ++row) {
+        const double time = 0.005 * row + 1e-6;
+        rows += std::to_string(time) + (time > 1.2 ? ",14,0.25," : ",900,900,") +
+                std::to_string(0.08 + 0.03 * std::cos(2 * M_PI * time / 0.4)) + "\n";
+    }
+    test::put(folder.path / "series.csv", rows);
+    test::put(folder.path / "scene.toml", "");
+    // Columns of bodies: at the axis 40 mm high and falling at 0.3 m/s, elsewhere 90 mm high and rising at 0.1 m/s, all
+    // of them going round at 1 m/s below 42 mm and at 0.5 m/s above. What stands before 1.2 s is another flow.
+    std::filesystem::create_directories(folder.path / "frames");
+    const auto layout = test::open_layout(test::ball(0.001, 2e-3));
+    REQUIRE(observe::write_layout(observe::layout_path(folder.path / "frames"), *layout));
+    for (int number = 0; number < 3; ++number) {
+        observe::Frame frame;
+        frame.layout = layout;
+        frame.time = 0.8 + 0.6 * number;
+        for (int ring = 0; ring < 5; ++ring)
+            for (double y = 0.1e-3; y < (ring == 0 ? 0.04 : 0.09); y += 0.2e-3)
+                test::add_body(frame, {0.0333 * (ring + 0.5), y, 0},
+                               number == 0 ? Eigen::Vector3d(9, 9, 9)
+                                           : Eigen::Vector3d(0, ring == 0 ? -0.3 : 0.1, y < 0.042 ? -1 : -0.5));
+        REQUIRE(observe::write_frame(observe::frame_path(folder.path / "frames", number), frame));
+    }
+    const auto values = stick->read(folder.path, 7.0);
+    REQUIRE_MESSAGE(values, to_string(values.problems()));
+    const auto value = [&](const std::string& name) {
+        const auto names = names_of(*stick);
+        return (*values)[static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin())];
+    };
+    CHECK(value("kinetic energy per mass") == about(2, 1e-12)); // 14 J of 7 kg
+    CHECK(value("rms velocity y") == about(0.25, 1e-12));
+    // 200 bodies of the innermost ring and 4 x 210 of the others.
+    CHECK(value("speed 0 to 42 mm") == about((200 * std::hypot(1, 0.3) + 840 * std::hypot(1, 0.1)) / 1040, 1e-9));
+    CHECK(value("speed 42 to 84 mm") == about(std::hypot(0.5, 0.1), 1e-9));
+    CHECK(std::isnan(value("speed 126 to 168 mm")));
+    CHECK(value("vortex depth") == about(0.05, 0.01)); // to a thousandth of the wall's 210 mm
+    CHECK(value("fall at the axis") == about(0.3, 1e-9));
+    CHECK(value("sensor cycle") == about(0.4, 0.02)); // to a row
+    CHECK(value("sensor peak to peak") == about(0.06, 1e-3));
 }
 
 TEST_CASE("a stretch without rows and a measure that does not exist are refused") {

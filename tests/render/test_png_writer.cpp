@@ -1,6 +1,6 @@
-#include "base/write_all.h"
 #include "fixtures.h"
 #include "render/png_writer.h"
+#include "through.h"
 
 #include <fstream>
 #include <iterator>
@@ -109,11 +109,10 @@ TEST_CASE("an older picture is replaced only by a whole one") {
 
 TEST_CASE("an exception while a picture is written, as when memory runs out, becomes a problem and ends nothing else") {
     const Folder folder;
-    write_through([](int, const void*, std::size_t) -> ssize_t { throw std::bad_alloc(); });
+    const test::Through no_memory({.write = [](int, const void*, std::size_t) -> ssize_t { throw std::bad_alloc(); }});
     PngWriter writer;
     CHECK(writer.add(folder.path / "a.png", pattern(8, 8)).ok());
     const auto verdict = writer.finish();
-    write_through(nullptr);
     REQUIRE(!verdict.ok());
     CHECK(verdict.problems().front().file == (folder.path / "a.png").string());
     CHECK(verdict.problems().front().what == "the picture could not be written: there is not enough memory");

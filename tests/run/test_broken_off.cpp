@@ -1,6 +1,6 @@
-#include "base/write_all.h"
 #include "resumed.h"
 #include "scenes.h"
+#include "through.h"
 
 #include <cerrno>
 #include <doctest/doctest.h>
@@ -51,14 +51,6 @@ ssize_t disk_full_in_third_dump(int file, const void* bytes, std::size_t count) 
     return ::write(file, bytes, count / 2);
 }
 
-/// For as long as it lives.
-struct Through {
-    explicit Through(WriteCall call) { write_through(call); }
-    Through(const Through&) = delete;
-    Through& operator=(const Through&) = delete;
-    ~Through() { write_through(nullptr); }
-};
-
 } // namespace
 
 TEST_CASE("whichever write fails first, the run is resumed later to the same bits") {
@@ -69,7 +61,7 @@ TEST_CASE("whichever write fails first, the run is resumed later to the same bit
     first_failure = never;
     writes = 0;
     {
-        const Through counted(failing_write);
+        const Through counted({.write = failing_write});
         REQUIRE(ran(scene, options).summary.state == "finished");
     }
     const int all = writes;
@@ -81,7 +73,7 @@ TEST_CASE("whichever write fails first, the run is resumed later to the same bit
         first_failure = k < 12 ? k : all * (k - 11) / 13; // each of the first, and some of all the others
         writes = 0;
         {
-            const Through broken(failing_write);
+            const Through broken({.write = failing_write});
             (void)ran(scene, options); // refused, failed, or finished with a warning
         }
         const Outcome outcome = ran(scene, going_on_in(place));
@@ -96,7 +88,7 @@ TEST_CASE("writes that the system cuts short change nothing") {
     const scene::Scene scene = loaded(pouring);
     REQUIRE(ran(scene, in(folder.path / "whole")).problems.empty());
     {
-        const Through pieces(short_write);
+        const Through pieces({.write = short_write});
         REQUIRE(ran(scene, in(folder.path / "pieces"), 1000).problems.empty());
         REQUIRE(ran(scene, going_on_in(folder.path / "pieces")).problems.empty());
     }
@@ -163,7 +155,7 @@ TEST_CASE("of a frame that a full disk cuts off nothing stays in spheres.dump") 
     dumps = 0;
     full = -1;
     {
-        const Through broken(disk_full_in_third_dump);
+        const Through broken({.write = disk_full_in_third_dump});
         const Outcome outcome = ran(scene, options);
         CHECK(outcome.summary.state == "failed");
         REQUIRE_FALSE(outcome.summary.reason.empty());

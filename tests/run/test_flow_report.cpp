@@ -79,6 +79,7 @@ TEST_CASE("a bouncing ball's cycle is two free falls, in the frames and in its t
     flow.bodies = {"bouncer"};
     flow.grid.rings = 3;
     flow.grid.layers = 4;
+    flow.fit_radius = flow.fit_heights = true;
     const auto report = run::read_flow(options.folder, flow, [](std::int64_t, std::int64_t) {});
     REQUIRE_MESSAGE(report.ok(), to_string(report.problems()));
     // Dropped by 50 mm: 2 sqrt(2 h / g) = 0.202 s from top to top, and 4 ms of the soft contact.

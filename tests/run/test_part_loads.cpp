@@ -55,6 +55,41 @@ TEST_CASE("all momentum that gravity brings in a window leaves through the part"
     CHECK(std::abs(loads.means[0].force.row(0).sum()) < 1e-6 * test::weight_of_ball);
 }
 
+TEST_CASE("a run of loads that ended early goes on to the same bits, and keeps a frame an instant") {
+    const test::Folder folder;
+    const scene::Scene scene = loaded();
+    const run::LoadOptions options{.every = 0.04, .from = 0.03, .folder = folder.path, .resume = true};
+    const run::PartLoads whole = recorded(scene, {.every = 0.04, .from = 0.03});
+    const run::PartLoads part = recorded(loaded({{"duration_s=0.13"}}), options); // nothing there: it begins
+    CHECK(part.instants.size() == 3);
+    const run::PartLoads rest = recorded(scene, options);
+    REQUIRE(rest.instants.size() == whole.instants.size());
+    REQUIRE(rest.means.size() == whole.means.size());
+    for (std::size_t i = 0; i < whole.instants.size(); ++i) {
+        CHECK(rest.instants[i].time == whole.instants[i].time);
+        REQUIRE(rest.instants[i].pushes.size() == whole.instants[i].pushes.size());
+        for (std::size_t p = 0; p < whole.instants[i].pushes.size(); ++p)
+            CHECK(rest.instants[i].pushes[p].force == whole.instants[i].pushes[p].force);
+        CHECK(rest.means[i].window == whole.means[i].window);
+        CHECK(rest.means[i].force == whole.means[i].force);
+    }
+    REQUIRE(rest.touches.size() == whole.touches.size());
+    CHECK(rest.touches.back().normal_impulse == whole.touches.back().normal_impulse);
+    CHECK(rest.touches.back().duration == whole.touches.back().duration);
+    CHECK(rest.bulk.values == whole.bulk.values);
+    CHECK(test::count_files(folder.path / "frames", ".tumble") == whole.instants.size() + 1); // and the layout
+
+    const auto refused = [&](const scene::Scene& other, double every) {
+        run::LoadOptions changed = options;
+        changed.every = every;
+        run::RunListener silent;
+        return to_string(run::record_loads(other, 0, changed, silent).problems());
+    };
+    CHECK(refused(scene, 0.05).find("was begun with --every 0.04 --from 0.03") != std::string::npos);
+    CHECK(refused(loaded({{"wall.part.side_m=0.02"}}), 0.04).find("wall") != std::string::npos);
+    CHECK(refused(loaded({{"duration_s=0.1"}}), 0.04).find("beyond the end of the run at 0.1 s") != std::string::npos);
+}
+
 TEST_CASE("loads are written and read back to the same bits") {
     const test::Folder folder;
     const scene::Scene scene = loaded({{"duration_s=0.1"}});

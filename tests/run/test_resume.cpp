@@ -1,6 +1,7 @@
 #include "observe/array_file.h"
 #include "observe/frame_file.h"
 #include "resumed.h"
+#include "run/build_mark.h"
 #include "scenes.h"
 
 #include <doctest/doctest.h>
@@ -156,6 +157,38 @@ TEST_CASE("of two checkpoints the older is taken when the newer is damaged, with
     check_same_run(folder.path / "whole", parts);
 }
 
+TEST_CASE("a checkpoint of another build of the program is gone on from, with a word") {
+    const Folder folder;
+    const scene::Scene scene = loaded(pouring);
+    const fs::path place = folder.path / "pour";
+    REQUIRE(ran(scene, in(place), 1000).problems.empty());
+    CHECK(summary_in(place)["build_mark"] == run::build_mark());
+    for (const std::string& sentence : ran(scene, going_on_in(place), 1200).heard)
+        CHECK_FALSE(sentence.starts_with("the checkpoint was written by"));
+    const fs::path file = newest(place);
+    auto content = observe::from_bytes(content_of(file), "checkpoint", file);
+    REQUIRE(content.ok());
+    CHECK(content->head["build_mark"] == run::build_mark());
+    content->head["build_mark"] = "0123456789abcdef";
+    put(file, observe::to_bytes(*content));
+    const Outcome outcome = ran(scene, going_on_in(place));
+    CHECK(outcome.summary.state == "finished");
+    REQUIRE_FALSE(outcome.heard.empty());
+    CHECK(outcome.heard[0] == "the checkpoint was written by another build of the program (0123456789abcdef, this is " +
+                                  run::build_mark() +
+                                  "): the run goes on from it, but need not end in the bits of one that never stopped");
+    const auto json = summary_in(place);
+    CHECK(std::count(json["warnings"].begin(), json["warnings"].end(), outcome.heard[0]) == 1);
+    CHECK(json["resumed"][0]["build_mark"] == run::build_mark());
+    CHECK(json["resumed"][1]["build_mark"] == "0123456789abcdef");
+}
+
+TEST_CASE("the mark of the build is that of the sources it was made from") {
+    // 16 digits: 64 bits of a hash that cmake/build_mark.cmake takes over names and contents.
+    CHECK(run::build_mark().size() == 16);
+    CHECK(run::build_mark().find_first_not_of("0123456789abcdef") == std::string::npos);
+}
+
 TEST_CASE("without a checkpoint that can be used a resume is refused, and the folder stays as it is") {
     const Folder folder;
     const scene::Scene scene = loaded(pouring);
@@ -231,6 +264,28 @@ TEST_CASE("a scene that was changed is refused with what changed, unless told to
     CHECK(summary_in(place)["resumed"][0]["changes"] ==
           nlohmann::json::array({"pair.glass-glass.friction was 0.4 and is now 0.2"}));
     CHECK(content_of(place / "scene.toml").find("friction = 0.2") != std::string::npos);
+}
+
+TEST_CASE("laws that remember more may be taken up or left in the midst of a run, where changes are accepted") {
+    const std::vector<std::string> nothing;
+    for (const std::vector<std::string>& added :
+         {std::vector<std::string>{"contact.rolling=\"epsd\"", "pair.glass-glass.rolling_friction=0.1"},
+          {"contact.adhesion=\"jkr\"", "pair.glass-glass.work_of_adhesion_J_m2=0.1"},
+          {"pair.glass-glass.restitution_exponent=0.2", "pair.glass-glass.restitution_speed_m_s=1"}})
+        for (const bool taken_up : {true, false}) {
+            CAPTURE(added[0]);
+            CAPTURE(taken_up);
+            const Folder folder;
+            run::RunOptions options = in(folder.path / "pour");
+            REQUIRE(ran(loaded(pouring, taken_up ? nothing : added), options, 900).problems.empty());
+            options = going_on_in(options.folder);
+            const scene::Scene changed = loaded(pouring, taken_up ? added : nothing);
+            CHECK_FALSE(ran(changed, options).problems.empty());
+            options.accept_changes = true;
+            const Outcome outcome = ran(changed, options);
+            CHECK_MESSAGE(outcome.summary.state == "finished", to_string(outcome.problems));
+            CHECK(outcome.summary.resumed.back().changes.size() >= 1);
+        }
 }
 
 TEST_CASE("how long a run is and what is drawn may change freely") {

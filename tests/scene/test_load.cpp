@@ -91,6 +91,44 @@ TEST_CASE("the trough slice is the thesis' case") {
     CHECK(scene->domain.periodic == std::array{true, false, false});
 }
 
+TEST_CASE("factors and a phase stretch what a motion file says") {
+    // A displacement a d(f t): a times as far, f times as often.
+    const auto plain = load_scene(scenes / "trough-slice.toml");
+    const std::string motion = "wall." + plain->walls.at(0).name + ".motion.0.";
+    const auto changed =
+        load_scene(scenes / "trough-slice.toml",
+                   {{motion + "amplitude_factor=0.5"}, {motion + "frequency_factor=1.2"}, {motion + "phase_deg=90"}});
+    REQUIRE_MESSAGE(changed.ok(), to_string(changed.problems()));
+    const auto& before = plain->walls.at(0).motion.harmonics;
+    const auto& after = changed->walls.at(0).motion.harmonics;
+    REQUIRE(after.size() == before.size());
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        CHECK(after[i].amplitude == 0.5 * before[i].amplitude);
+        CHECK(after[i].frequency == about(1.2 * before[i].frequency, 1e-14));
+        CHECK(after[i].phase == about(before[i].phase + std::numbers::pi / 2, 1e-14));
+    }
+}
+
+TEST_CASE("the rows of a motion table are stretched by its factors, and its start stays") {
+    const auto scene = load(R"(
+[[wall]]
+name = "floor"
+shape = "plane"
+point_m = [0, 0, 0]
+material = "glass"
+[[wall.motion]]
+kind = "table"
+rows = [[0, 0, 0, 0], [0.1, 0.002, 0, 0], [0.3, 0, 0.001, 0]]
+amplitude_factor = 3
+frequency_factor = 2
+start_s = 0.5
+)");
+    REQUIRE_MESSAGE(scene.ok(), to_string(scene.problems()));
+    const WallPose pose = pose_at(scene->walls.at(0).motion, 0.5 + 0.1 / 2);
+    CHECK(pose.translation.x() == about(0.006, 1e-12));
+    CHECK(pose_at(scene->walls.at(0).motion, 9).translation.y() == about(0.003, 1e-12));
+}
+
 TEST_CASE("the shipped steps stay below a fifth of the smallest sphere's Rayleigh time") {
     // Li, Xu and Thornton 2005: pi R sqrt(rho / G) / (0.1631 nu + 0.8766).
     for (const char* name : {"trough-slice.toml", "trough-quick.toml", "settle-cones.toml"}) {

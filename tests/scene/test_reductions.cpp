@@ -3,6 +3,7 @@
 #include "scene/load.h"
 #include "scene/to_toml.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
@@ -63,6 +64,25 @@ TEST_CASE("softening by 2^(5/2) makes the step twice as long, as Hertz' impact l
     CHECK(soft.fills[0].count == stiff.fills[0].count);
 }
 
+TEST_CASE(
+    "softening keeps the speed of Thornton and Ning below which bodies stick, at the price of the pull-off force") {
+    // v_s goes as (w^5 R^4 / E^2)^(1/6), the pull-off force as w: 32 times as soft, w over 32^(2/5) = 4.
+    const std::vector<Override> sticky{{"contact.adhesion=\"jkr\""}, {"pair.media-lining.work_of_adhesion_J_m2=0.3"}};
+    std::vector<Override> softened = sticky;
+    softened.push_back({"reduce.softening=32"});
+    softened.push_back({"material.lining.allow_soft=true"});
+    const Scene stiff = loaded("trough-slice.toml", sticky), soft = loaded("trough-slice.toml", softened);
+    const double before = stiff.pair(0, 1).work_of_adhesion, now = soft.pair(0, 1).work_of_adhesion;
+    CHECK(before == 0.3);
+    CHECK(now == about(before / 4, 1e-12));
+    const double E_before = stiff.materials[0].youngs_modulus, E_now = soft.materials[0].youngs_modulus;
+    CHECK(std::pow(now, 5) / (E_now * E_now) == about(std::pow(before, 5) / (E_before * E_before), 1e-12));
+    CHECK(
+        refusal("trough-slice.toml",
+                {{"contact.adhesion=\"sjkr\""}, {"pair.media-lining.cohesion_energy_J_m3=1e4"}, {"reduce.softening=2"}})
+            .find("would pull harder by as much") != std::string::npos);
+}
+
 TEST_CASE("softening a linear law by 4 makes the step twice as long, as a mass on a spring swings") {
     const Scene stiff = loaded("trough-2d.toml"), soft = loaded("trough-2d.toml", {{"reduce.softening=4"}});
     CHECK(soft.pair(0, 0).normal_stiffness == about(stiff.pair(0, 0).normal_stiffness / 4, 1e-15));
@@ -93,8 +113,15 @@ TEST_CASE("a cone of fewer spheres has as many as asked for, its volume and near
     const fit::UnionMoments before = fit::union_moments(many.bodies[0].spheres);
     const fit::UnionMoments after = fit::union_moments(few.bodies[0].spheres);
     CHECK(after.volume == about(before.volume, 1e-6));
-    // `tumble fit` with 20 spheres: a moment 5.9 % smaller about the axis and two 8.7 % larger across it.
-    CHECK(after.second.trace() == about(before.second.trace(), 0.06));
+    // `tumble fit` with 20 spheres: a moment of inertia 5.9 % smaller about the axis, the least, and two 8.7 % larger
+    // across it (docs/reduced-order.md), to the digits of that page; across it a clump need not be quite round.
+    const auto moments = [](const fit::UnionMoments& of) {
+        const Eigen::Matrix3d inertia = of.second.trace() * Eigen::Matrix3d::Identity() - of.second;
+        const Eigen::Vector3d sorted = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia).eigenvalues();
+        return Eigen::Vector2d(sorted[0], (sorted[1] + sorted[2]) / 2);
+    };
+    CHECK(std::abs(moments(after)[0] / moments(before)[0] - 0.941) < 0.001);
+    CHECK(std::abs(moments(after)[1] / moments(before)[1] - 1.087) < 0.001);
     CHECK(few.time_step == many.time_step);
 }
 

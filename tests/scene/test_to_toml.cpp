@@ -208,8 +208,8 @@ TEST_CASE("meshes that were copied beside the scene go by the names they have th
 TEST_CASE("every key of the list arrives in the scene and is written again") {
     // Other ways to say what is written as spheres_m, discs_m, rows, harmonic, friction or cohesion energy; three
     // dimensions are usual; of [reduce] what came of it is written.
-    std::set<std::string> other_ways{"clump", "radius_mm", "file", "speed_rpm", "friction_angle_deg",
-                                     "work_of_adhesion_J_m2", "dimension",
+    std::set<std::string> other_ways{"clump", "radius_mm", "file", "amplitude_factor", "frequency_factor", "speed_rpm",
+                                     "friction_angle_deg", "work_of_adhesion_J_m2", "dimension",
                                      // of a picture for print; a screen's has its size in pixels
                                      "width_mm", "height_mm", "dpi", "font_pt"};
     for (const int dimension : {3, 2}) {

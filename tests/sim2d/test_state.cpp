@@ -116,7 +116,7 @@ TEST_CASE("the same holds for every law") {
             scene.contact.tangential = tangential;
             scene.contact.limit_force = variant;
             scene.contact.global_damping = variant ? 3 : 0;
-            check_resumed(scene, {1111}, {2});
+            check_resumed(scene, {1111}, {1, 2});
         }
 }
 
@@ -126,8 +126,55 @@ TEST_CASE("the same holds for rolling resistance, which remembers more") {
         scene.contact.additions.rolling = rolling;
         for (contact::PairProperties& pair : scene.pairs)
             pair.rolling_friction = 0.1;
-        check_resumed(scene, {0, 1111}, {2});
+        check_resumed(scene, {0, 1111}, {1, 2});
     }
+}
+
+TEST_CASE("the same holds for restitution that falls with speed, friction that weakens with it, and air") {
+    scene::Scene scene = busy();
+    scene.air = {1.2, 0, 0.44};
+    for (contact::PairProperties& pair : scene.pairs) {
+        pair.restitution_exponent = 0.2;
+        pair.restitution_speed = 1;
+        pair.restitution_most = 0.9;
+        pair.sliding_friction = 0.5 * pair.friction;
+        pair.sliding_speed = 0.1;
+    }
+    check_resumed(scene, {0, 1111}, {1, 2});
+}
+
+TEST_CASE(
+    "laws may change where a world goes on: what contacts remember more begins at nothing, or is booked as lost") {
+    const scene::Scene plain = busy();
+    scene::Scene rolling = plain, falling = plain;
+    rolling.contact.additions.rolling = contact::RollingLaw::epsd;
+    for (contact::PairProperties& pair : rolling.pairs)
+        pair.rolling_friction = 0.1;
+    for (contact::PairProperties& pair : falling.pairs) {
+        pair.restitution_exponent = 0.2;
+        pair.restitution_speed = 1;
+    }
+    for (const scene::Scene* other : {&rolling, &falling})
+        for (const bool more : {true, false}) {
+            CAPTURE(more);
+            const WorldPtr before = built(more ? plain : *other, 2);
+            step_to(*before, 1111);
+            REQUIRE(before->remembers_more != more);
+            const WorldPtr after = restored(more ? *other : plain, 2, state_of(*before));
+            REQUIRE(after->remembers_more == more);
+            double wound_up = 0; // J, rolling springs at step 1111
+            for (const Chunk& chunk : before->chunks) {
+                for (const NearDiscs& near : chunk.near_discs)
+                    for (const FurtherMemory& further : near.further)
+                        wound_up += further.rolling_energy;
+                for (const FurtherMemory& further : chunk.wall_further)
+                    wound_up += further.rolling_energy;
+            }
+            CHECK((wound_up > 0) == (!more && other == &rolling));
+            CHECK(std::abs(after->ledger.lost_history - before->ledger.lost_history - wound_up) <= 1e-9 * wound_up);
+            step_to(*after, last_step);
+            CHECK(books_of(*after).contacts > 40);
+        }
 }
 
 TEST_CASE("bodies put in by hand between two steps go into the state with what the others remember") {

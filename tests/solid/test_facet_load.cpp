@@ -1,3 +1,4 @@
+#include "about.h"
 #include "base/rng.h"
 #include "solid/facet_load.h"
 #include "solid/generate.h"
@@ -10,6 +11,7 @@ namespace test_facet_load {
 using namespace tumble;
 using namespace tumble::solid;
 using Eigen::Vector3d;
+using tumble::test::about;
 
 namespace {
 
@@ -64,6 +66,44 @@ TEST_CASE("a force at a corner goes to that node alone, one in the middle to all
     const auto in_middle =
         shares_at(mesh, mesh.facet_sets.at("side")[0], mesh.centre_of(mesh.facet_sets.at("side")[0]));
     CHECK((in_middle - Eigen::Vector4d::Constant(0.25)).norm() < 1e-12);
+}
+
+TEST_CASE("on another mesh of the same part a push keeps its place, on a finer polygon to within its sagitta") {
+    const Prism bar{.length = 0.1, .side = 0.02, .corner = 0.004, .corner_cells = 1, .middle_cells = 1, .along = 2};
+    Prism finer = bar;
+    finer.middle_cells = 7;
+    finer.along = 13;
+    const HexMesh mesh = *mesh_of(finer, {});
+    const Push push{0, {0.01, 0.0431, -0.0017}, {-3, 1, 0}};
+    const auto moved = moved_to(mesh, push, Vector3d::UnitX());
+    REQUIRE(moved);
+    CHECK((moved->point - push.point).norm() < 1e-15);
+    CHECK(moved->force == push.force);
+    CHECK(mesh.area_of(moved->facet).normalized().dot(Vector3d::UnitX()) == about(1, 1e-12));
+    // At an edge a body touches under 45 degrees to both sides, at a corner under 54.7 to all three.
+    for (const Vector3d& normal : {Vector3d(1, 0, 1), Vector3d(1, 1, 1)}) {
+        const auto edge = moved_to(mesh, {0, {0.01, normal.y() > 0 ? 0.1 : 0.05, 0.01}, {}}, normal.normalized());
+        REQUIRE(edge);
+        CHECK((edge->point - Vector3d(0.01, normal.y() > 0 ? 0.1 : 0.05, 0.01)).norm() < 1e-15);
+    }
+    CHECK(!moved_to(HexMesh{}, push, Vector3d::UnitX()));
+
+    const BoredCylinder tube{.length = 0.1,
+                             .radius = 0.015,
+                             .bore_radius = 0.005,
+                             .shell = 0.0015,
+                             .around = 48,
+                             .along = 4,
+                             .shell_rings = 1,
+                             .inner_rings = 1};
+    const HexMesh round = *mesh_of(tube, {});
+    // In the middle of a side of a polygon of 24 corners, which the one of 48 has as a corner: r (1 - cos(pi / 24)).
+    const double half = EIGEN_PI / 24, inner = 0.015 * std::cos(half);
+    const Vector3d outward(std::sin(half), 0, std::cos(half));
+    const auto shifted = moved_to(round, {0, Vector3d(0, 0.03, 0) + inner * outward, {}}, outward);
+    REQUIRE(shifted);
+    const double sagitta = 0.015 * (1 - std::cos(half));
+    CHECK((shifted->point - Vector3d(0, 0.03, 0) - inner * outward).norm() < sagitta * (1 + 1e-12));
 }
 
 TEST_CASE("a contact that lies off its facet is a problem that names both gap and facet") {

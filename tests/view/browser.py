@@ -92,8 +92,13 @@ class View:
             text=True,
             cwd=folder,
         )
-        self.link = self.process.stdout.readline().strip()
-        assert self.link.startswith("http://127.0.0.1:"), self.link
+        self.link = self.next_link()
+
+    def next_link(self):
+        """The first, and once it has been used the one for another browser."""
+        link = self.process.stdout.readline().strip()
+        assert link.startswith("http://127.0.0.1:"), link
+        return link
 
     def __enter__(self):
         return self
@@ -188,6 +193,19 @@ def moves_a_slider(page):
     page.wait("a scene", lambda: page.state()["notice"].endswith(".toml"))
 
 
+def draws_over_the_bodies(page):
+    page.click("tab Look")
+    page.wait("the tab", lambda: "arrows" in page.state()["places"])
+    for box, choice in (("arrows", "arrows bodies"), ("trail", "trail ball"), (None, "force chains")):
+        page.wait_for_rest()
+        before = picture_of(page)
+        if box:
+            page.click(box)
+            page.wait("the choice", lambda: choice in page.state()["places"])
+        page.click(choice)
+        page.wait("another picture", lambda: picture_of(page) != before)
+
+
 def films(page):
     page.click("tab Keep")
     page.wait("the tab", lambda: "film" in page.state()["places"])
@@ -202,6 +220,106 @@ def resizes(page):
     page.wait("a smaller picture", lambda: page.driver.execute_script("return document.getElementById('picture').width") < 800)
     page.driver.set_window_size(1280, 720)
     page.wait("a larger picture", lambda: page.driver.execute_script("return document.getElementById('picture').width") == 1280)
+
+
+def obeys_keys(page):
+    """Each key of docs/view.md that moves the camera does so, R takes it all back, H hides the panel and shows it."""
+    page.wait_for_rest()
+    moved = page.state()["camera"]
+    page.press("r")
+    page.wait("the scene's own camera", lambda: page.state()["camera"] != moved)
+    page.wait_for_rest()
+    first = page.state()["camera"]
+    for key in (Keys.ARROW_LEFT, Keys.ARROW_RIGHT, Keys.ARROW_UP, Keys.ARROW_DOWN, "+", "-"):
+        before = page.state()["camera"]
+        page.press(key)
+        page.wait(f"the camera to follow {key!r}", lambda: page.state()["camera"] != before)
+    before = page.state()["camera"]["target"]
+    ActionChains(page.driver).key_down(Keys.SHIFT).send_keys(Keys.ARROW_LEFT).key_up(Keys.SHIFT).perform()
+    page.wait("the target to move", lambda: page.state()["camera"]["target"] != before)
+    page.press("r")
+    page.wait("the scene's own camera", lambda: page.state()["camera"] == first)
+    for shown in (False, True):
+        page.press("h")
+        page.wait("the panel", lambda: page.state()["panel"] == shown)
+    step = page.state()["step"]
+    page.press(".")
+    page.wait("one step", lambda: page.state()["step"] == step + 1)
+
+
+class Fingers:
+    """Touches as a screen reports them; places in pixels of the page."""
+
+    def __init__(self, driver):
+        self.driver = driver
+
+    def tell(self, kind, *places):
+        points = [{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(places)]
+        self.driver.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+    def go(self, *ways):
+        """A way for each finger, all equally long."""
+        steps = list(zip(*ways))
+        self.tell("touchStart", *steps[0])
+        for places in steps[1:]:
+            self.tell("touchMove", *places)
+        self.tell("touchEnd")
+
+
+def fits_a_phone(page):
+    """Held upright, two pixels a pixel: the scene alone; a finger turns it, two zoom; the button brings the panel."""
+    driver = page.driver
+    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": 390, "height": 844, "deviceScaleFactor": 2, "mobile": True})
+    driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": True, "maxTouchPoints": 2})
+    width = "return document.getElementById('picture').width"
+    page.wait("the phone's pixels", lambda: driver.execute_script(width) == 780)
+    if page.state()["panel"]:  # a hand had asked for it before
+        driver.find_element(By.ID, "panel").click()
+        page.wait("the scene", lambda: not page.state()["panel"])
+    fingers = Fingers(driver)
+    eye = page.state()["camera"]["eye"]
+    fingers.go([(100, 400), (140, 400), (180, 410), (220, 420)])
+    page.wait("the camera to turn", lambda: page.state()["camera"]["eye"] != eye)
+    distance = lambda: sum((a - b) ** 2 for a, b in zip(page.state()["camera"]["eye"], page.state()["camera"]["target"]))
+    before = distance()
+    fingers.go([(180, 380), (150, 340), (120, 300)], [(210, 420), (240, 460), (270, 500)])
+    page.wait("a nearer view", lambda: distance() < 0.5 * before)
+    driver.find_element(By.ID, "panel").click()
+    page.wait("the panel", lambda: page.state()["panel"])
+    step = page.state()["step"]
+    fingers.go([page.middle("step")])
+    page.wait("one step", lambda: page.state()["step"] == step + 1)
+    driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": False})
+    driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+    page.wait("the window as before", lambda: driver.execute_script(width) != 780)
+
+
+def shares(page, view, folder):
+    """A second browser takes the next link; what one of them does both see, and one that goes leaves the other."""
+    other = browser(folder / "second")
+    try:
+        second = Page(other)
+        second.open(view.next_link())
+        eye = page.state()["camera"]["eye"]
+        second.drag((800, 300), (850, 310), (900, 320))
+        page.wait("what the other browser did", lambda: page.state()["camera"]["eye"] != eye)
+        page.wait("both to see the same", lambda: page.state()["camera"] == second.state()["camera"])
+    finally:
+        other.quit()
+    eye = page.state()["camera"]["eye"]
+    page.drag((800, 300), (830, 310))
+    page.wait("the camera to go on moving", lambda: page.state()["camera"]["eye"] != eye)
+
+
+def outlives_the_simulation(page):
+    """The balls are thrown through the box' open side: the run ends with a problem, which is said; the rest goes on."""
+    page.click("play")
+    page.wait("the end", lambda: page.state()["trouble"])
+    assert page.state()["trouble"].startswith("the simulation cannot go on"), page.state()["trouble"]
+    assert "the simulation cannot go on" in page.driver.find_element(By.ID, "notice").text
+    eye = page.state()["camera"]["eye"]
+    page.drag((800, 300), (860, 280))
+    page.wait("the camera to move", lambda: page.state()["camera"]["eye"] != eye)
 
 
 def picture_of(page):
@@ -232,6 +350,15 @@ def scrubs(page):
     later = page.state()["time"]
     page.press(",")
     page.wait("the frame before", lambda: page.state()["time"] < later)
+    page.click("tab Look")
+    page.wait("the tab", lambda: "trail" in page.state()["places"])
+    assert "force chains" not in page.state()["places"], "this run has kept no contacts"
+    page.click("trail")
+    page.wait("the choice", lambda: "trail ball" in page.state()["places"])
+    page.wait_for_rest()
+    before = picture_of(page)
+    page.click("trail ball")
+    page.wait("the way of a ball", lambda: picture_of(page) != before)
     page.press(Keys.SPACE)
     page.wait("the end", lambda: page.state()["ended"])
 
@@ -263,9 +390,11 @@ def main():
             page = Page(driver)
             with View(program, "shaken.toml", folder) as view:
                 page.open(view.link)
-                for part in (opens_and_runs, drags_the_camera, moves_a_slider, films, resizes):
+                for part in (opens_and_runs, drags_the_camera, obeys_keys, moves_a_slider, draws_over_the_bodies, films, resizes, fits_a_phone):
                     part(page)
                     print(f"{part.__name__}: fine", flush=True)
+                shares(page, view, folder)
+                print("shares: fine", flush=True)
                 if picture:
                     driver.save_screenshot(picture)
                 wrong = [line for line in driver.get_log("browser") if line["level"] == "SEVERE"]
@@ -274,6 +403,11 @@ def main():
                 print("keeps_strangers_out: fine", flush=True)
             saved = sorted(path.suffix for path in (folder / "kept").iterdir())
             assert saved == [".mp4", ".toml"], saved
+            (folder / "thrown.toml").write_text(SCENE.replace("count = 40", "count = 40\nvelocity_m_s = [0, 20, 0]"))
+            with View(program, "thrown.toml", folder) as view:
+                page.open(view.link)
+                outlives_the_simulation(page)
+                print("outlives_the_simulation: fine", flush=True)
             subprocess.run([program, "run", "shaken.toml", "--duration", "0.2", "--quiet"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
             with View(program, "out/shaken", folder) as view:
                 page.open(view.link)

@@ -50,8 +50,8 @@ double jump(const scene::Scene& before, const scene::Scene& after, double now) {
     return std::max((a.translation - b.translation).norm(), (a.rotation - b.rotation).norm());
 }
 
-TEST_CASE("a harmonic keeps its motion until its period ends and begins the new one there, where it stands at zero") {
-    const scene::Scene running = shaken(2e-3, 25, 0.7, 0.1), wanted = shaken(3e-3, 30, -1.1, 0.1);
+TEST_CASE("a harmonic takes up amplitude and phase where its period ends, where it stands at zero") {
+    const scene::Scene running = shaken(2e-3, 25, 0.7, 0.1), wanted = shaken(3e-3, 25, -1.1, 0.1);
     const double within = 0.1 + 3.4 / 25; // in the fourth period
     const CarriedOn waits = carry_on(running, wanted, within);
     REQUIRE(waits.next);
@@ -62,14 +62,75 @@ TEST_CASE("a harmonic keeps its motion until its period ends and begins the new 
     CHECK(!taken.next);
     const scene::Harmonic& now = taken.scene.walls[0].motion.harmonics[0];
     CHECK(now.amplitude == 3e-3);
-    CHECK(now.frequency == 30);
     CHECK(now.phase == -1.1);
     CHECK(now.active.start == about(0.26, 1e-12));
     // Both curves go through zero at the period's end; a step later they are apart by the difference of their speeds at
     // most.
-    const double speeds = 2 * pi * (2e-3 * 25 + 3e-3 * 30);
+    const double speeds = 2 * pi * 25 * (2e-3 + 3e-3);
     CHECK(jump(running, taken.scene, end) <= speeds * step);
     CHECK(pose_at(taken.scene.walls[0].motion, now.active.start).translation.norm() == 0);
+}
+
+TEST_CASE("harmonics of one file go on with another frequency at once, from where they stand, and keep their phases") {
+    // A swing and its overtone: after any change of frequency the sum is a (sin u + sin(2 u + phase) / 2 - ...) of the
+    // angle u that runs faster, so that the wall is at every angle where it was at that angle before.
+    scene::Scene running = shaken(2e-3, 25, 0, 0.1), wanted = shaken(2e-3, 30, 0, 0.1);
+    running.walls[0].motion.harmonics.push_back(shaken(1e-3, 50, 0.9, 0.1).walls[0].motion.harmonics[0]);
+    wanted.walls[0].motion.harmonics.push_back(shaken(1e-3, 60, 0.9, 0.1).walls[0].motion.harmonics[0]);
+    const double now = 0.1 + 3.4 / 25;
+    const CarriedOn on = carry_on(running, wanted, now);
+    CHECK(!on.next);
+    CHECK(jump(running, on.scene, now) < 1e-15);
+    for (const double turns : {0.1, 0.37, 2.2}) {
+        const scene::WallPose before = pose_at(running.walls[0].motion, now + turns / 25);
+        const scene::WallPose after = pose_at(on.scene.walls[0].motion, now + turns / 30);
+        CHECK((before.translation - after.translation).norm() < 1e-14);
+        CHECK(after.velocity.y() == about(1.2 * before.velocity.y(), 1e-9));
+    }
+    // The amplitudes wait, each for the end of its own period: of the overtone the earlier.
+    scene::Scene louder = wanted;
+    for (scene::Harmonic& harmonic : louder.walls[0].motion.harmonics)
+        harmonic.amplitude *= 2;
+    const CarriedOn waits = carry_on(on.scene, louder, now);
+    REQUIRE(waits.next);
+    CHECK(*waits.next == about(now + 0.2 / 60, 1e-12)); // 6.8 turns of the overtone have passed
+    CHECK(jump(on.scene, waits.scene, now) < 1e-15);
+}
+
+TEST_CASE("a table goes over to other factors from where it stands, no faster than its rows go") {
+    // 2 mm to and fro along x, a row every 10 ms, for 2 s: at most 0.2 m/s. Thrice as far and twice as often is
+    // 1.2 m/s at most; while it goes over, the way from the one to the other comes on top: 4 mm in 5 ms.
+    const auto table = [](double factor, double faster) {
+        scene::MotionTable rows;
+        rows.active.start = 0.1;
+        for (int i = 0; i <= 200; ++i) {
+            rows.time.push_back(0.01 * i / faster);
+            rows.displacement.emplace_back(factor * 2e-3 * (i % 2), 0, 0);
+        }
+        scene::WallMotion motion;
+        motion.tables.push_back(rows);
+        return with(motion);
+    };
+    const scene::Scene running = table(1, 1), wanted = table(3, 2);
+    const double now = 0.1 + 0.517; // on the way back from row 51, 0.6 mm out
+    const CarriedOn on = carry_on(running, wanted, now);
+    CHECK(!on.next);
+    CHECK(pose_at(running.walls[0].motion, now).translation.x() == about(0.6e-3, 1e-9));
+    CHECK(jump(running, on.scene, now) < 1e-12);
+    double last = pose_at(on.scene.walls[0].motion, now).translation.x();
+    for (double t = now + step; t < now + 0.05; t += step) {
+        const double x = pose_at(on.scene.walls[0].motion, t).translation.x();
+        CHECK(std::abs(x - last) <= (1.2 + 4e-3 / 5e-3) * step + 1e-12);
+        last = x;
+    }
+    // Later it is the wanted table, which was at row 51.7 when the change came.
+    const double later = 0.4;
+    CHECK(pose_at(on.scene.walls[0].motion, now + later).translation.x() ==
+          about(pose_at(wanted.walls[0].motion, 0.1 + 0.517 / 2 + later).translation.x(), 1e-9));
+    // Asked for once more it stays as it is; over, it holds its last row.
+    CHECK(carry_on(on.scene, wanted, now + later).scene.walls[0].motion.tables[0].time ==
+          on.scene.walls[0].motion.tables[0].time);
+    CHECK(jump(running, carry_on(running, wanted, 5).scene, 5) == 0);
 }
 
 TEST_CASE("before a harmonic begins, and while its amplitude is zero, nothing need be waited for") {

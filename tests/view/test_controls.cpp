@@ -58,6 +58,36 @@ TEST_CASE("a moved slider becomes a change that the scene loads with, and goes b
     CHECK(controls.changes().empty());
 }
 
+TEST_CASE("a motion from a file or from rows has sliders for its factors, and harmonics for a phase") {
+    const std::filesystem::path file = std::filesystem::path(TUMBLE_ROOT) / "scenes" / "trough-slice.toml";
+    const auto text = SceneText::read(file, {});
+    REQUIRE(text.ok());
+    const auto scene = text->load();
+    REQUIRE(scene.ok());
+    Controls controls(*scene, *text);
+    const std::string motion = "wall." + scene->walls[0].name + ".motion.0.";
+    controls.set(find(controls, motion + "amplitude_factor"), 0.25);
+    controls.set(find(controls, motion + "frequency_factor"), 1.5);
+    controls.set(find(controls, motion + "phase_deg"), 45);
+    const auto changed = text->load(controls.changes());
+    REQUIRE_MESSAGE(changed.ok(), to_string(changed.problems()));
+    CHECK(changed->walls[0].motion.harmonics[9].amplitude == 0.25 * 1.949234e-3);
+    CHECK(changed->walls[0].motion.harmonics[9].frequency == about(37.5, 1e-12));
+    // Rows that are written out have no phase.
+    std::string rows = test::pouring;
+    const auto begin = rows.find("kind = \"harmonic\"");
+    REQUIRE(begin != std::string::npos);
+    const auto end = rows.find("[", begin);
+    rows = rows.substr(0, begin) + "kind = \"table\"\nrows = [[0, 0, 0, 0], [0.1, 0, 0.001, 0]]\n" + rows.substr(end);
+    const SceneText table = text_of(rows);
+    const auto loaded = table.load();
+    REQUIRE_MESSAGE(loaded.ok(), to_string(loaded.problems()));
+    const Controls of_table(*loaded, table);
+    find(of_table, "wall.floor.motion.0.amplitude_factor");
+    for (const Control& control : of_table.all())
+        CHECK(control.word != "phase");
+}
+
 TEST_CASE("both tilts together, and none along z in two dimensions") {
     const SceneText text = text_of(test::pouring);
     Controls controls(*text.load(), text);

@@ -4,6 +4,7 @@
 #include "scene/to_toml.h"
 #include "view/live_source.h"
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <doctest/doctest.h>
@@ -145,6 +146,23 @@ TEST_CASE("a simulation that dies says why and stands still, and its source live
     live.source->play(true);
     CHECK(!live.source->state().playing);
     CHECK(live.source->newest());
+}
+
+TEST_CASE("moments say who touches whom while that is wanted, also of a simulation that stands still") {
+    Live live(test::pouring);
+    live.source->step(1500); // 30 ms at 1 m/s and more: they meet the floor and each other
+    REQUIRE(live.reaches(1500));
+    CHECK(live.source->can_show_contacts());
+    CHECK(!live.source->newest()->frame.contacts);
+    live.source->show_contacts(true);
+    REQUIRE(live.eventually([&] { return live.source->newest()->frame.contacts.has_value(); }));
+    const observe::Frame frame = live.source->newest()->frame;
+    CHECK(frame.step == 1500);
+    CHECK(!frame.contacts->empty());
+    for (const observe::FrameContact& contact : *frame.contacts)
+        CHECK(std::find(frame.id.begin(), frame.id.end(), contact.a) != frame.id.end());
+    live.source->show_contacts(false);
+    CHECK(live.eventually([&] { return !live.source->newest()->frame.contacts; }));
 }
 
 TEST_CASE("Box2D's scenes can be watched, not changed") {

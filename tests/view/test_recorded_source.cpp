@@ -20,7 +20,8 @@ struct Recorded {
     scene::Scene scene = test::loaded(test::falling_ball);
     std::unique_ptr<Source> source;
 
-    Recorded() {
+    explicit Recorded(bool contacts = false) {
+        scene.observe.contacts = contacts;
         run::RunOptions options;
         options.folder = folder.path / "run";
         run::RunListener silent;
@@ -85,6 +86,13 @@ TEST_CASE("a run's film has all of its frames, and its plots are those columns o
     CHECK(Plots::of_run(recorded.folder.path / "run", recorded.scene).lines().empty());
     const Plots none = Plots::of_run(recorded.folder.path, recorded.scene);
     CHECK(none.lines().empty());
+}
+
+TEST_CASE("a run shows contacts where its frames kept them") {
+    CHECK(!Recorded().source->can_show_contacts());
+    const Recorded recorded(true);
+    CHECK(recorded.source->can_show_contacts());
+    CHECK(recorded.source->newest()->frame.contacts);
 }
 
 TEST_CASE("a folder that holds no run is a problem") {

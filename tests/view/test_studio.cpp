@@ -194,6 +194,38 @@ TEST_CASE("colours, their range and a section are chosen in the panel and change
     CHECK(differences(whole, opened.picture, panel, 1000) > 1000); // no body is left
 }
 
+TEST_CASE("velocities, a way and force chains are switched on over the bodies, and saved with the scene as its keys") {
+    Opened opened(test::pouring, 1000, 700);
+    for (int i = 0; i < 15; ++i) {
+        opened.click("steps");
+        REQUIRE(opened.eventually([&] { return opened.state["step"] == 100 * (i + 1); }));
+    }
+    opened.click("tab Look");
+    const auto changes = [&](const std::string& name) {
+        opened.settle();
+        const render::Picture before = opened.picture;
+        opened.click(name);
+        opened.settle();
+        return differences(before, opened.picture, panel, 1000);
+    };
+    opened.click("arrows");
+    // Dear ImGui knows the size of a list that opens in its second frame only: it has settled in the one that is seen.
+    REQUIRE(opened.state["places"].contains("arrows field"));
+    CHECK(opened.state["places"]["arrows field"][2].get<double>() <= panel);
+    CHECK(changes("arrows bodies") > 500);
+    opened.click("trail");
+    CHECK(changes("trail ball") > 20);
+    CHECK(changes("force chains") > 50);
+    opened.click("tab Change");
+    opened.click("save scene");
+    const auto scene = scene::load_scene(opened.folder.path / "shaken-001.toml");
+    REQUIRE_MESSAGE(scene.ok(), to_string(scene.problems()));
+    CHECK(scene->render.marks.arrows == "bodies");
+    CHECK(scene->render.marks.trails == std::vector<std::string>{"ball"});
+    CHECK(scene->render.marks.chains);
+    CHECK(scene->observe.contacts);
+}
+
 TEST_CASE("a window that is hidden or tiny keeps the view alive, a larger one gets a larger picture") {
     Opened opened(test::pouring);
     opened.studio->take(Resized{0, 0, 1});
@@ -210,6 +242,31 @@ TEST_CASE("a window that is hidden or tiny keeps the view alive, a larger one ge
     opened.studio->take(PanelToggled{});
     opened.draw();
     CHECK(opened.picture.width == 1400);
+}
+
+TEST_CASE("in a window as narrow as a phone the scene comes first, and the panel takes all of it when asked for") {
+    Opened opened(test::pouring);
+    CHECK(opened.state["panel"] == true);
+    const double wide = opened.state["places"]["play"][2].get<double>();
+    opened.studio->take(Resized{780, 1688, 2}); // 390 x 844 on a screen of two pixels a pixel
+    opened.draw();
+    CHECK(opened.picture.width == 780);
+    CHECK(opened.picture.height == 1688);
+    CHECK(opened.state["panel"] == false);
+    const render::Picture scene = opened.picture;
+    opened.drag(300, 800, 380, 800); // where a panel of 300 would be: it turns the camera
+    opened.settle();
+    CHECK(differences(scene, opened.picture, 0, 780) > 500);
+    opened.studio->take(PanelToggled{});
+    opened.draw();
+    CHECK(opened.picture.width == 780);
+    CHECK(opened.state["places"]["play"][2].get<double>() > 1.5 * wide); // letters and buttons of twice the pixels
+    opened.click("steps");
+    CHECK(opened.eventually([&] { return opened.state["step"] == 100; }));
+    // Who asked for it keeps it, whatever the window does.
+    opened.studio->take(Resized{800, 1688, 2});
+    opened.draw();
+    CHECK(opened.state["panel"] == true);
 }
 
 TEST_CASE("a picture is kept as PNG and a film as MP4, under names that nothing had") {

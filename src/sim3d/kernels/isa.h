@@ -17,10 +17,10 @@ using tumble::TUMBLE_ISA::quad_at;
 int near_bodies(const Bounds* bounds, int begin, int end, const Bounds& sphere, int* found);
 int near_spheres(const BodyMotion* motion, const SpherePair* pairs, int count, const Shift* images, double skin,
                  int* found);
-TouchCounts touch_spheres(const BodyMotion* motion, const NearPair* pairs, int count, const Shift* images, double hold,
+TouchCounts touch_spheres(const BodyMotion* motion, const NearPair* pairs, int count, const Shift* images, double neck,
                           std::uint8_t* touching, int* contacts, int* ended);
 TouchCounts touch_clumps(const Placements& at, const BodyPair* pairs, int count, const SphereCandidate* candidates,
-                         double hold, std::uint8_t* touching, ClumpTouch* contacts, int* ended);
+                         const Necks& necks, std::uint8_t* touching, ClumpTouch* contacts, int* ended);
 void push_spheres(PushContext& context, const NearPair* pairs, const int* which, int count, MemoryLanes* memory);
 void push_bodies(PushContext& context, const BodyContact* contacts, int count, MemoryLanes* memory);
 void push_walls(PushContext& context, WallContact* contacts, int count);

@@ -90,14 +90,14 @@ int near_spheres(const BodyMotion* motion, const SpherePair* pairs, int count, c
     return n;
 }
 
-TouchCounts touch_spheres(const BodyMotion* motion, const NearPair* pairs, int count, const Shift* images, double hold,
+TouchCounts touch_spheres(const BodyMotion* motion, const NearPair* pairs, int count, const Shift* images, double neck,
                           std::uint8_t* touching, int* contacts, int* ended) {
     TouchCounts counts{0, 0};
     by_whole_packs(count, [&](int first, int n) TUMBLE_INLINE_LAMBDA {
         const unsigned was = bits_of_bytes(touching + first, n);
         unsigned now = closer_than(0, motion, pairs + first, n, images);
-        if (hold > 0)
-            now |= was & closer_than(hold, motion, pairs + first, n, images);
+        if (neck > 0)
+            now |= was & closer_than(neck, motion, pairs + first, n, images);
         append(now, first, contacts, counts.contacts);
         for (unsigned parted = was & ~now; parted != 0; parted &= parted - 1)
             ended[counts.ended++] = first + __builtin_ctz(parted);
@@ -148,23 +148,30 @@ struct SeenFrom {
     }
 };
 
+TUMBLE_INLINE double neck_of(const Necks& necks, const Placements& at, const BodyPair& pair) {
+    if (!necks.reach)
+        return 0;
+    return necks.reach[at.shapes[at.shape[pair.a]].material * necks.materials + at.shapes[at.shape[pair.b]].material];
+}
+
 } // namespace
 
 TouchCounts touch_clumps(const Placements& at, const BodyPair* pairs, int count, const SphereCandidate* candidates,
-                         double hold, std::uint8_t* touching, ClumpTouch* contacts, int* ended) {
+                         const Necks& necks, std::uint8_t* touching, ClumpTouch* contacts, int* ended) {
     TouchCounts counts{0, 0};
     for (int p = 0; p < count; ++p) {
         const BodyPair& pair = pairs[p];
         if (pair.count == 0)
             continue;
         const SeenFrom seen(at, pair);
+        const double neck = neck_of(necks, at, pair);
         const int end = pair.begin + pair.count;
         for (int first = pair.begin; first < end; first += Pack::lanes) {
             const int n = end - first < Pack::lanes ? end - first : Pack::lanes;
             const unsigned was = bits_of_bytes(touching + first, n);
             unsigned now = seen.closer_than(0, candidates + first, n);
-            if (hold > 0)
-                now |= was & seen.closer_than(hold, candidates + first, n);
+            if (neck > 0)
+                now |= was & seen.closer_than(neck, candidates + first, n);
             for (unsigned left = now; left != 0; left &= left - 1)
                 contacts[counts.contacts++] = {p, first + __builtin_ctz(left)};
             for (unsigned changed = now ^ was; changed != 0; changed &= changed - 1) {

@@ -4,7 +4,7 @@
 const canvas = document.getElementById('picture');
 const notice = document.getElementById('notice');
 const paper = canvas.getContext('2d', { alpha: false });
-const mostPixels = 2560 * 1600;
+const mostPixels = 2560 * 1600, mostSide = 2560; // src/view/studio.cpp
 const pixelsPerNotch = 100;
 
 let socket = null;
@@ -20,7 +20,7 @@ function send(...words) {
 function tellSize() {
   const width = window.innerWidth, height = window.innerHeight;
   if (width < 1 || height < 1) return;
-  ratio = Math.min(window.devicePixelRatio || 1, Math.sqrt(mostPixels / (width * height)));
+  ratio = Math.min(window.devicePixelRatio || 1, Math.sqrt(mostPixels / (width * height)), mostSide / Math.max(width, height));
   send('size', Math.round(width * ratio), Math.round(height * ratio), ratio.toFixed(3));
 }
 

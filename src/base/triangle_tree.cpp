@@ -1,12 +1,12 @@
-#include "sim3d/mesh_tree.h"
+#include "base/triangle_tree.h"
 
 #include <algorithm>
 
-namespace tumble::sim3d {
+namespace tumble {
 
 using Eigen::Vector3d;
 
-MeshTree::MeshTree(const std::vector<FlatTriangle>& triangles) {
+TriangleTree::TriangleTree(const std::vector<FlatTriangle>& triangles) {
     std::vector<Entry> entries;
     entries.reserve(triangles.size());
     for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -18,7 +18,7 @@ MeshTree::MeshTree(const std::vector<FlatTriangle>& triangles) {
         grow(entries, 0, entries.size());
 }
 
-void MeshTree::grow(std::vector<Entry>& entries, std::size_t begin, std::size_t end) {
+void TriangleTree::grow(std::vector<Entry>& entries, std::size_t begin, std::size_t end) {
     constexpr std::size_t leaf = 4;
     const std::size_t self = nodes_.size();
     Node node;
@@ -49,4 +49,4 @@ void MeshTree::grow(std::vector<Entry>& entries, std::size_t begin, std::size_t 
     nodes_[self].skip = static_cast<int>(nodes_.size());
 }
 
-} // namespace tumble::sim3d
+} // namespace tumble

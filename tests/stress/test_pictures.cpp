@@ -1,0 +1,146 @@
+#include "about.h"
+#include "folder.h"
+#include "run/specimens.h"
+#include "stress/fields.h"
+#include "stress/pictures.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numbers>
+
+namespace test_pictures {
+
+using namespace tumble;
+using namespace tumble::stress;
+using Eigen::Vector3d;
+using test::about;
+
+namespace {
+
+/// From least to largest, along x and y.
+Eigen::Vector2d extent(const render::Field& field) {
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& point : field.points)
+        box.extend(point);
+    return box.sizes().head<2>();
+}
+
+double area(const render::Field& field) {
+    double sum = 0;
+    for (const auto& triangle : field.triangles) {
+        const auto at = [&](std::size_t k) { return field.points[static_cast<std::size_t>(triangle[k])]; };
+        sum += 0.5 * (at(1) - at(0)).cross(at(2) - at(0)).norm();
+    }
+    return sum;
+}
+
+std::vector<double> zeros(const fem::Slice& slice) {
+    return std::vector<double>(slice.points.size(), 0.0);
+}
+
+} // namespace
+
+TEST_CASE("components of a stress are those of its tensor") {
+    fem::Stress s;
+    s << 3, -1, 2, 0, 0, 4; // xx yy zz xy yz zx: the zx block has eigenvalues 2.5 +- sqrt(0.25 + 16)
+    const auto value = [&](const char* name) { return fem::find_component(name)->of(s); };
+    CHECK(value("mean") == about(4.0 / 3, 1e-14));
+    CHECK(value("tension") == about(2.5 + std::sqrt(16.25), 1e-12));
+    CHECK(value("compression") == about(2.5 - std::sqrt(16.25), 1e-12));
+    CHECK(value("zx") == 4);
+    CHECK(value("von_mises") == about(std::sqrt(0.5 * (16 + 9 + 1) + 48), 1e-14));
+    CHECK(fem::find_component("von_mizes").problems().at(0).fix.starts_with("did you mean 'von_mises'?"));
+}
+
+TEST_CASE("a slice all round a cylinder is rolled out to its circumference, whichever way it is cut open") {
+    const solid::BoredCylinder part{.length = 0.1,
+                                    .radius = 0.015,
+                                    .bore_radius = 0.005,
+                                    .shell = 0.0015,
+                                    .around = 36,
+                                    .along = 4,
+                                    .shell_rings = 3,
+                                    .inner_rings = 2};
+    const solid::Place place{{0.1, 0.2, 0.3}, Vector3d(1, 2, 0.5).normalized()};
+    const solid::HexMesh mesh = *solid::mesh_of(part, place);
+    const solid::Locator locator(mesh);
+    const auto slice = fem::slice_of(mesh, locator, "side", place.axis, 0.001);
+    REQUIRE_MESSAGE(slice, to_string(slice.problems()));
+    for (const Vector3d& ahead : {Vector3d(1, 0, 0), Vector3d(0, 1, 1), Vector3d(-0.3, 0.1, 2)}) {
+        const render::Field field = unrolled_field(mesh, *slice, place.base, place.axis, ahead, zeros(*slice));
+        const double round = 2 * std::numbers::pi * 0.014;
+        CHECK(extent(field).x() == about(round, 1e-9));
+        CHECK(extent(field).y() == about(0.1, 1e-9));
+        CHECK(area(field) == about(round * 0.1, 1e-9));
+        CHECK(field.points.size() == 37 * 5); // the nodes of the cut twice
+        CHECK(field.values.size() == field.points.size());
+    }
+}
+
+TEST_CASE("a slice beneath a flat side keeps its shape") {
+    const solid::Prism part{
+        .length = 0.1, .side = 0.015, .corner = 0.004, .corner_cells = 2, .middle_cells = 2, .along = 5};
+    const solid::HexMesh mesh = *solid::mesh_of(part, {});
+    const auto slice = fem::slice_of(mesh, solid::Locator(mesh), "+x", Vector3d::UnitY(), 0.001);
+    REQUIRE(slice);
+    const render::Field field =
+        unrolled_field(mesh, *slice, Vector3d::Zero(), Vector3d::UnitY(), Vector3d::UnitX(), zeros(*slice));
+    CHECK(extent(field).x() == about(0.015, 1e-12));
+    CHECK(area(field) == about(0.0015, 1e-12));
+}
+
+TEST_CASE("the same contacts on another mesh load the part and its support alike") {
+    const test::Folder folder;
+    auto recorded = specimen_in(scene::load_scene_text(test::ball_on_prism, "ball-on-prism.toml", {}).value(), "");
+    REQUIRE(recorded);
+    recorded->loads = test::recorded(recorded->scene, {.every = 0.1});
+    REQUIRE(write_recorded(*recorded, folder.path));
+    const auto finer = read_remeshed(folder.path, "", {"middle_cells=8", "along=20"});
+    REQUIRE_MESSAGE(finer, to_string(finer.problems()));
+    CHECK(finer->specimen().mesh->hexes.size() == 12 * 12 * 20);
+    const StudyOptions options{.depths = {0.001}, .sides = {"+x"}};
+    const auto coarse_study = stress::study(recorded->scene, recorded->specimen(), recorded->loads, options);
+    const auto study = stress::study(finer->scene, finer->specimen(), finer->loads, options);
+    REQUIRE_MESSAGE(study, to_string(study.problems()));
+    REQUIRE(study->cases.size() == 3);
+    for (std::size_t c = 0; c < 3; ++c) {
+        CHECK((study->cases[c].force - coarse_study->cases[c].force).norm() < 1e-12);
+        CHECK(study->cases[c].unbalance < 1e-10);
+    }
+    CHECK(read_remeshed(folder.path, "", {"corner_cell=3"}).problems().at(0).what.find("corner_cell") !=
+          std::string::npos);
+}
+
+TEST_CASE("the pictures of a study: the part among its media, two cuts, every slice") {
+    const test::Folder folder;
+    auto scene = scene::load_scene_text(test::ball_on_prism, "ball-on-prism.toml", {});
+    REQUIRE(scene);
+    scene->render.width = 400;
+    scene->render.height = 260;
+    auto recorded = specimen_in(std::move(*scene), "");
+    REQUIRE(recorded);
+    recorded->frames = folder.path / "frames";
+    recorded->loads = test::recorded(recorded->scene, {.every = 0.1, .folder = folder.path});
+    CHECK(test::count_files(recorded->frames, ".tumble") == recorded->loads.instants.size() + 1); // and the layout
+    const auto study = stress::study(recorded->scene, recorded->specimen(), recorded->loads,
+                                     {.depths = {0.001}, .sides = {"+x", "-z"}});
+    REQUIRE_MESSAGE(study, to_string(study.problems()));
+    const auto files = draw_pictures(*recorded, *study, {.component = "yy"}, folder.path);
+    REQUIRE_MESSAGE(files, to_string(files.problems()));
+    std::vector<std::string> names;
+    for (const auto& file : *files) {
+        names.push_back(file.filename().string());
+        const std::string bytes = test::content_of(file);
+        REQUIRE(bytes.size() > 1000);
+        CHECK(bytes.substr(1, 3) == "PNG");
+        // IHDR: width and height, large end first.
+        CHECK(static_cast<unsigned char>(bytes[18]) * 256 + static_cast<unsigned char>(bytes[19]) == 400);
+        CHECK(static_cast<unsigned char>(bytes[22]) * 256 + static_cast<unsigned char>(bytes[23]) == 260);
+    }
+    CHECK(names == std::vector<std::string>{"part.png", "cut-along.png", "cut-across.png", "slice-+x-1mm.png",
+                                            "slice--z-1mm.png"});
+    CHECK(draw_pictures(*recorded, *study, {.component = "hardness"}, folder.path).problems().at(0).what ==
+          "there is no stress component 'hardness'");
+}
+
+} // namespace test_pictures

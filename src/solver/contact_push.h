@@ -15,8 +15,4 @@ struct ContactPush {
     Eigen::Vector3d force = Eigen::Vector3d::Zero();  // N, on a
 };
 
-// What slid stands at friction's limit, give or take a rounding; this much over it it slides again when it is asked
-// once more.
-constexpr double just_beyond = 1 + 1e-9;
-
 } // namespace tumble::solver

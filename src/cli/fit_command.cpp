@@ -18,6 +18,8 @@ namespace tumble::cli {
 
 namespace {
 
+constexpr double large_solid = 1; // m3; no medium that is tumbled is as large
+
 struct FitArguments {
     std::filesystem::path mesh;
     std::vector<double> cone_mm; // diameter, height
@@ -66,6 +68,9 @@ Result<Fitted> fitted(const FitArguments& arguments) {
             return problems;
         }
         result.solid = std::move(*solid);
+        if (const double volume = result.solid.volume; volume > large_solid)
+            note(fmt::format("warning: {} holds {:.3g} litres; an STL in millimetres wants --scale 0.001",
+                             arguments.mesh.string(), 1e3 * volume));
         if (arguments.compare.empty())
             take(fit::spheres_in(result.solid, wanted,
                                  std::max(1, static_cast<int>(std::thread::hardware_concurrency())),

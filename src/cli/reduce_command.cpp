@@ -114,16 +114,15 @@ int tell(const reduce::Account& account, const ReduceArguments& arguments) {
     const auto files = reduce::write_account(account, folder, arguments.unsure);
     if (!files)
         return refuse(files.problems(), arguments.json, failed);
-    const sheet::Sheet sheet = reduce::sheet_of(account);
+    const sheet::Sheet sheet = reduce::sheet_of(account, arguments.unsure);
     if (arguments.json)
         say_json(reduce::to_json(account));
     else
         say(sheet::to_text(account.scene.stem().string() + ", reduced", sheet));
     if (const int code = draw_and_note(sheet, folder, false); code != fine)
         return code;
-    if (!arguments.quiet)
-        for (const fs::path& file : *files)
-            note("file: " + file.string());
+    for (const fs::path& file : *files)
+        note("file: " + file.string());
     if (account.climb.stopped)
         return stop_code();
     return account.sure() || (arguments.unsure && account.cheapest()) ? fine : failed;

@@ -47,7 +47,7 @@ std::string standing_word(Standing standing) {
     return words[static_cast<int>(standing)];
 }
 
-Json quantities_of(const Account& account, const Price& price) {
+Json quantities_of(const Account& account, const Price& price, std::size_t runs) {
     Json all = Json::array();
     const auto& quantities = account.climb.stick.quantities();
     for (std::size_t q = 0; q < quantities.size(); ++q) {
@@ -55,7 +55,7 @@ Json quantities_of(const Account& account, const Price& price) {
         all.push_back({{"name", quantities[q].name},
                        {"unit", quantities[q].unit},
                        {"mean", number_or_null(price.spreads[q].mean)},
-                       {"deviation", number_or_null(price.spreads[q].deviation)},
+                       {"deviation", number_or_null(runs > 1 ? price.spreads[q].deviation : std::nan(""))},
                        {"error", number_or_null(error.relative)},
                        {"uncertainty", number_or_null(error.uncertainty)},
                        {"at_least", error.at_least},
@@ -143,7 +143,7 @@ Json to_json(const Account& account) {
         if (const Price* price = price_of(account, i)) {
             one["speed_up"] = price->speed_up;
             one["verdict"] = i == account.reference ? "reference" : word_of(price->verdict);
-            one["quantities"] = quantities_of(account, *price);
+            one["quantities"] = quantities_of(account, *price, climbed.runs.size());
         }
         all.push_back(one);
     }
@@ -210,6 +210,14 @@ std::string cheapest_scene(const Account& account) {
                 fmt::format(" {} {:+.1f} +- {:.1f} %{};", quantities[q].name, 100 * price.errors[q].relative,
                             100 * price.errors[q].uncertainty, price.errors[q].told_apart() ? "" : " (not told apart)");
     claim.back() = '.';
+    std::string unjudged;
+    for (std::size_t q = 0; q < quantities.size(); ++q)
+        if (!account.prices.judged[q])
+            unjudged += (unjudged.empty() ? "" : ", ") + quantities[q].name;
+    if (!unjudged.empty())
+        claim += fmt::format(" Not judged, as the reference itself does not tell them: {}.", unjudged);
+    if (!account.sure())
+        claim += " It only seems to stay within: more seeds would tell.";
     scene.claim = claim + " What it was before: " + scene.claim;
     return scene::to_toml(scene);
 }

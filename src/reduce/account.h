@@ -31,8 +31,8 @@ struct Account {
 /// The reference is the scene as written, or else, where that was not finished, the rung that took the most work.
 Account account_of(const std::filesystem::path& scene, Climb climb, double tolerance, int seeds);
 
-/// Table, what it means, and the plot of error against speed-up.
-sheet::Sheet sheet_of(const Account& account);
+/// Table, what it means, and the plot of error against speed-up. `unsure` as for write_account.
+sheet::Sheet sheet_of(const Account& account, bool unsure);
 
 /// Stable keys, units in the names.
 nlohmann::ordered_json to_json(const Account& account);

@@ -58,24 +58,29 @@ sheet::Figure figure_of(const Account& account) {
     figure.y = {"error", "%"};
     const auto& quantities = account.climb.stick.quantities();
     double most = 1;
+    for (const Price& price : account.prices.rungs)
+        most = std::max(most, price.speed_up);
+    // Side by side: errors of one rung would hide each other. All of them together take 3 % of the axis.
+    const double apart = 0.03 * std::max(most - 1, 0.1) / static_cast<double>(quantities.size());
     for (std::size_t q = 0; q < quantities.size(); ++q) {
         if (!account.prices.judged[q])
             continue;
         sheet::Curve curve{.label = quantities[q].name, .style = sheet::Style::points};
         for (const Price& price : account.prices.rungs)
             if (price.errors[q].uncertainty > 0 && std::isfinite(price.errors[q].uncertainty)) { // not the reference
-                // Side by side: errors of one rung would hide each other.
-                const double aside = 1 + 0.008 * static_cast<double>(q);
-                curve.add(aside * price.speed_up, 100 * price.errors[q].relative);
+                const double aside =
+                    apart * (static_cast<double>(q) - 0.5 * static_cast<double>(quantities.size() - 1));
+                curve.add(price.speed_up + aside, 100 * price.errors[q].relative);
                 curve.spread.push_back(100 * price.errors[q].uncertainty);
-                most = std::max(most, price.speed_up);
             }
         figure.curves.push_back(std::move(curve));
     }
     sheet::Curve limits{
         .label = fmt::format("{:.3g} %", 100 * account.tolerance), .style = sheet::Style::dashes, .color = 5};
-    const double limit = 100 * account.tolerance;
-    for (const auto& [x, y] : {std::pair(1.0, -limit), {most, -limit}, {most, limit}, {1.0, limit}, {1.0, -limit}})
+    const double limit = 100 * account.tolerance, beyond = 0.05 * std::max(most - 1, 0.1);
+    const double first = 1 - beyond, last = most + beyond;
+    for (const auto& [x, y] :
+         {std::pair(first, -limit), {last, -limit}, {last, limit}, {first, limit}, {first, -limit}})
         limits.add(x, y);
     figure.curves.push_back(std::move(limits));
     return figure;
@@ -111,7 +116,7 @@ void say_what_judges(const Account& account, sheet::Sheet& sheet) {
                                       : "the reference does not have it in this stretch of time"));
 }
 
-std::string conclusion(const Account& account) {
+std::string conclusion(const Account& account, bool unsure) {
     const auto cheapest = account.cheapest();
     if (!cheapest)
         return fmt::format("No reduction tried stays within {:.3g} %.", 100 * account.tolerance);
@@ -128,13 +133,14 @@ std::string conclusion(const Account& account) {
                              seeds_to_be_sure);
     return fmt::format(
         "The cheapest that seems to stay within {:.3g} %: {}. Its errors are below that, but not surely: "
-        "{}. --unsure writes it as a scene even so.",
-        100 * account.tolerance, what, more);
+        "{}. {}",
+        100 * account.tolerance, what, more,
+        unsure ? "It is written even so." : "--unsure writes it as a scene even so.");
 }
 
 } // namespace
 
-sheet::Sheet sheet_of(const Account& account) {
+sheet::Sheet sheet_of(const Account& account, bool unsure) {
     sheet::Sheet sheet;
     if (!account.reference) {
         sheet.say("Nothing is finished yet, so there is nothing to compare.");
@@ -156,7 +162,7 @@ sheet::Sheet sheet_of(const Account& account) {
                         account.climb.rungs[*account.reference].rung.name));
     say_what_judges(account, sheet);
     say_what_was_not_priced(account, sheet);
-    sheet.say(conclusion(account));
+    sheet.say(conclusion(account, unsure));
     const auto& judged = account.prices.judged;
     if (account.priced.size() > 1 && std::find(judged.begin(), judged.end(), true) != judged.end())
         sheet.parts.emplace_back(figure_of(account));

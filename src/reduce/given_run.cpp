@@ -57,10 +57,11 @@ double number_in(const nlohmann::json& summary, const char* key) {
     return summary.contains(key) && summary[key].is_number() ? summary[key].get<double>() : 0;
 }
 
-/// A run of an older program says only what the clock said.
-double processor_time(const nlohmann::json& summary) {
-    const double spent = number_in(summary, "processor_s");
-    return spent > 0 ? spent : number_in(summary, "wall_s") * std::max(1.0, number_in(summary, "threads"));
+/// Of as much as the scene asks for: a run may be longer. One of an older program says only what the clock said.
+double processor_time(const nlohmann::json& summary, double duration) {
+    const double own = number_in(summary, "processor_s");
+    const double spent = own > 0 ? own : number_in(summary, "wall_s") * std::max(1.0, number_in(summary, "threads"));
+    return spent * std::min(1.0, duration / std::max(number_in(summary, "time_s"), 1e-300));
 }
 
 std::optional<Problem> unfit_series(const run::RunFolder& folder, const Yardstick& stick) {
@@ -98,7 +99,7 @@ Result<Seeded> read_given(const std::filesystem::path& root, const scene::Scene&
     if (!values)
         return values.problems();
     Seeded given{static_cast<std::uint64_t>(number_in(summary, "seed")),
-                 processor_time(summary),
+                 processor_time(summary, scene.duration),
                  number_in(summary, "overlap_ratio_max"),
                  std::move(*values),
                  {}};

@@ -161,6 +161,15 @@ Result<FlowReport> read_flow(const std::filesystem::path& run, const FlowOptions
     FrameSinks sinks;
     sinks.push_back(std::make_unique<FlowSink>(report, *shapes));
     report.replayed = replay(*recording, options.when, sinks, tell);
+    double mass = 0;
+    for (int layer = 0; layer < grid.layers; ++layer)
+        mass += report.field.layer(layer).mass;
+    if (report.replayed.frames > 0 && mass == 0)
+        return Problem{.file = run.string(),
+                       .what = fmt::format("no body came within {:.4g} m of the axis x = {:.4g} m, z = {:.4g} m at "
+                                           "heights of {:.4g} to {:.4g} m",
+                                           grid.radius, grid.axis_x, grid.axis_z, grid.lo, grid.hi),
+                       .fix = "look at --axis, --radius and --heights: all in m"};
     return report;
 }
 

@@ -101,6 +101,8 @@ Result<Resumable> find_checkpoint(const scene::Scene& scene, const std::string& 
                                .fix = "give a longer --duration"};
             if (found) {
                 found->changes = *changes;
+                for (const std::string& change : *changes)
+                    found->warnings.push_back("accepted: from here on " + change);
                 if (found->from.build_mark != build_mark())
                     found->warnings.push_back(fmt::format("the checkpoint was written by another build of the program "
                                                           "({}, this is {}): the run goes on from it, but need not end "

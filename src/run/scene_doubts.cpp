@@ -4,9 +4,11 @@
 #include "scene/extent.h"
 #include "scene/written.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <set>
@@ -38,6 +40,7 @@ public:
             keys_without_springs();
         else
             keys_of_box2d();
+        bowls();
         for (const scene::Wall& wall : scene_.walls) {
             size_of(wall);
             motion_of(wall);
@@ -91,6 +94,41 @@ private:
                                 bodies_[static_cast<std::size_t>(fill.body)].name, fill.start, scene_.duration),
                     "lengthen duration_s, or give an earlier start_s");
         }
+    }
+
+    /// Discs of rotary bowls that do not fit into their bowl.
+    void bowls() {
+        double smallest = std::numeric_limits<double>::infinity(); // body, m
+        for (const SimulatedBody& body : bodies_)
+            smallest = std::min(smallest, 2 * std::cbrt(body.volume * 3 / (4 * std::numbers::pi)));
+        for (const scene::Wall& outer : scene_.walls)
+            for (const scene::Wall& inner : scene_.walls) {
+                const auto* bowl = std::get_if<scene::BowlShape>(&outer.shape);
+                const auto* disc = std::get_if<scene::BowlDiscShape>(&inner.shape);
+                if (bowl && disc)
+                    disc_in_bowl(outer.name, *bowl, inner.name, *disc, smallest);
+            }
+    }
+
+    void disc_in_bowl(const std::string& outer, const scene::BowlShape& bowl, const std::string& inner,
+                      const scene::BowlDiscShape& disc, double smallest) {
+        const double gap = bowl.radius - disc.radius;
+        if (gap <= 0)
+            say("wall." + inner + ".radius_m",
+                fmt::format("disc '{}' reaches through the wall of bowl '{}', whose radius is {:.4g} m", inner, outer,
+                            bowl.radius),
+                "the disc turns within the bowl: leave a gap of a few millimetres");
+        else if (gap > smallest)
+            say("wall." + inner + ".radius_m",
+                fmt::format("between disc '{}' and bowl '{}' is a gap of {:.3g} mm, through which bodies of {:.3g} mm "
+                            "fall",
+                            inner, outer, 1e3 * gap, 1e3 * smallest),
+                fmt::format("a radius of more than {:.4g} m", bowl.radius - smallest));
+        if (disc.centre.y() + disc.rim_rise > bowl.base.y() + bowl.height)
+            say("wall." + inner + ".rim_rise_m",
+                fmt::format("the rim of disc '{}' ends {:.3g} mm above the wall of bowl '{}'", inner,
+                            1e3 * (disc.centre.y() + disc.rim_rise - bowl.base.y() - bowl.height), outer),
+                "a rim of some tens of millimetres ends well within the wall");
     }
 
     /// More than the domain holds; what leaves it ends the run.

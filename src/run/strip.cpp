@@ -9,6 +9,7 @@
 #include "run/target.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
@@ -94,6 +95,15 @@ Result<std::vector<Part>> sections(const Recording& recording, const scene::Rend
                                      cut < 0 ? "\u2212" : "", std::abs(cut) * unit.factor, unit.unit)});
     }
     return parts;
+}
+
+/// The recording with no frames but those of the parts, which alone have a say in the scales.
+Recording only(Recording recording, const std::vector<Part>& parts) {
+    recording.frames.clear();
+    for (const Part& part : parts)
+        if (recording.frames.empty() || recording.frames.back() != part.frame)
+            recording.frames.push_back(part.frame);
+    return recording;
 }
 
 std::string words_of(const Part& part, const observe::Frame& frame, const scene::Render& settings) {
@@ -204,13 +214,13 @@ Result<Replayed> draw_strip(const fs::path& run, const StripOptions& options, co
     if (!recording)
         return recording.problems();
     recording->layout = restyled_layout(*recording->layout, options.redraw);
-    const auto settings = settle_scales({&*recording, 1}, options.redraw.settings);
-    if (!settings)
-        return settings.problems();
-    const auto parts = options.sections ? sections(*recording, *settings, options.plan.cells)
+    const auto parts = options.sections ? sections(*recording, options.redraw.settings, options.plan.cells)
                                         : instants(*recording, options.plan.cells);
     if (!parts)
         return parts.problems();
+    const auto settings = settle_scales(std::array{only(*recording, *parts)}, options.redraw.settings);
+    if (!settings)
+        return settings.problems();
     const bool in_one = options.out.extension() == ".png";
     Target target(options.out);
     if (const auto problem = target.claim(options.redraw.overwrite, ".png"))

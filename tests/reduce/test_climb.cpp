@@ -2,6 +2,7 @@
 #include "folder.h"
 #include "reduce/account.h"
 #include "reduce/kept_run.h"
+#include "run/run_report.h"
 #include "scene/load.h"
 #include "small_trough.h"
 
@@ -149,6 +150,13 @@ TEST_CASE("runs that were made before stand for the scene as written, if they ar
     const Climb straight =
         reduce::climb({{"as written", {}, seeded}}, *stick, {.folder = ladder_folder.path, .seeds = 1}, again).value();
     CHECK(straight.rungs[0].runs[0].values == climb.rungs[0].runs[0].values);
+
+    // Of a run of 0.9 s, 0.6 s are charged, as much as the others are run for.
+    Witness for_longer;
+    const std::filesystem::path longer = run_of("longer", {{"duration_s=0.9"}});
+    const Climb from_longer = climbed(ladder_folder, for_longer, wishes, {.references = {longer}});
+    const double whole_cost = run::read_summary(run::RunFolder{longer})["processor_s"];
+    CHECK(from_longer.rungs[0].runs[0].core_s == about(whole_cost * 0.6 / 0.9, 1e-3)); // to a step
 
     const auto refused = [&](const std::vector<std::filesystem::path>& references) {
         Witness nobody;

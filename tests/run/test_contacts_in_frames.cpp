@@ -30,7 +30,7 @@ hi_m = [0.1, 0.1]
 density_kg_m3 = 2500
 [pair.glass-glass]
 restitution = 0.1
-friction = 0.05
+friction = 0.1 # little enough that they lean on the walls
 normal_stiffness_N_per_m = 1e5
 stiffness_ratio = 0.7
 [body.disc]
@@ -39,15 +39,15 @@ material = "glass"
 [[fill]]
 body = "disc"
 count = 1
-position_m = [-0.0119, 0.0101]
+position_m = [-0.0119999, 0.0100001]
 [[fill]]
 body = "disc"
 count = 1
-position_m = [0.0119, 0.0101]
+position_m = [0.0119999, 0.0100001]
 [[fill]]
 body = "disc"
 count = 1
-position_m = [0.0, 0.0275]
+position_m = [0.0, 0.027]
 [[wall]]
 name = "trough"
 shape = "polyline"

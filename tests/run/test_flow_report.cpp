@@ -101,6 +101,20 @@ TEST_CASE("a bouncing ball's cycle is two free falls, in the frames and in its t
     CHECK(run::write_flow(*report, folder.path / "tables").value().size() == 4);
 }
 
+TEST_CASE("a flow about an axis that no body comes near is refused with where it was looked for") {
+    const test::Folder folder;
+    run::RunOptions options;
+    options.folder = folder.path / "run";
+    run::RunListener nobody;
+    REQUIRE(run::run_scene(scene_of(two_balls), options, nobody));
+    run::FlowOptions beside;
+    beside.grid = {.axis_x = 5, .axis_z = 5, .radius = 0.1665, .lo = 0, .hi = 0.16, .rings = 5, .layers = 4};
+    const auto read = run::read_flow(options.folder, beside, [](std::int64_t, std::int64_t) {});
+    REQUIRE_FALSE(read);
+    CHECK(read.problems().front().what ==
+          "no body came within 0.1665 m of the axis x = 5 m, z = 5 m at heights of 0 to 0.16 m");
+}
+
 TEST_CASE("a tracer of a body that is not there is refused where it is written, with the nearest name") {
     std::string text = two_balls;
     text.replace(text.find("tracer:bouncer"), 14, "tracer:bounzer");

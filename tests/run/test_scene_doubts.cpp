@@ -55,6 +55,23 @@ TEST_CASE("a cylinder in millimetres is doubted by its size") {
               .find("wall 'floor' is 120 m large, 171 times the domain") != std::string::npos);
 }
 
+TEST_CASE("a disc that does not fit into its bowl is doubted, one with a gap of millimetres is not") {
+    const auto with = [](const std::string& disc) {
+        return doubts({"domain.lo_m=[-0.4, -0.1, -0.4]", "domain.hi_m=[0.4, 0.6, 0.4]",
+                       "wall=[{name=\"bowl\", shape=\"bowl\", base_m=[0, 0, 0], radius_m=0.1665, height_m=0.21, "
+                       "material=\"glass\"}, {name=\"disc\", shape=\"bowl-disc\", centre_m=[0, 0, 0], "
+                       "material=\"glass\", " +
+                           disc + "}]"});
+    };
+    CHECK(with("radius_m=0.1645") == "");
+    CHECK(with("radius_m=0.17").find("disc 'disc' reaches through the wall of bowl 'bowl', whose radius is 0.1665 m") !=
+          std::string::npos);
+    // The ball of 10 mm radius.
+    CHECK(with("radius_m=0.14").find("a gap of 26.5 mm, through which bodies of 20 mm fall") != std::string::npos);
+    CHECK(with("radius_m=0.1645, rim_rise_m=0.25").find("ends 40 mm above the wall of bowl 'bowl'") !=
+          std::string::npos);
+}
+
 TEST_CASE("bodies that come after the end are doubted, those that come in time are not") {
     const std::string text = doubts({"fill.0.start_s=5"});
     CHECK(text.find("1 of body 'ball' come at 5 s, but the run ends at 0.02 s") != std::string::npos);

@@ -253,6 +253,7 @@ template <class Step> static bool thin_out(std::vector<Step>& trail) {
 
 void MarkMaker::follow(const observe::Frame& frame) {
     trails_.resize(wanted_.trails.size());
+    const bool back = followed_ && frame.time < *followed_;
     const bool leapt = leaps_to(frame.time);
     for (std::size_t t = 0; t < trails_.size(); ++t) {
         Trail& trail = trails_[t];
@@ -260,7 +261,9 @@ void MarkMaker::follow(const observe::Frame& frame) {
             trail.pop_back();
         }
         if (const auto body = body_of(frame, wanted_.trails[t]); body && frame.position[*body].allFinite()) {
-            trail.push_back({frame.time, frame.position[*body], leapt});
+            // Whoever goes back may land where a leap went over.
+            const bool amid = back && !trail.empty() && frame.time - trail.back().time > leap * usual_;
+            trail.push_back({frame.time, frame.position[*body], leapt || amid});
         }
         for (bool full = trail.size() > most_steps; full && trail.size() > most_steps / 4 * 3;) {
             full = thin_out(trail);

@@ -350,6 +350,9 @@ TEST_CASE("a trail stays within the clip and breaks where whoever looks leaps in
     view.clip = Eigen::AlignedBox3d(Vector3d(-1, -1, -0.375), Vector3d(1, 1, 0));
     CHECK(length(drawing.maker.patches(frame_at(56), view)) == about(0.02)); // from step 3 to 5
     CHECK(drawing.maker.patches(frame_at(56), view).size() == 4);            // two lines with halos, no dot
+    Drawing back = drawing;
+    back.maker.take_in(frame_at(30), back.view());
+    CHECK(length(back.maker.patches(frame_at(30), back.view())) == about(0.05)); // not 0.3
     // A new pace is none: the first two such steps are not known from leaps, those after them are steps.
     for (int k = 57; k < 57 + 4 * 12; k += 12)
         drawing.maker.take_in(frame_at(k), drawing.view());

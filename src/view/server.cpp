@@ -1,5 +1,6 @@
 #include "view/server.h"
 
+#include "view/allowance.h"
 #include "view/guard.h"
 #include "view/page.h"
 
@@ -35,27 +36,6 @@ constexpr std::uint32_t frames_under_way = 2;
 constexpr int most_answers = 100;                     // of the page's files to one connection
 constexpr std::chrono::milliseconds accept_pause{50}; // when the system gives no socket, or too many come
 constexpr std::size_t most_held_keys = 64;            // on no keyboard are more held at once
-
-/// So many a second, and as many at once.
-class Allowance {
-public:
-    explicit Allowance(double per_s) : per_s_(per_s), left_(per_s) {}
-    bool take() {
-        const Clock::time_point now = Clock::now();
-        const double passed = std::chrono::duration<double>(now - std::exchange(counted_, now)).count();
-        left_ = std::min(per_s_, left_ + passed * per_s_);
-        if (left_ < 1)
-            return false;
-        left_ -= 1;
-        return true;
-    }
-
-private:
-    using Clock = std::chrono::steady_clock;
-    double per_s_;
-    double left_;
-    Clock::time_point counted_ = Clock::now();
-};
 
 struct Frame {
     std::uint32_t number = 0;

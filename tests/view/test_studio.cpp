@@ -111,7 +111,6 @@ TEST_CASE(
     opened.drag(660, 230, 600, 250);
     opened.settle();
     const std::size_t back = differences(before, opened.picture, panel, 1000);
-    MESSAGE("turned " << turned << ", back " << back);
     CHECK(back < turned / 20);
     // A press in the panel moves no camera, even when it goes on over the scene.
     const nlohmann::json now = opened.state["camera"];

@@ -12,6 +12,7 @@
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
+#include <utility>
 
 extern char** environ;
 
@@ -109,6 +110,15 @@ int ChildProcess::wait(std::chrono::milliseconds limit) {
     }
     id_ = -1;
     return ended > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+std::optional<int> ChildProcess::ended() {
+    int status = 0;
+    if (id_ > 0 && ::waitpid(id_, &status, WNOHANG) != id_) {
+        return std::nullopt;
+    }
+    const bool exited = std::exchange(id_, -1) > 0 && WIFEXITED(status);
+    return exited ? WEXITSTATUS(status) : -1;
 }
 
 std::string ChildProcess::printed() const {

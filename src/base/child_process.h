@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <sys/types.h>
@@ -29,6 +30,9 @@ public:
 
     /// Ends its input and waits. Its exit status; -1 when it was killed by a signal or did not end in time.
     int wait(std::chrono::milliseconds limit);
+
+    /// Whether it has ended by itself: its exit status, -1 when a signal killed it; nothing while it runs.
+    std::optional<int> ended();
 
     /// What it printed to either stream so far; of very much the last 256 KiB.
     [[nodiscard]] std::string printed() const;

@@ -1,4 +1,3 @@
-#include "base/child_process.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -8,11 +7,11 @@
 #include "cli/stop_flag.h"
 #include "run/run_folder.h"
 #include "view/live_source.h"
+#include "view/opener.h"
 #include "view/recorded_source.h"
 #include "view/viewer.h"
 
 #include <cstdlib>
-#include <cstring>
 #include <fmt/format.h>
 #include <memory>
 #include <optional>
@@ -34,9 +33,17 @@ struct ViewArguments {
 };
 
 /// The window of the one who typed the command, if there is a screen to have one on.
-std::unique_ptr<ChildProcess> open_browser(const std::string& link) {
-    const bool screen = std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
-    return screen ? std::make_unique<ChildProcess>(std::vector<std::string>{"xdg-open", link}) : nullptr;
+std::unique_ptr<view::Opener> open_browser(const view::Server& server, const std::filesystem::path& folder) {
+    if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr)
+        return nullptr;
+    auto opener = view::Opener::open(server.link(), folder, [&server](const std::string& why) {
+        note(fmt::format("{}: open the link yourself: {}", why, server.link()));
+    });
+    if (!opener) {
+        note(to_string(opener.problems().front()));
+        return nullptr;
+    }
+    return std::move(*opener);
 }
 
 /// A scene, or the one in a run's folder, as it is written and as it is meant.
@@ -67,7 +74,7 @@ Result<Watched> open_watched(ViewArguments& arguments, const std::shared_ptr<vie
     if (!scene)
         return scene.problems();
     const auto news = [bell] { bell->ring(); };
-    auto source = folder ? view::open_recorded(arguments.what, scene->render, news)
+    auto source = folder ? view::open_recorded(arguments.what, *scene, news)
                          : view::open_live(*text, *scene, arguments.threads, news);
     if (!source)
         return source.problems();
@@ -97,10 +104,7 @@ int view_it(ViewArguments& arguments) {
         return refuse(viewer.problems(), arguments.json, wrong);
     if (!arguments.quiet)
         note("the newest of these links opens the view in a browser on this machine, once; Ctrl-C ends it");
-    const auto browser = arguments.no_open ? nullptr : open_browser((*viewer)->server().link());
-    if (browser && browser->error() != 0)
-        note(fmt::format("no browser opens by itself here (xdg-open: {}): open the link yourself",
-                         std::strerror(browser->error())));
+    const auto browser = arguments.no_open ? nullptr : open_browser((*viewer)->server(), arguments.out);
     const Result<Done> done = (*viewer)->run(&watch_for_stop());
     return done ? static_cast<int>(fine) : refuse(done.problems(), arguments.json, failed);
 }

@@ -87,9 +87,10 @@ Answer Guard::judge(const Asked& asked) {
     const std::string_view target = asked.target;
     const std::string_view path = target.substr(0, target.find('?'));
     constexpr std::string_view with_token = "/?token=";
-    if (!asked.upgrade && target.starts_with(with_token))
+    const bool is_known = has_cookie(asked.cookie); // opens a used link again: the page, and no token is used up
+    if (!asked.upgrade && target.starts_with(with_token) && !is_known)
         return admit(target.substr(with_token.size()));
-    if (!has_cookie(asked.cookie))
+    if (!is_known)
         return refused(403, "open the link that the program printed");
     if (path == socket_path) {
         if (!asked.upgrade)

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "view/message.h"
-
-#include <deque>
+#include "view/inbox.h"
 
 namespace tumble::view {
 
@@ -10,14 +8,14 @@ namespace tumble::view {
 /// miss a press and its release between two frames: each frame takes up to one change of a button or key.
 class Hands {
 public:
-    void add(const Message& message) { waiting_.push_back(message); }
+    void add(const Message& message) { waiting_.add(message); }
     [[nodiscard]] bool any() const { return !waiting_.empty(); }
 
     /// Tells the current IO of Dear ImGui; `seconds` have passed since the frame before.
     void feed(double seconds);
 
 private:
-    std::deque<Message> waiting_;
+    Inbox waiting_;
 };
 
 } // namespace tumble::view

@@ -78,7 +78,7 @@ public:
     void step(std::int64_t count) override {
         order([&] {
             orders_.play = false;
-            orders_.steps += std::max<std::int64_t>(count, 0);
+            orders_.steps += state_.ended ? 0 : std::max<std::int64_t>(count, 0);
         });
     }
     void set_speed(double speed) override {
@@ -155,7 +155,11 @@ private:
                 halt(problem_of(error).what);
             }
         }
-        end_film();
+        try {
+            end_film();
+        } catch (const std::exception& error) {
+            tell_of_film(problem_of(error).what);
+        }
     }
 
     void obey(const Orders& now) {
@@ -166,11 +170,12 @@ private:
             film_->restyle(*now.film_look);
         if (now.film_ends)
             end_film();
-        if (now.changes)
+        if (now.changes && !dead_)
             take_changes(*now.changes);
         const std::int64_t wanted = now.play ? stretch(now.speed) : std::min(now.steps, stretch(0));
         const std::int64_t before = simulation_->steps();
-        const std::int64_t steps = std::min({wanted, all_steps_ - before, to_next_change(), to_next_shot()});
+        const std::int64_t steps =
+            dead_ ? 0 : std::min({wanted, all_steps_ - before, to_next_change(), to_next_shot()});
         if (steps > 0)
             advance(steps);
         settle(now, simulation_->steps() - before);
@@ -189,7 +194,7 @@ private:
             stretch_ = std::clamp(static_cast<std::int64_t>(stretch_s * rate_), std::int64_t{1}, 4 * stretch_);
         }
         if (problem)
-            halt(to_string(*problem));
+            return halt(to_string(*problem));
         if (next_change_ && simulation_->time() >= *next_change_ - 0.25 * running_.step())
             adopt();
         if (film_ && film_->due(simulation_->steps()))
@@ -273,8 +278,12 @@ private:
         observe::Frame frame = simulation_->frame();
         frame.layout = layout_; // one for all, however often the simulation was begun anew
         if (with_contacts)
-            frame.contacts = simulation_->contacts();
+            frame.contacts = contacts();
         return frame;
+    }
+
+    std::vector<observe::FrameContact> contacts() const {
+        return kept_contacts_ && kept_at_ == simulation_->steps() ? *kept_contacts_ : simulation_->contacts();
     }
 
     void halt(const std::string& reason) {
@@ -291,6 +300,7 @@ private:
         if (!wanted)
             return refuse(wanted.problems());
         wanted_ = *wanted;
+        refuse({}); // whatever was refused before is wanted no more
         adopt();
     }
 
@@ -303,6 +313,8 @@ private:
         Result<run::SimulationPtr> changed = run::restore(next.scene, threads_, simulation_->state());
         if (!changed)
             return refuse(changed.problems());
+        kept_contacts_ = contacts(); // a state has none: the next step finds them anew
+        kept_at_ = simulation_->steps();
         running_ = next.scene;
         simulation_ = std::move(*changed);
         refuse({});
@@ -373,8 +385,10 @@ private:
     std::int64_t all_steps_;
     bool can_change_;
     bool dead_ = false;
-    bool contacts_ = false;             // are wanted in moments
-    std::optional<double> next_change_; // s
+    bool contacts_ = false;                                           // are wanted in moments
+    std::optional<std::vector<observe::FrameContact>> kept_contacts_; // of a state that was changed
+    std::int64_t kept_at_ = 0;                                        // step of that state
+    std::optional<double> next_change_;                               // s
     std::int64_t stretch_ = 1;
     double rate_ = 0; // steps per s of wall time
     std::uint64_t moments_ = 0;

@@ -29,6 +29,14 @@ bool button(Desk& desk, const std::string& name, const char* label, float width 
     return pressed;
 }
 
+/// The widget just made says which key of the scene it sets.
+void tell_key(Desk& desk, const std::string& key) {
+    if (!ImGui::IsItemHovered())
+        return;
+    ImGui::SetTooltip("%s", key.c_str());
+    desk.told_key = key;
+}
+
 /// A slider over the panel's whole width. Numbers are double; ImGui has no word for that.
 bool slider(Desk& desk, const std::string& name, double& value, double lo, double hi, const char* format,
             ImGuiSliderFlags flags = ImGuiSliderFlags_None) {
@@ -97,7 +105,10 @@ void show_camera(Desk& desk) {
 
 void show_colors(Desk& desk) {
     ImGui::SetNextItemWidth(-1);
-    if (ImGui::BeginCombo("##color", ("colour: " + desk.look.color).c_str())) {
+    const bool open = ImGui::BeginCombo("##color", ("colour: " + desk.look.color).c_str());
+    mark(desk, "color");
+    tell_key(desk, "render.color");
+    if (open) {
         for (const render::Quantity& quantity : render::quantities()) {
             if (!render::find_quantity(quantity.name, desk.layout.dimension))
                 continue;
@@ -110,13 +121,13 @@ void show_colors(Desk& desk) {
         }
         ImGui::EndCombo();
     }
-    mark(desk, "color");
     bool fixed = desk.look.range.has_value();
     if (ImGui::Checkbox("fixed range", &fixed)) {
         desk.look.range = fixed ? std::optional(desk.range) : std::nullopt;
         desk.wishes.restyle = true;
     }
     mark(desk, "fixed range");
+    tell_key(desk, "render.range");
     if (!desk.look.range)
         return;
     std::array<double, 2> ends = *desk.look.range;
@@ -128,6 +139,7 @@ void show_colors(Desk& desk) {
         desk.wishes.restyle = true;
     }
     mark(desk, "range");
+    tell_key(desk, "render.range");
 }
 
 void show_section(Desk& desk) {
@@ -138,6 +150,7 @@ void show_section(Desk& desk) {
         desk.wishes.restyle = true;
     }
     mark(desk, "section");
+    tell_key(desk, "render.clip_lo_m, render.clip_hi_m");
     if (!desk.look.clip)
         return;
     for (int axis = 0; axis < 3; ++axis) {
@@ -147,8 +160,10 @@ void show_section(Desk& desk) {
         double& high = desk.look.clip->hi[axis];
         bool moved = slider(desk, fmt::format("section {} from", letter), low, lo, hi,
                             fmt::format("{} from %.3g m", letter).c_str());
+        tell_key(desk, "render.clip_lo_m");
         moved |= slider(desk, fmt::format("section {} to", letter), high, lo, hi,
                         fmt::format("{} to %.3g m", letter).c_str());
+        tell_key(desk, "render.clip_hi_m");
         high = std::max(high, low + 1e-3 * (hi - lo)); // a section of no thickness holds nothing
         desk.wishes.restyle |= moved;
     }
@@ -181,7 +196,7 @@ void show_controls(Desk& desk) {
             changed = true;
         }
         if (ImGui::IsItemHovered())
-            ImGui::SetTooltip("%s, at first %.4g", control.key.c_str(), control.first);
+            ImGui::SetTooltip("%s, at first %.4g", desk.told_key.assign(control.key).c_str(), control.first);
     }
     if (desk.state.change_waits)
         ImGui::TextWrapped("A wall's new motion waits for the end of its period.");
@@ -221,12 +236,6 @@ void show_keeping(Desk& desk) {
             ImGui::TextWrapped("%s", sentence.c_str());
 }
 
-/// The widget just made says which key of the scene it sets.
-void tell_key(const std::string& key) {
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s", key.c_str());
-}
-
 /// One word of a few; true when another was chosen.
 bool choose(Desk& desk, const std::string& name, const std::string& label, const std::vector<std::string>& words,
             std::string& chosen, const std::string& key) {
@@ -234,7 +243,7 @@ bool choose(Desk& desk, const std::string& name, const std::string& label, const
     ImGui::SetNextItemWidth(-1);
     const bool open = ImGui::BeginCombo(("##" + name).c_str(), (label + ": " + chosen).c_str());
     mark(desk, name);
-    tell_key(key);
+    tell_key(desk, key);
     if (!open)
         return false;
     for (const std::string& word : words) {
@@ -269,7 +278,7 @@ void show_marks(Desk& desk) {
     }
     desk.wishes.restyle |= ImGui::Checkbox("force chains", &marks.chains);
     mark(desk, "force chains");
-    tell_key("render.force_chains, with observe.contacts");
+    tell_key(desk, "render.force_chains, with observe.contacts");
 }
 
 void show_look(Desk& desk) {

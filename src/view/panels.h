@@ -37,6 +37,7 @@ struct Desk {
 
     Wishes wishes;
     std::map<std::string, std::array<double, 4>> places; // left, top, right, bottom of what can be touched, by name
+    std::string told_key;                                // of the scene, that the widget under the pointer sets
 };
 
 /// The widgets, between ImGui::NewFrame and ImGui::Render, over the whole canvas.

@@ -1,5 +1,6 @@
 #include "view/recorded_source.h"
 
+#include "base/thrown.h"
 #include "observe/frame_file.h"
 #include "run/redraw.h"
 #include "run/replay.h"
@@ -20,10 +21,11 @@ using Clock = std::chrono::steady_clock;
 
 class RecordedSource final : public Source {
 public:
-    RecordedSource(std::filesystem::path folder, run::Recording recording, std::vector<double> times, bool contacts,
-                   double speed, std::function<void()> news)
+    RecordedSource(std::filesystem::path folder, run::Recording recording, run::RedrawOptions words,
+                   std::vector<double> times, bool contacts, std::function<void()> news)
         : folder_(std::move(folder)), recording_(std::move(recording)), times_(std::move(times)),
-          has_contacts_(contacts), speed_(speed), news_(std::move(news)), clock_(times_.front()) {}
+          words_(std::move(words)), has_contacts_(contacts), speed_(1 / words_.settings.slowdown()),
+          news_(std::move(news)), clock_(times_.front()) {}
     RecordedSource(const RecordedSource&) = delete;
     RecordedSource& operator=(const RecordedSource&) = delete;
     ~RecordedSource() override { stop_film_ = true; }
@@ -97,7 +99,11 @@ public:
             filming_ = true;
         }
         stop_film_ = false;
-        thread_ = std::jthread([this, settings, file] { make_film(settings, file); });
+        try {
+            thread_ = std::jthread([this, settings, file] { make_film(settings, file); });
+        } catch (const std::exception& error) { // the system refuses a thread
+            tell_of_film(problem_of(error).what);
+        }
     }
     void film_no_more() override { stop_film_ = true; }
 
@@ -121,25 +127,37 @@ private:
     }
 
     void make_film(const scene::Render& settings, const std::filesystem::path& file) {
-        run::RedrawOptions options;
+        try {
+            tell_of_film(redraw(settings, file));
+            news_();
+        } catch (const std::exception& error) {
+            tell_of_film(problem_of(error).what);
+        }
+    }
+
+    /// A sentence about what has become of it.
+    std::string redraw(const scene::Render& settings, const std::filesystem::path& file) const {
+        run::RedrawOptions options = words_;
         options.settings = settings;
         options.targets.video = file;
         options.when.stop = &stop_film_;
         options.when.duration = times_.back();
         const auto done = run::redraw(folder_, options, [](std::int64_t, std::int64_t) {});
         const Problems problems = done ? done->reason : done.problems();
-        {
-            const std::lock_guard lock(mutex_);
-            filming_ = false;
-            filmed_ = problems.empty() ? fmt::format("{} with {} pictures", file.string(), done->frames)
-                                       : to_string(problems.front());
-        }
-        news_();
+        return problems.empty() ? fmt::format("{} with {} pictures", file.string(), done->frames)
+                                : to_string(problems.front());
+    }
+
+    void tell_of_film(std::string sentence) {
+        const std::lock_guard lock(mutex_);
+        filming_ = false;
+        filmed_ = std::move(sentence);
     }
 
     std::filesystem::path folder_;
     run::Recording recording_;
     std::vector<double> times_; // s, of its frames
+    run::RedrawOptions words_;  // title and walls as they were asked for
     bool has_contacts_;         // in its frames
     double speed_;              // s of the run per s
     std::function<void()> news_;
@@ -159,11 +177,17 @@ private:
 
 } // namespace
 
-Result<std::unique_ptr<Source>> open_recorded(const std::filesystem::path& folder, const scene::Render& settings,
+Result<std::unique_ptr<Source>> open_recorded(const std::filesystem::path& folder, const scene::Scene& scene,
                                               std::function<void()> news) {
     Result<run::Recording> recording = run::open_recording(folder, {});
     if (!recording)
         return recording.problems();
+    run::RedrawOptions words; // of the film, and of what is seen
+    words.settings = scene.render;
+    words.title = scene.title;
+    for (const scene::Wall& wall : scene.walls)
+        words.wall_opacity.push_back(wall.opacity);
+    recording->layout = run::restyled_layout(*recording->layout, words);
     std::vector<std::filesystem::path> readable;
     std::vector<double> times;
     bool contacts = false;
@@ -177,8 +201,8 @@ Result<std::unique_ptr<Source>> open_recorded(const std::filesystem::path& folde
         return Problem{
             .file = folder.string(), .what = "no frame of this run can be read", .fix = "run the scene again"};
     recording->frames = std::move(readable);
-    return std::unique_ptr<Source>(std::make_unique<RecordedSource>(
-        folder, std::move(*recording), std::move(times), contacts, 1 / settings.slowdown(), std::move(news)));
+    return std::unique_ptr<Source>(std::make_unique<RecordedSource>(folder, std::move(*recording), std::move(words),
+                                                                    std::move(times), contacts, std::move(news)));
 }
 
 } // namespace tumble::view

@@ -1,5 +1,6 @@
 #include "view/server.h"
 
+#include "view/allowance.h"
 #include "view/guard.h"
 #include "view/page.h"
 
@@ -7,10 +8,13 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 #include <fmt/format.h>
+#include <list>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -29,6 +33,9 @@ using beast::error_code;
 
 // A second frame may be under way while the first is shown: the way there and back then costs no frame.
 constexpr std::uint32_t frames_under_way = 2;
+constexpr int most_answers = 100;                     // of the page's files to one connection
+constexpr std::chrono::milliseconds accept_pause{50}; // when the system gives no socket, or too many come
+constexpr std::size_t most_held_keys = 64;            // on no keyboard are more held at once
 
 struct Frame {
     std::uint32_t number = 0;
@@ -52,6 +59,7 @@ std::string text_of(beast::string_view text) {
 }
 
 class Watcher;
+class Visitor;
 
 /// What connections share; all but the newest frame and the counts is touched by the server's thread only.
 struct Shared {
@@ -61,6 +69,7 @@ struct Shared {
     Listener listener;
     std::optional<Guard> guard;
     std::set<Watcher*> watching;
+    std::list<Visitor*> strangers; // the oldest first
     std::atomic<std::size_t> connected{0};
     std::atomic<std::size_t> seated{0};  // watchers
     std::atomic<std::uint32_t> taken{0}; // number of the newest frame that went to one
@@ -77,8 +86,8 @@ struct Shared {
 /// One browser that frames go to.
 class Watcher : public std::enable_shared_from_this<Watcher> {
 public:
-    Watcher(Shared& shared, beast::tcp_stream stream, Seat connection, Seat watcher)
-        : shared_(shared), socket_(std::move(stream)), connection_(std::move(connection)), seat_(std::move(watcher)) {
+    Watcher(Shared& shared, beast::tcp_stream stream, Seat watcher)
+        : shared_(shared), socket_(std::move(stream)), seat_(std::move(watcher)) {
         socket_.read_message_max(shared_.limits.message_bytes);
         socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
         socket_.binary(true);
@@ -122,7 +131,7 @@ private:
     void read() {
         socket_.async_read(buffer_, [self = shared_from_this()](error_code failed, std::size_t /*bytes*/) {
             if (failed)
-                return;
+                return self->let_go();
             const std::string text = beast::buffers_to_string(self->buffer_.data());
             self->buffer_.consume(self->buffer_.size());
             if (self->take(text))
@@ -133,12 +142,13 @@ private:
     }
 
     bool take(const std::string& text) {
-        if (!socket_.got_text() || !is_within_rate())
+        if (!socket_.got_text() || !allowance_.take())
             return false;
         const std::optional<Message> message = parse_message(text);
         if (!message)
             return false;
         if (!std::holds_alternative<FrameSeen>(*message)) {
+            note_held(*message);
             shared_.listener.message(*message);
             return true;
         }
@@ -149,39 +159,56 @@ private:
         return true;
     }
 
-    bool is_within_rate() {
-        const Clock::time_point now = Clock::now();
-        const double passed = std::chrono::duration<double>(now - counted_).count();
-        counted_ = now;
-        const double most = shared_.limits.messages_per_s;
-        allowance_ = std::min(most, allowance_ + passed * most);
-        return (allowance_ -= 1) >= 0;
+    void note_held(const Message& message) {
+        if (const auto* pressed = std::get_if<PointerPressed>(&message))
+            buttons_[pressed->button] = {pressed->button, pressed->x, pressed->y};
+        else if (const auto* released = std::get_if<PointerReleased>(&message))
+            buttons_.erase(released->button);
+        else if (const auto* key = std::get_if<KeyChanged>(&message)) {
+            if (!key->down)
+                keys_.erase(key->key);
+            else if (keys_.size() < most_held_keys)
+                keys_.insert(key->key);
+        }
+    }
+
+    /// The others share this hand: what a browser held as it went would be held for ever.
+    void let_go() {
+        for (const auto& [button, release] : std::exchange(buttons_, {}))
+            shared_.listener.message(release);
+        for (const std::string& key : std::exchange(keys_, {}))
+            shared_.listener.message(KeyChanged{key, false, false, false});
     }
 
     void close() {
         shared_.watching.erase(this);
+        let_go();
         socket_.async_close(websocket::close_code::policy_error, [self = shared_from_this()](error_code) {});
     }
 
-    using Clock = std::chrono::steady_clock;
-
     Shared& shared_;
     websocket::stream<beast::tcp_stream> socket_;
-    Seat connection_;
     Seat seat_;
     beast::flat_buffer buffer_;
     FramePtr sending_;
     std::uint32_t sent_ = 0;
     std::uint32_t under_way_ = 0; // frames sent that were not yet shown
-    Clock::time_point counted_ = Clock::now();
-    double allowance_ = shared_.limits.messages_per_s;
+    Allowance allowance_{shared_.limits.messages_per_s};
+    std::map<int, PointerReleased> buttons_; // that it holds, where they were pressed
+    std::set<std::string> keys_;             // that it holds
 };
 
-/// One connection that asks for the page.
+/// One connection that asks for the page: a stranger until it has brought the cookie or the link's token.
 class Visitor : public std::enable_shared_from_this<Visitor> {
 public:
-    Visitor(Shared& shared, tcp::socket socket, Seat seat)
-        : shared_(shared), stream_(std::move(socket)), seat_(std::move(seat)) {}
+    Visitor(Shared& shared, tcp::socket socket)
+        : shared_(shared), stream_(std::move(socket)), place_(shared_.strangers.insert(shared_.strangers.end(), this)) {
+        if (shared_.strangers.size() > shared_.limits.strangers)
+            shared_.strangers.front()->leave();
+    }
+    Visitor(const Visitor&) = delete;
+    Visitor& operator=(const Visitor&) = delete;
+    ~Visitor() { be_no_stranger(); }
 
     void read() {
         parser_.emplace();
@@ -193,7 +220,22 @@ public:
     }
 
 private:
+    void be_no_stranger() {
+        if (place_)
+            shared_.strangers.erase(*place_);
+        place_.reset();
+    }
+
+    /// Without a word.
+    void leave() {
+        be_no_stranger();
+        error_code ignored;
+        stream_.socket().close(ignored);
+    }
+
     void hear(error_code failed) {
+        if (!stream_.socket().is_open()) // made to leave
+            return;
         if (failed == http::error::body_limit)
             return refuse({413, {}, {}, "a request that brings so much is not read"});
         if (failed == http::error::header_limit)
@@ -208,14 +250,19 @@ private:
             {text_of(request.method_string()), text_of(request.target()), text_of(request[http::field::host]),
              text_of(request[http::field::origin]), text_of(request[http::field::cookie]),
              websocket::is_upgrade(request), !request.body().empty()});
+        if (answer.status == 101 || answer.status == 200)
+            be_no_stranger();
         if (answer.status == 101)
             return become_watcher();
         if (answer.status != 200)
             return refuse(answer);
         if (!answer.set_cookie.empty())
             tell_new_link();
+        if (!seat_)
+            seat_ = take_seat(shared_.connected, shared_.limits.connections);
         const PageFile* file = find_page_file(answer.file);
-        respond(200, file->type, file->content, answer.set_cookie, request.keep_alive());
+        respond(200, file->type, file->content, answer.set_cookie,
+                request.keep_alive() && seat_ && ++answered_ < most_answers);
     }
 
     void tell_new_link() {
@@ -232,7 +279,7 @@ private:
         if (!seat)
             return refuse({503, {}, {}, "as many browsers as may watch do so already: close one of them"});
         const auto request = parser_->release();
-        std::make_shared<Watcher>(shared_, std::move(stream_), std::move(seat_), std::move(seat))->accept(request);
+        std::make_shared<Watcher>(shared_, std::move(stream_), std::move(seat))->accept(request);
     }
 
     void refuse(const Answer& answer) {
@@ -272,7 +319,9 @@ private:
 
     Shared& shared_;
     beast::tcp_stream stream_;
-    Seat seat_;
+    std::optional<std::list<Visitor*>::iterator> place_; // among strangers
+    Seat seat_;                                          // among those that are none
+    int answered_ = 0;
     beast::flat_buffer buffer_;
     std::optional<http::request_parser<http::string_body>> parser_;
     std::optional<http::response<http::string_body>> response_;
@@ -304,10 +353,13 @@ struct Server::Inside {
     Shared shared; // outlives what still hangs on the loop
     asio::io_context loop{1};
     tcp::acceptor acceptor{loop};
+    asio::steady_timer pause{loop};
+    Allowance arrivals;
     std::atomic<std::uint32_t> shown{0};
     std::jthread thread;
 
-    Inside(const Limits& limits, Listener listener) : shared(limits, std::move(listener)) {}
+    Inside(const Limits& limits, Listener listener)
+        : shared(limits, std::move(listener)), arrivals(limits.connections_per_s) {}
     Inside(const Inside&) = delete;
     Inside& operator=(const Inside&) = delete;
     ~Inside() {
@@ -330,15 +382,38 @@ struct Server::Inside {
     }
 
     void accept() {
+        if (!arrivals.take())
+            return rest();
         acceptor.async_accept([this](error_code failed, tcp::socket socket) {
-            Seat seat = failed ? nullptr : take_seat(shared.connected, shared.limits.connections);
-            if (seat) {
-                socket.set_option(tcp::no_delay(true), failed);
-                std::make_shared<Visitor>(shared, std::move(socket), std::move(seat))->read();
-            } // else it is closed without a word: who holds that many connections is no browser
-            if (acceptor.is_open())
+            if (failed)
+                rest();
+            else
+                accept();
+            if (failed)
+                return;
+            socket.set_option(tcp::no_delay(true), failed);
+            std::make_shared<Visitor>(shared, std::move(socket))->read();
+        });
+    }
+
+    /// When too many come. And without sockets left an accept fails at once, and would again and again.
+    void rest() {
+        pause.expires_after(accept_pause);
+        pause.async_wait([this](error_code stopped) {
+            if (!stopped && acceptor.is_open())
                 accept();
         });
+    }
+
+    /// What a handler throws, memory that ran out or a listener's trouble, ends its connection alone.
+    void work() {
+        for (bool goes_on = true; goes_on;)
+            try {
+                loop.run();
+                goes_on = false;
+            } catch (const std::exception&) {
+                goes_on = !loop.stopped();
+            }
     }
 };
 
@@ -354,7 +429,7 @@ Result<Server> Server::open(int port, const Limits& limits, Listener listener) {
     inside->shared.guard.emplace(taken);
     inside->shared.link = inside->shared.guard->link();
     inside->accept();
-    inside->thread = std::jthread([&loop = inside->loop] { loop.run(); });
+    inside->thread = std::jthread([raw = inside.get()] { raw->work(); });
     return Server(std::move(inside));
 }
 

@@ -242,6 +242,7 @@ void Studio::pass_panel() {
               source_->state(),
               moment_->frame.time,
               {},
+              {},
               {}};
     const auto now = std::chrono::steady_clock::now();
     const double passed = std::chrono::duration<double>(now - std::exchange(passed_, now)).count();
@@ -251,6 +252,7 @@ void Studio::pass_panel() {
                      types_ = ImGui::GetIO().WantTextInput;
                  });
     places_ = std::move(desk.places);
+    told_key_ = std::move(desk.told_key);
     grant(desk.wishes);
 }
 
@@ -302,6 +304,8 @@ void Studio::draw_scene() {
 }
 
 Result<Shown> Studio::draw() {
+    while (resized_ && moment_ && hands_.any())
+        pass_panel(); // in the picture that the hands had before them
     if (std::exchange(resized_, false))
         for (const Result<Done>& opened : {open_panel(), open_painter()})
             if (!opened)
@@ -406,6 +410,7 @@ std::string Studio::describe() const {
                               {"change_waits", state.change_waits},
                               {"values", values},
                               {"places", places_},
+                              {"told_key", told_key_},
                               {"camera",
                                {{"eye", {camera.eye.x(), camera.eye.y(), camera.eye.z()}},
                                 {"target", {camera.target.x(), camera.target.y(), camera.target.z()}}}}};

@@ -112,6 +112,7 @@ private:
     std::string notice_;
     std::string told_; // of the source when last drawn
     std::map<std::string, std::array<double, 4>> places_;
+    std::string told_key_; // of the widget under the pointer
     std::chrono::steady_clock::time_point passed_ = std::chrono::steady_clock::now();
 };
 

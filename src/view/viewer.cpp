@@ -11,8 +11,6 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds usual_wait{100};
 constexpr milliseconds wait_while_playing{10}; // a recorded run rings no bell
-// Moves of a hand while a frame is drawn; beyond them the oldest picture of what a hand does is lost anyway.
-constexpr std::size_t most_messages = 4096;
 
 } // namespace
 
@@ -42,8 +40,7 @@ Result<std::unique_ptr<Viewer>> Viewer::open(std::unique_ptr<Studio> studio, std
     listener.message = [&v](const Message& message) {
         {
             const std::lock_guard lock(v.mutex_);
-            if (v.inbox_.size() < most_messages)
-                v.inbox_.push_back(message);
+            v.inbox_.add(message);
         }
         v.bell_->ring();
     };
@@ -65,13 +62,20 @@ Result<std::unique_ptr<Viewer>> Viewer::open(std::unique_ptr<Studio> studio, std
 }
 
 void Viewer::take_messages() {
-    std::vector<Message> messages;
-    {
+    const auto next = [this]() -> std::optional<Message> {
         const std::lock_guard lock(mutex_);
-        messages.swap(inbox_);
+        if (inbox_.empty())
+            return std::nullopt;
+        Message message = inbox_.front();
+        inbox_.pop_front();
+        return message;
+    };
+    for (std::size_t taken = 0; taken < 2 * Inbox::most; ++taken) { // then a frame is drawn, however many come
+        const std::optional<Message> message = next();
+        if (!message)
+            return;
+        studio_->take(*message);
     }
-    for (const Message& message : messages)
-        studio_->take(message);
 }
 
 Result<Done> Viewer::show_frame() {

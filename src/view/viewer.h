@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/stop.h"
+#include "view/inbox.h"
 #include "view/jpeg.h"
 #include "view/server.h"
 #include "view/studio.h"
@@ -9,7 +10,6 @@
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <vector>
 
 namespace tumble::view {
 
@@ -56,7 +56,7 @@ private:
     std::shared_ptr<Bell> bell_;
     JpegEncoder jpeg_;
     std::mutex mutex_; // of the two below
-    std::vector<Message> inbox_;
+    Inbox inbox_;
     bool joined_ = false;
     std::optional<Server> server_; // last: its thread fills the inbox
 };

@@ -118,7 +118,7 @@ class Page:
 
     def open(self, link):
         self.driver.get(link)
-        self.wait("the first frame", lambda: self.state().get("shown"))
+        self.wait("a first frame of this window's size", lambda: self.state().get("shown") and self.size() == self.window())
 
     def state(self):
         return self.driver.execute_script("return window.tumble") or {}
@@ -137,8 +137,20 @@ class Page:
         places = self.state()["places"]
         assert name in places, f"no '{name}' among {sorted(places)}"
         left, top, right, bottom = places[name]
-        ratio = self.driver.execute_script("return document.getElementById('picture').width / innerWidth")
-        return (left + right) / 2 / ratio, (top + bottom) / 2 / ratio
+        return self.on_page((left + right) / 2, (top + bottom) / 2)
+
+    def size(self):
+        """Of the picture, in its pixels."""
+        return tuple(self.driver.execute_script("const c = document.getElementById('picture'); return [c.width, c.height]"))
+
+    def window(self):
+        return tuple(self.driver.execute_script("return [innerWidth, innerHeight]"))
+
+    def on_page(self, x, y):
+        """A place of the picture, which stands in the middle of the window as large as fits and keeps its shape."""
+        (width, height), (wide, high) = self.size(), self.window()
+        scale = min(wide / width, high / height)
+        return (wide - width * scale) / 2 + x * scale, (high - height * scale) / 2 + y * scale
 
     def drag(self, start, *stops):
         hands = ActionChains(self.driver, duration=50)
@@ -311,6 +323,75 @@ def shares(page, view, folder):
     page.wait("the camera to go on moving", lambda: page.state()["camera"]["eye"] != eye)
 
 
+def shares_between_sizes(page, view, folder):
+    """Two windows of other shapes see one picture whole and unstretched; hands meet in both what they aim at, and the
+    window that is used gets its own size again. Sent as events at places: a real pointer would ask for the size first."""
+    other = browser(folder / "third", "--window-size=700,650")
+    try:
+        second = Page(other)
+        second.open(view.next_link())
+        second.wait("the second window's size", lambda: second.size() == second.window())
+        assert second.size() != page.window()
+        page.wait("the same picture here", lambda: page.size() == second.size())
+        for each in (page, second):
+            each.wait("one picture", lambda: page.size() == second.size())
+            each.wait("the panel", lambda: "step" in each.state()["places"])
+            step = each.state()["step"]
+            x, y = each.middle("step")
+            each.driver.execute_script(
+                """const canvas = document.getElementById('picture');
+                canvas.setPointerCapture = () => {}; // there is no such pointer
+                for (const kind of ['pointerdown', 'pointerup'])
+                  canvas.dispatchEvent(new PointerEvent(kind, { clientX: arguments[0], clientY: arguments[1], button: 0, pointerType: 'mouse' }));
+                delete canvas.setPointerCapture;""",
+                x, y)
+            each.wait("one step", lambda: each.state()["step"] == step + 1)
+            each.wait("its own size after that", lambda: each.size() == each.window())
+        page.drag((800, 300), (830, 310))
+        page.wait("the size of the window that is used", lambda: page.size() == page.window() == second.size())
+        # A window that is smaller than any picture shows it whole.
+        second.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": 300, "height": 190, "deviceScaleFactor": 1, "mobile": False})
+        second.wait("the smallest picture", lambda: second.size() == (320, 200))
+        assert second.window() == (300, 190)
+        if not second.state()["panel"]:
+            second.press("h")
+        second.wait("the panel", lambda: second.state()["panel"] and "step" in second.state()["places"])
+        step = second.state()["step"]
+        second.click("step")
+        second.wait("one step", lambda: second.state()["step"] == step + 1)
+    finally:
+        other.quit()
+    page.drag((800, 300), (830, 310))
+    page.wait("its size again", lambda: page.size() == page.window())
+
+
+def says_why(page, view):
+    """Eight may watch: this page and seven that are only connections; the ninth is told why it sees nothing."""
+    driver = page.driver
+    port = view.link.split(":")[2].split("/")[0]
+    name = f"tumble_{port}"
+    cookie = next(each["value"] for each in driver.get_cookies() if each["name"] == name)
+    others = [socket.create_connection(("127.0.0.1", int(port))) for _ in range(7)]
+    try:
+        for each in others:
+            each.sendall((
+                f"GET /frames HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
+                f"Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nCookie: {name}={cookie}\r\nOrigin: http://127.0.0.1:{port}\r\n\r\n").encode())
+            assert each.recv(12) == b"HTTP/1.1 101"
+        first = driver.current_window_handle
+        driver.switch_to.new_window("tab")
+        driver.get(f"http://127.0.0.1:{port}/")
+        page.wait("the reason", lambda: "as many browsers as may watch" in driver.find_element(By.ID, "notice").text.lower())
+        others.pop().close()
+        page.wait("frames after all", lambda: page.state().get("shown"))
+        driver.close()
+        driver.switch_to.window(first)
+        driver.get_log("browser")  # the refusals that were meant
+    finally:
+        for each in others:
+            each.close()
+
+
 def outlives_the_simulation(page):
     """The balls are thrown through the box' open side: the run ends with a problem, which is said; the rest goes on."""
     page.click("play")
@@ -327,9 +408,9 @@ def picture_of(page):
 
 
 def keeps_strangers_out(driver, link):
-    """A used link, and a page from elsewhere that asks for frames: both refused, and the view stays well."""
-    driver.get(link)
-    assert "this link has been used" in driver.page_source
+    """A page from elsewhere that asks for frames, and a used link without the cookie: both refused."""
+    driver.get(link)  # used, but by this browser
+    assert "<canvas" in driver.page_source
     driver.get("data:text/html,<title>elsewhere</title>")
     port = link.split(":")[2].split("/")[0]
     heard = driver.execute_async_script(
@@ -340,6 +421,10 @@ def keeps_strangers_out(driver, link):
         port,
     )
     assert heard == "refused", heard
+    driver.get(link)
+    driver.delete_all_cookies()
+    driver.get(link)
+    assert "this link has been used" in driver.page_source
 
 
 def scrubs(page):
@@ -363,10 +448,10 @@ def scrubs(page):
     page.wait("the end", lambda: page.state()["ended"])
 
 
-def browser(folder):
+def browser(folder, *more):
     options = Options()
     options.binary_location = shutil.which("chromium")
-    for flag in [*FLAGS, f"--user-data-dir={folder / 'browser'}"]:
+    for flag in [*FLAGS, *more, f"--user-data-dir={folder / 'browser'}"]:
         options.add_argument(flag)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     return webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
@@ -395,10 +480,14 @@ def main():
                     print(f"{part.__name__}: fine", flush=True)
                 shares(page, view, folder)
                 print("shares: fine", flush=True)
+                shares_between_sizes(page, view, folder)
+                print("shares_between_sizes: fine", flush=True)
                 if picture:
                     driver.save_screenshot(picture)
                 wrong = [line for line in driver.get_log("browser") if line["level"] == "SEVERE"]
                 assert not wrong, wrong
+                says_why(page, view)
+                print("says_why: fine", flush=True)
                 keeps_strangers_out(driver, view.link)
                 print("keeps_strangers_out: fine", flush=True)
             saved = sorted(path.suffix for path in (folder / "kept").iterdir())

@@ -93,8 +93,23 @@ public:
         int opcode = 0; // 2: binary, 8: close
         std::string payload;
     };
-    /// The next frame; nothing when the connection ended.
+    /// The next message, however many frames it comes in; nothing when the connection ended.
     std::optional<Heard> hear() {
+        std::optional<Heard> all;
+        while (!all || !last_) {
+            std::optional<Heard> part = frame();
+            if (!part)
+                return std::nullopt;
+            if (!all)
+                all = std::move(part);
+            else
+                all->payload += part->payload;
+        }
+        return all;
+    }
+
+private:
+    std::optional<Heard> frame() {
         if (!have(2))
             return std::nullopt;
         const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(read_[i]); };
@@ -111,12 +126,12 @@ public:
         }
         if (!have(head + length))
             return std::nullopt;
+        last_ = (byte(0) & 0x80) != 0;
         Heard heard{byte(0) & 0x0f, read_.substr(head, length)};
         read_.erase(0, head + length);
         return heard;
     }
 
-private:
     bool have(std::size_t bytes) {
         while (read_.size() < bytes)
             if (!more())
@@ -135,6 +150,7 @@ private:
 
     int socket_;
     bool closed_ = false;
+    bool last_ = false; // frame of a message
     std::string read_;
     std::string body_;
 };

@@ -42,6 +42,25 @@ TEST_CASE("the link lets one browser in, for a cookie that no script reads and n
     CHECK(guard.judge(again).status == 200);
 }
 
+TEST_CASE("a browser that has been let in may open its used link again, and uses up no other") {
+    Guard guard(port);
+    Asked asked = get(target_of(guard.link()));
+    asked.cookie = cookie_of(guard.judge(asked));
+    const std::string next = guard.link();
+    for (const std::string& link : {asked.target, target_of(next)}) {
+        asked.target = link;
+        const Answer answer = guard.judge(asked);
+        CHECK(answer.status == 200);
+        CHECK(answer.file == "/");
+        CHECK(answer.set_cookie.empty());
+    }
+    CHECK(guard.link() == next);
+    CHECK(guard.admitted() == 1);
+    asked.cookie.back() = asked.cookie.back() == '0' ? '1' : '0';
+    asked.target = "/?token=" + std::string(32, '0');
+    CHECK(guard.judge(asked).status == 403);
+}
+
 TEST_CASE("without the token or with a wrong one nothing is told, not even whether a file exists") {
     Guard guard(port);
     const std::string token = guard.link().substr(guard.link().find('=') + 1);

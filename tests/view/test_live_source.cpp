@@ -134,6 +134,8 @@ TEST_CASE("a change that the scene refuses is told, and the simulation goes on a
     CHECK(live.source->state().trouble.find("this change was not taken up") == 0);
     live.source->step(10);
     CHECK(live.reaches(10));
+    live.source->change({}); // as it was: nothing is refused any more
+    CHECK(live.eventually([&] { return live.source->state().trouble.empty(); }));
 }
 
 TEST_CASE("a simulation that dies says why and stands still, and its source lives on") {
@@ -145,7 +147,43 @@ TEST_CASE("a simulation that dies says why and stands still, and its source live
     CHECK(live.source->state().ended);
     live.source->play(true);
     CHECK(!live.source->state().playing);
-    CHECK(live.source->newest());
+    // Nor does it step any more: what is asked for afterwards shows the same instant.
+    const std::int64_t died = [&] {
+        live.source->show_contacts(true);
+        CHECK(live.eventually([&] { return live.source->newest()->frame.contacts.has_value(); }));
+        return live.source->newest()->frame.step;
+    }();
+    live.source->step(100);
+    live.source->show_contacts(false);
+    CHECK(live.eventually([&] { return !live.source->newest()->frame.contacts; }));
+    CHECK(live.source->newest()->frame.step == died);
+}
+
+TEST_CASE("a change of a scene that stands still leaves the contacts that are seen until a step is taken") {
+    Live live(test::pouring);
+    live.source->show_contacts(true);
+    live.source->step(1500);
+    REQUIRE(live.eventually([&] {
+        const MomentPtr now = live.source->newest();
+        return now->frame.step == 1500 && now->frame.contacts;
+    }));
+    const MomentPtr before = live.source->newest();
+    REQUIRE(!before->frame.contacts->empty());
+    const auto parts = [](const observe::Frame& frame) {
+        std::vector<std::pair<std::int64_t, std::int64_t>> all;
+        for (const observe::FrameContact& contact : *frame.contacts)
+            all.emplace_back(contact.a, contact.b);
+        return all;
+    };
+    for (const char* friction : {"0.1", "0.2"}) { // twice, as of a slider on its way
+        const std::uint64_t number = live.source->newest()->number;
+        live.source->change({{std::string("pair.glass-glass.friction=") + friction}});
+        REQUIRE(live.eventually([&] { return live.source->newest()->number > number; }));
+        CHECK(parts(live.source->newest()->frame) == parts(before->frame));
+    }
+    live.source->step(1);
+    REQUIRE(live.reaches(1501));
+    CHECK(!live.source->newest()->frame.contacts->empty());
 }
 
 TEST_CASE("moments say who touches whom while that is wanted, also of a simulation that stands still") {

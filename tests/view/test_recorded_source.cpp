@@ -6,6 +6,8 @@
 #include "view/recorded_source.h"
 
 #include <doctest/doctest.h>
+#include <numbers>
+#include <stdexcept>
 #include <thread>
 
 using namespace tumble;
@@ -20,14 +22,16 @@ struct Recorded {
     scene::Scene scene = test::loaded(test::falling_ball);
     std::unique_ptr<Source> source;
 
-    explicit Recorded(bool contacts = false) {
+    explicit Recorded(
+        bool contacts = false, const std::function<void()>& news = [] {}) {
         scene.observe.contacts = contacts;
+        scene.observe.measures.emplace_back("kinetic_energy");
         run::RunOptions options;
         options.folder = folder.path / "run";
         run::RunListener silent;
         const auto summary = run::run_scene(scene, options, silent);
         REQUIRE_MESSAGE(summary.ok(), to_string(summary.problems()));
-        auto opened = open_recorded(options.folder, scene.render, [] {});
+        auto opened = open_recorded(options.folder, scene, news);
         REQUIRE_MESSAGE(opened.ok(), to_string(opened.problems()));
         source = std::move(*opened);
     }
@@ -83,9 +87,42 @@ TEST_CASE("a run's film has all of its frames, and its plots are those columns o
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     CHECK(recorded.source->state().filmed == film.string() + " with 5 pictures");
     CHECK(std::filesystem::file_size(film) > 500);
-    CHECK(Plots::of_run(recorded.folder.path / "run", recorded.scene).lines().empty());
-    const Plots none = Plots::of_run(recorded.folder.path, recorded.scene);
-    CHECK(none.lines().empty());
+    // This scene keeps one measure of those that have plots, a row every ms: in free fall m (g t)^2 / 2.
+    const double mass = 2500 * 4.0 / 3.0 * std::numbers::pi * 1e-6; // kg
+    const Plots plots = Plots::of_run(recorded.folder.path / "run", recorded.scene);
+    REQUIRE(plots.lines().size() == 1);
+    const render::PlotLine& kinetic = plots.lines().front();
+    REQUIRE(kinetic.values.size() == 21);
+    REQUIRE(kinetic.times.size() == 21);
+    CHECK(kinetic.unit == "J");
+    CHECK(kinetic.until == recorded.scene.duration);
+    for (std::size_t i = 0; i < kinetic.values.size(); ++i) {
+        const double time = 1e-3 * static_cast<double>(i);
+        CHECK(std::abs(kinetic.times[i] - time) < 1e-12);
+        CHECK(kinetic.values[i] == about(0.5 * mass * 9.81 * time * 9.81 * time, 1e-6));
+    }
+    CHECK(Plots::of_run(recorded.folder.path, recorded.scene).lines().empty()); // no run is there
+}
+
+TEST_CASE("a run is shown and filmed with the title and the opacity of walls that are asked for") {
+    const Recorded recorded;
+    scene::Scene scene = recorded.scene;
+    scene.title = "Another title";
+    scene.walls[0].opacity = 0.125;
+    const auto source = open_recorded(recorded.folder.path / "run", scene, [] {});
+    REQUIRE(source.ok());
+    CHECK((*source)->layout()->title == "Another title");
+    CHECK((*source)->layout()->walls[0].opacity == 0.125);
+    CHECK((*source)->newest()->frame.layout->walls[0].opacity == 0.125);
+}
+
+TEST_CASE("what is thrown while a film is made is told, and the program lives on") {
+    const Recorded recorded(false, [] { throw std::runtime_error("news that nobody takes"); });
+    recorded.source->film(recorded.scene.render, recorded.folder.path / "film.mp4");
+    for (int i = 0; i < 6000 && recorded.source->state().filmed != "news that nobody takes"; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    CHECK(recorded.source->state().filmed == "news that nobody takes");
+    CHECK(!recorded.source->state().filming);
 }
 
 TEST_CASE("a run shows contacts where its frames kept them") {
@@ -97,7 +134,7 @@ TEST_CASE("a run shows contacts where its frames kept them") {
 
 TEST_CASE("a folder that holds no run is a problem") {
     const test::Folder folder;
-    CHECK(!open_recorded(folder.path, scene::Render{}, [] {}).ok());
+    CHECK(!open_recorded(folder.path, scene::Scene{}, [] {}).ok());
 }
 
 } // namespace test_recorded_source

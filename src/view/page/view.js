@@ -9,7 +9,8 @@ const pixelsPerNotch = 100;
 
 let socket = null;
 let wait = 500; // ms until the next attempt
-let ratio = 1;  // pixels of the picture per pixel of the page
+let wanted = [0, 0]; // pixels of the picture that this window last asked for
+let shown = 0;       // number of the frame that is seen
 
 history.replaceState(null, '', '/'); // the token has been used: it need not stand in the address
 
@@ -20,8 +21,14 @@ function send(...words) {
 function tellSize() {
   const width = window.innerWidth, height = window.innerHeight;
   if (width < 1 || height < 1) return;
-  ratio = Math.min(window.devicePixelRatio || 1, Math.sqrt(mostPixels / (width * height)), mostSide / Math.max(width, height));
-  send('size', Math.round(width * ratio), Math.round(height * ratio), ratio.toFixed(3));
+  const ratio = Math.min(window.devicePixelRatio || 1, Math.sqrt(mostPixels / (width * height)), mostSide / Math.max(width, height));
+  wanted = [Math.round(width * ratio), Math.round(height * ratio)];
+  send('size', ...wanted, ratio.toFixed(3));
+}
+
+// All browsers share one picture, which has the size of the window that was last used: asked for again in hands' reach.
+function takeOver() {
+  if (canvas.width !== wanted[0] || canvas.height !== wanted[1]) tellSize();
 }
 
 async function show(message) {
@@ -29,6 +36,8 @@ async function show(message) {
   const number = head.getUint32(0, true), length = head.getUint32(4, true);
   const told = JSON.parse(new TextDecoder().decode(new Uint8Array(message, 8, length)));
   const picture = await createImageBitmap(new Blob([new Uint8Array(message, 8 + length)], { type: 'image/jpeg' }));
+  if (number <= shown) return picture.close(); // pictures are unpacked side by side: an older one may come later
+  shown = number;
   if (canvas.width !== picture.width || canvas.height !== picture.height) {
     canvas.width = picture.width;
     canvas.height = picture.height;
@@ -41,15 +50,26 @@ async function show(message) {
   notice.textContent = told.trouble;
 }
 
+// Why there are no frames. A browser does not tell with which status a WebSocket was refused: the page's is asked for.
+async function reasonOf(code, opened) {
+  if (code === 1008 || code === 1009) return 'The program sent this page away: it said too much, or what is no message. It tries again.';
+  let status = 0;
+  try { status = (await fetch('/icon.svg', { cache: 'no-store' })).status; } catch { /* nobody is there */ }
+  if (status === 200 && !opened) return 'As many browsers as may watch do so already: close one of them.';
+  if (status === 403) return 'The program was started anew: open the newest link that it printed.';
+  return 'The program does not answer. If it has ended, start it again and open its new link.';
+}
+
 function connect() {
   socket = new WebSocket('ws://' + location.host + '/frames');
   socket.binaryType = 'arraybuffer';
-  socket.onopen = () => { wait = 500; notice.textContent = ''; tellSize(); };
+  let opened = false;
+  socket.onopen = () => { opened = true; shown = 0; wait = 500; notice.textContent = ''; tellSize(); };
   socket.onmessage = async (event) => {
     try { await show(event.data); } finally { send('seen', new DataView(event.data).getUint32(0, true)); }
   };
-  socket.onclose = () => {
-    notice.textContent = 'The program does not answer. If it has ended, start it again and open its new link.';
+  socket.onclose = async (event) => {
+    notice.textContent = await reasonOf(event.code, opened);
     setTimeout(connect, wait);
     wait = Math.min(2 * wait, 10000);
   };
@@ -59,7 +79,19 @@ function connect() {
 const fingers = new Map();
 let lastMove = null;
 
-function place(event) { return [(event.clientX * ratio).toFixed(1), (event.clientY * ratio).toFixed(1)]; }
+// The picture stands in the middle of the window, as large as fits (object-fit in view.css).
+function frameOnPage() {
+  const box = canvas.getBoundingClientRect();
+  const scale = Math.min(box.width / canvas.width, box.height / canvas.height); // pixels of the page per pixel of the picture
+  return { scale, left: box.left + (box.width - canvas.width * scale) / 2, top: box.top + (box.height - canvas.height * scale) / 2 };
+}
+
+function toPicture(x, y) {
+  const { scale, left, top } = frameOnPage();
+  return [((x - left) / scale).toFixed(1), ((y - top) / scale).toFixed(1)];
+}
+
+function place(event) { return toPicture(event.clientX, event.clientY); }
 
 function flushMove() {
   if (lastMove) send('move', ...lastMove);
@@ -91,7 +123,8 @@ canvas.addEventListener('pointermove', (event) => {
     fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
     const now = spread();
     const factor = Math.min(Math.max(now.gap / before.gap, 0.1), 10);
-    send('pinch', ...[now.x, now.y, now.x - before.x, now.y - before.y].map((v) => (v * ratio).toFixed(2)), factor.toFixed(5));
+    const ways = [now.x - before.x, now.y - before.y].map((way) => (way / frameOnPage().scale).toFixed(2));
+    send('pinch', ...toPicture(now.x, now.y), ...ways, factor.toFixed(5));
     return;
   }
   if (fingers.size > 1) return;
@@ -106,7 +139,9 @@ for (const kind of ['pointerup', 'pointercancel'])
     if (pinching) return;
     flushMove();
     send('up', Math.min(Math.max(event.button, 0), 2), ...place(event));
+    takeOver(); // not before: the place of the press was meant in the picture that was seen
   });
+canvas.addEventListener('pointerenter', (event) => { if (event.pointerType === 'mouse' && !event.buttons) takeOver(); });
 
 canvas.addEventListener('wheel', (event) => {
   event.preventDefault();
@@ -127,5 +162,6 @@ for (const [kind, down] of [['keydown', 1], ['keyup', 0]])
 
 document.getElementById('panel').addEventListener('click', () => { send('panel'); canvas.focus(); });
 window.addEventListener('resize', tellSize);
+window.addEventListener('focus', takeOver);
 canvas.focus();
 connect();

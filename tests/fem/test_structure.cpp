@@ -108,40 +108,45 @@ TEST_CASE("a thick tube under pressure widens as Lame says, and the error falls 
     // p (a^2 + b^2) / (b^2 - a^2).
     const double a = 0.005, b = 0.015, pressure = 1e6;
     const double widening = 1.3 / 2e11 * pressure * a * a / (b * b - a * a) * (0.4 * a + b * b / a);
-    std::vector<double> errors, hoops;
-    for (const int refined : {1, 2, 4}) {
-        const solid::BoredCylinder tube{.length = 0.004,
-                                        .radius = b,
-                                        .bore_radius = a,
-                                        .shell = 0.005,
-                                        .around = 16 * refined,
-                                        .along = 1,
-                                        .shell_rings = 2 * refined,
-                                        .inner_rings = 2 * refined};
-        const auto mesh = std::make_shared<const solid::HexMesh>(solid::mesh_of(tube, {}).value());
-        MatrixXd loads = test::no_loads(*mesh);
-        for (const int facet : mesh->facet_sets.at("bore"))
-            for (const int node : mesh->facets[static_cast<std::size_t>(facet)].corners)
-                loads.col(0).segment<3>(3 * node) -= pressure / 4 * mesh->area_of(facet);
-        std::vector<Support> supports;
-        for (int node = 0; node < static_cast<int>(mesh->nodes.size()); ++node) {
-            const Vector3d& at = mesh->nodes[static_cast<std::size_t>(node)];
-            supports.push_back({node, 1, 0});
-            if (std::abs(at.x()) < 1e-9) // by symmetry nothing there goes sideways
-                supports.push_back({node, 0, 0});
-            if (std::abs(at.z()) < 1e-9)
-                supports.push_back({node, 2, 0});
+    for (const Formulation formulation : both) {
+        std::vector<double> errors, hoops;
+        for (const int refined : {1, 2, 4}) {
+            const solid::BoredCylinder tube{.length = 0.004,
+                                            .radius = b,
+                                            .bore_radius = a,
+                                            .shell = 0.005,
+                                            .around = 16 * refined,
+                                            .along = 1,
+                                            .shell_rings = 2 * refined,
+                                            .inner_rings = 2 * refined};
+            const auto mesh = std::make_shared<const solid::HexMesh>(solid::mesh_of(tube, {}).value());
+            MatrixXd loads = test::no_loads(*mesh);
+            for (const int facet : mesh->facet_sets.at("bore"))
+                for (const int node : mesh->facets[static_cast<std::size_t>(facet)].corners)
+                    loads.col(0).segment<3>(3 * node) -= pressure / 4 * mesh->area_of(facet);
+            std::vector<Support> supports;
+            for (int node = 0; node < static_cast<int>(mesh->nodes.size()); ++node) {
+                const Vector3d& at = mesh->nodes[static_cast<std::size_t>(node)];
+                supports.push_back({node, 1, 0});
+                if (std::abs(at.x()) < 1e-9) // by symmetry nothing there goes sideways
+                    supports.push_back({node, 0, 0});
+                if (std::abs(at.z()) < 1e-9)
+                    supports.push_back({node, 2, 0});
+            }
+            const Solution solution = solved(mesh, steel, formulation, supports, loads);
+            // Node 0 stands at the bore, at angle 0: its way along z is the widening, its hoop direction x.
+            errors.push_back(std::abs(solution.displacement(2, 0) / widening - 1));
+            hoops.push_back(
+                std::abs(test::stress_at(solution, 0)[0] / (pressure * (a * a + b * b) / (b * b - a * a)) - 1));
         }
-        const Solution solution = solved(mesh, steel, Formulation::standard, supports, loads);
-        // Node 0 stands at the bore, at angle 0: its way along z is the widening, its hoop direction x.
-        errors.push_back(std::abs(solution.displacement(2, 0) / widening - 1));
-        hoops.push_back(std::abs(test::stress_at(solution, 0)[0] / (pressure * (a * a + b * b) / (b * b - a * a)) - 1));
+        CHECK(errors[2] < 0.004);
+        CHECK(std::log2(errors[0] / errors[1]) == about(2, 0.1));
+        CHECK(std::log2(errors[1] / errors[2]) == about(2, 0.1));
+        CHECK(hoops[2] < 0.08);
+        // Stresses extrapolated to a surface: first order at least. The incompatible brick's, off by 3.6 and 3.2 %, are
+        // not yet in their order.
+        CHECK(hoops[2] < (formulation == Formulation::standard ? 0.7 : 1) * hoops[1]);
     }
-    CHECK(errors[2] < 0.004);
-    CHECK(std::log2(errors[0] / errors[1]) == about(2, 0.1));
-    CHECK(std::log2(errors[1] / errors[2]) == about(2, 0.1));
-    CHECK(hoops[2] < 0.08);
-    CHECK(hoops[2] < 0.7 * hoops[1]); // stresses extrapolated to a surface: first order at least
 }
 
 TEST_CASE("beneath a point load the stress falls off as Boussinesq says") {

@@ -255,8 +255,7 @@ TEST_CASE("bowl-quick, with a ninth of its load: the disc flings the media outwa
     CHECK(std::abs(sim3d::books_of(**world).closure) < 0.05);
 }
 
-TEST_CASE(
-    "specimen-quick, with a quarter of its load: facets are pressed more than sheared, and stress falls with depth") {
+TEST_CASE("specimen-quick, with a quarter of its load: Coulomb's law bounds the shear, and stress falls with depth") {
     const scene::Scene bowl =
         loaded("specimen-quick.toml", {"fill.0.count=450", "duration_s=0.45", "wall.disc.motion.0.start_s=0.15",
                                        "wall.specimen.base_m=[0.11, 0.035, 0]", "wall.specimen.around=24",
@@ -313,7 +312,8 @@ TEST_CASE("the case studies' media weigh what tables 7.1 and 7.2 say, and inclin
         }
 }
 
-TEST_CASE("specimen-case-3-quick, with less of its load: edges without area take a good share of the touches") {
+TEST_CASE(
+    "specimen-case-3-quick, with less of its load: edges take touches about as chance gives, not more than faces") {
     const scene::Scene bowl =
         loaded("specimen-case-3-quick.toml",
                {"fill.0.count=500", "duration_s=0.45", "wall.disc.motion.0.start_s=0.15",

@@ -21,8 +21,8 @@ namespace {
 struct ExportArguments {
     std::filesystem::path run;
     run::ExportOptions options;
-    std::string to; // "calculix", or empty
-    std::string element = "standard";
+    std::string to;                       // "calculix", or empty
+    std::string element = "incompatible"; // as `stress` solves it
     std::string part;
     std::filesystem::path out;
     bool means = false;
@@ -112,7 +112,9 @@ void add_export_command(CLI::App& program, Action& action) {
     command->add_option("--out", arguments->out, "The file of --to; part.inp in the folder without it")
         ->type_name("FILE")
         ->check(refuse_no_place);
-    command->add_option("--element", arguments->element, "standard (C3D8) or incompatible (C3D8I); standard without it")
+    command
+        ->add_option("--element", arguments->element,
+                     "incompatible (C3D8I) or standard (C3D8); incompatible without it, as stress")
         ->type_name("NAME")
         ->check(one_of({"incompatible", "standard"}));
     command->add_flag("--means", arguments->means, "Steps are the means between instants instead of the instants");

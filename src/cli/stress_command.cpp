@@ -38,7 +38,41 @@ struct StressArguments {
     bool force = false;
     bool quiet = false;
     bool json = false;
+    std::string of_runs; // the first flag given that only a run heeds
 };
+
+/// What a folder with loads cannot be asked for.
+std::optional<Problem> refuse_again(const StressArguments& arguments) {
+    const std::string folder = arguments.scene.file.string();
+    if (!arguments.scene.sets.empty())
+        return Problem{.file = folder,
+                       .what = "is solved again as it was run: --set and --duration change nothing there",
+                       .fix = "give them with the scene file"};
+    if (!arguments.of_runs.empty())
+        return Problem{.file = folder,
+                       .what =
+                           fmt::format("is solved again as it was run: {} changes nothing there", arguments.of_runs),
+                       .fix = "give it with the scene file"};
+    std::error_code ignored;
+    const bool itself = fs::equivalent(arguments.out, arguments.scene.file, ignored);
+    if (arguments.force || (itself && arguments.remesh.empty()) || !fs::exists(arguments.out / "cases.csv", ignored))
+        return std::nullopt;
+    return Problem{.file = arguments.out.string(),
+                   .what =
+                       itself ? "holds the stresses of the mesh that was run" : "holds the stresses of another study",
+                   .fix = "give another folder: --out; --force replaces them"};
+}
+
+/// Solves what a folder holds.
+Result<stress::Recorded> again_from(const StressArguments& arguments) {
+    auto recorded = arguments.remesh.empty()
+                        ? stress::read_recorded(arguments.scene.file, arguments.part)
+                        : stress::read_remeshed(arguments.scene.file, arguments.part, arguments.remesh);
+    if (recorded)
+        if (const auto slices = stress::slices_of(recorded->specimen(), arguments.study); !slices)
+            return slices.problems();
+    return recorded;
+}
 
 /// Runs the scene and keeps its loads.
 Result<stress::Recorded> simulated(StressArguments& arguments) {
@@ -48,6 +82,8 @@ Result<stress::Recorded> simulated(StressArguments& arguments) {
     auto recorded = stress::specimen_in(std::move(*scene), arguments.part);
     if (!recorded)
         return recorded;
+    if (const auto slices = stress::slices_of(recorded->specimen(), arguments.study); !slices)
+        return slices.problems(); // before the run, not behind it
     if (stress::holds_loads(arguments.out) && !arguments.force && !arguments.loads.resume)
         return Problem{
             .file = arguments.out.string(),
@@ -78,23 +114,18 @@ int solve_it(StressArguments& arguments) {
     for (const double depth : arguments.depths_mm)
         arguments.study.depths.push_back(1e-3 * depth);
     const bool again = fs::is_directory(arguments.scene.file);
-    if (again && !arguments.scene.sets.empty())
-        return refuse({{.file = arguments.scene.file.string(),
-                        .what = "is solved again as it was run: --set and --duration change nothing there",
-                        .fix = "give them with the scene file"}},
-                      arguments.json, wrong);
     if (arguments.out.empty())
         arguments.out =
             again ? arguments.scene.file : fs::path("out") / (arguments.scene.file.stem().string() + "-stress");
+    if (again)
+        if (const auto problem = refuse_again(arguments))
+            return refuse({*problem}, arguments.json, wrong);
     if (!again && !arguments.remesh.empty())
         return refuse({{.file = arguments.scene.file.string(),
                         .what = "--remesh is for a folder with loads",
                         .fix = "choose the mesh by --set wall.NAME.KEY=VALUE"}},
                       arguments.json, wrong);
-    const auto recorded = !again ? simulated(arguments)
-                          : arguments.remesh.empty()
-                              ? stress::read_recorded(arguments.scene.file, arguments.part)
-                              : stress::read_remeshed(arguments.scene.file, arguments.part, arguments.remesh);
+    const auto recorded = again ? again_from(arguments) : simulated(arguments);
     if (!recorded)
         return refuse(recorded.problems(), arguments.json, wrong);
     if (const auto made = make_folder(arguments.out); !made)
@@ -116,7 +147,7 @@ int solve_it(StressArguments& arguments) {
         say_json(sheet::to_json(sheet));
     else
         say(sheet::to_text(recorded->scene.title + ": stress inside " + recorded->name(), sheet));
-    if (const int code = draw_and_note(sheet, arguments.out, false); code != fine)
+    if (const int code = draw_and_note(sheet, arguments.out, arguments.json); code != fine)
         return code;
     if (!arguments.quiet)
         for (const fs::path& file : *files)
@@ -184,7 +215,8 @@ void add_stress_command(CLI::App& program, Action& action) {
     command->add_option("--out", arguments->out, "Folder; out/NAME-stress of the scene file without it")
         ->type_name("DIR")
         ->check(refuse_no_place);
-    CLI::Option* force = command->add_flag("--force", arguments->force, "Replace the loads of an earlier run");
+    CLI::Option* force = command->add_flag("--force", arguments->force,
+                                           "Replace the loads of an earlier run, or the stresses of another study");
     command
         ->add_flag("--resume", arguments->loads.resume,
                    "Go on where a run in the folder was stopped or killed, to the same bits; begin where there is none")
@@ -196,7 +228,12 @@ void add_stress_command(CLI::App& program, Action& action) {
         ->check(number_from(0, 1e9));
     command->add_flag("--quiet", arguments->quiet, "No progress on stderr");
     command->add_flag("--json", arguments->json, "Print the result as JSON");
-    command->callback([arguments, &action] { action = [arguments] { return solve_it(*arguments); }; });
+    command->callback([arguments, command, &action] {
+        for (const char* flag : {"--every", "--from", "--resume", "--checkpoint-every"})
+            if (arguments->of_runs.empty() && command->count(flag) > 0)
+                arguments->of_runs = flag;
+        action = [arguments] { return solve_it(*arguments); };
+    });
 }
 
 } // namespace tumble::cli

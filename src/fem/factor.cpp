@@ -101,8 +101,8 @@ public:
         crew.share(static_cast<int>(roots.size()), [&](int r) {
             std::vector<int> place(at(static_cast<int>(plan_.matrix.cols())));
             for (int s = 0; s <= roots[at(r)]; ++s)
-                if (tree[at(s)] == r && definite)
-                    definite = take(s, place, alone) && definite;
+                if (tree[at(s)] == r && definite && !take(s, place, alone))
+                    definite = false; // only ever this way, so that no thread can take it back
         });
         const Share together = [&](int n, const std::function<void(int)>& task) { crew.share(n, task); };
         std::vector<int> place(at(static_cast<int>(plan_.matrix.cols())));

@@ -19,6 +19,9 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr int bricks_at_once = 256;
 constexpr Index cases_at_once = 128; // per walk over the elements
+constexpr int cases_a_share = 16;    // that one thread adds up
+// Share of a case's forces that may be lost. Rounding loses 1e-10 of them, a part on a hinge all.
+constexpr double solved = 1e-7;
 
 int parts_of(std::size_t count, int each) {
     return static_cast<int>((count + static_cast<std::size_t>(each) - 1) / static_cast<std::size_t>(each));
@@ -204,22 +207,50 @@ void Structure::weigh(const MatrixXd& loads, Solution& solution, Crew& crew) con
 
 void Structure::find_stress(Solution& solution, Crew& crew) const {
     const Index cases = solution.displacement.cols();
+    const auto hexes = static_cast<int>(mesh_->hexes.size());
     solution.stress = MatrixXd::Zero(static_cast<Index>(6 * mesh_->nodes.size()), cases);
-    crew.share(static_cast<int>((cases + cases_at_once - 1) / cases_at_once), [&](int part) {
-        const Index first = part * cases_at_once, count = std::min(cases_at_once, cases - first);
-        MatrixXd moved(24, count), stress(48, count);
-        for (int hex = 0; hex < static_cast<int>(mesh_->hexes.size()); ++hex) {
-            const std::array<int, 24> rows = rows_of(hex);
-            for (std::size_t k = 0; k < 24; ++k)
-                moved.row(static_cast<Index>(k)) = solution.displacement.row(rows[k]).segment(first, count);
-            stress.noalias() = brick_of(mesh_->corners_of(hex), law_, formulation_).corner_stress * moved;
-            for (int corner = 0; corner < 8; ++corner) {
-                const int node = mesh_->hexes[static_cast<std::size_t>(hex)][static_cast<std::size_t>(corner)];
-                solution.stress.block(6 * node, first, 6, count) +=
-                    shares_[static_cast<std::size_t>(node)] * stress.middleRows(6 * corner, 6);
-            }
+    std::vector<MatrixXd> corners(static_cast<std::size_t>(std::min(bricks_at_once, hexes))); // Pa, 48 x cases a brick
+    for (Index first = 0; first < cases; first += cases_at_once) {
+        const Index count = std::min(cases_at_once, cases - first);
+        for (int begin = 0; begin < hexes; begin += bricks_at_once) {
+            const int bricks = std::min(bricks_at_once, hexes - begin);
+            crew.share(bricks, [&](int b) {
+                const std::array<int, 24> rows = rows_of(begin + b);
+                MatrixXd moved(24, count);
+                for (std::size_t k = 0; k < 24; ++k)
+                    moved.row(static_cast<Index>(k)) = solution.displacement.row(rows[k]).segment(first, count);
+                corners[static_cast<std::size_t>(b)].noalias() =
+                    brick_of(mesh_->corners_of(begin + b), law_, formulation_).corner_stress * moved;
+            });
+            // By cases, not by bricks: each node's sum keeps the order of its bricks, whoever adds it up.
+            crew.share(parts_of(static_cast<std::size_t>(count), cases_a_share), [&](int part) {
+                const Index from = static_cast<Index>(part) * cases_a_share;
+                const Index width = std::min<Index>(cases_a_share, count - from);
+                for (int b = 0; b < bricks; ++b)
+                    for (int corner = 0; corner < 8; ++corner) {
+                        const int node =
+                            mesh_->hexes[static_cast<std::size_t>(begin + b)][static_cast<std::size_t>(corner)];
+                        solution.stress.block(6 * node, first + from, 6, width) +=
+                            shares_[static_cast<std::size_t>(node)] *
+                            corners[static_cast<std::size_t>(b)].block(6 * corner, from, 6, width);
+                    }
+            });
         }
-    });
+    }
+}
+
+std::optional<Problem> Structure::distrust(const Solution& solution) const {
+    const double residual = solution.residual.size() > 0 ? solution.residual.maxCoeff() : 0;
+    const double unbalance = solution.unbalance.size() > 0 ? solution.unbalance.maxCoeff() : 0;
+    if (residual <= solved && unbalance <= solved && solution.displacement.allFinite())
+        return std::nullopt;
+    return Problem{.file = mesh_->file,
+                   .what =
+                       fmt::format("the solution cannot be trusted: {:.2g} of the largest force is left over at a "
+                                   "free node, loads and supports miss equilibrium by {:.2g}, where {:.0e} is allowed",
+                                   residual, unbalance, solved),
+                   .fix = "hold more nodes, that lie on no line, and look for elements that hang by an edge or are "
+                          "very flat"};
 }
 
 Eigen::Matrix<double, 6, 8> Structure::point_stress(int hex, const VectorXd& displacement) const {

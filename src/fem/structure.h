@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <memory>
+#include <optional>
 #include <vector>
 
 /// A part under load: linear elastic, small displacements, many load cases on one factorisation.
@@ -42,6 +43,9 @@ public:
 
     /// `loads`: N, rows 3 * node + axis, a column a case. What acts on a held node goes into its support.
     [[nodiscard]] Solution solve(const Eigen::MatrixXd& loads, Crew& crew) const;
+
+    /// What is wrong with a solution whose residual or unbalance is more than rounding; NaN is.
+    [[nodiscard]] std::optional<Problem> distrust(const Solution& solution) const;
 
     /// Stresses at the integration points of one element, Pa, for one case's displacements.
     [[nodiscard]] Eigen::Matrix<double, 6, 8> point_stress(int hex, const Eigen::VectorXd& displacement) const;

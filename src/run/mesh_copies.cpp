@@ -2,22 +2,44 @@
 
 #include "base/make_folder.h"
 #include "observe/whole_file.h"
+#include "solid/msh.h"
 
 #include <fmt/format.h>
 
 namespace tumble::run {
 
+namespace {
+
+/// The file that a wall's triangles or hexahedra were read from, if any.
+const std::filesystem::path* file_of(const scene::WallShape& shape) {
+    if (const auto* mesh = std::get_if<scene::MeshShape>(&shape))
+        return &mesh->file;
+    const auto* specimen = std::get_if<scene::SpecimenShape>(&shape);
+    const auto* part = specimen ? std::get_if<solid::MeshFile>(&specimen->part) : nullptr;
+    return part ? &part->file : nullptr;
+}
+
+/// Which of a specimen's formats it is stands in its name.
+const char* ending_of(const scene::WallShape& shape, const std::filesystem::path& file) {
+    if (std::holds_alternative<scene::MeshShape>(shape))
+        return "stl";
+    return solid::is_gmsh(file) ? "msh" : "inp";
+}
+
+} // namespace
+
 Result<std::vector<MeshCopy>> read_meshes(const scene::Scene& scene) {
     std::vector<MeshCopy> copies;
     for (const scene::Wall& wall : scene.walls) {
-        const auto* mesh = std::get_if<scene::MeshShape>(&wall.shape);
-        if (!mesh || names_of(copies).contains(mesh->file))
+        const auto* file = file_of(wall.shape);
+        if (!file || names_of(copies).contains(*file))
             continue;
-        Result<std::string> content = observe::read_whole(mesh->file);
+        Result<std::string> content = observe::read_whole(*file);
         if (!content)
             return content.problems();
         // By number, for two folders may hold files of one name.
-        copies.push_back({mesh->file, fmt::format("meshes/{}.stl", copies.size()), std::move(*content)});
+        copies.push_back(
+            {*file, fmt::format("meshes/{}.{}", copies.size(), ending_of(wall.shape, *file)), std::move(*content)});
     }
     return copies;
 }

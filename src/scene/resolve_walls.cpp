@@ -6,6 +6,7 @@
 #include "scene/read_stl.h"
 #include "scene/resolve.h"
 #include "scene/specimen.h"
+#include "solid/msh.h"
 
 #include <algorithm>
 #include <cctype>
@@ -92,8 +93,8 @@ SpecimenShape specimen(const View& view, const Resolving& to) {
     shape.poisson_ratio = view.number("part_poisson_ratio");
     if (view.kind() == "hexahedra") {
         shape.part = solid::MeshFile{to.file(view.text("inp")), view.number("scale")};
-        const bool gmsh = std::get<solid::MeshFile>(shape.part).file.extension() == ".msh";
-        shape.held_set = gmsh ? view.text("held_set") : upper(view.text("held_set"));
+        shape.held_set = solid::is_gmsh(std::get<solid::MeshFile>(shape.part).file) ? view.text("held_set")
+                                                                                    : upper(view.text("held_set"));
     } else if (view.kind() == "prism")
         shape.part = solid::Prism{.length = view.number("length_m"),
                                   .side = view.number("side_m"),

@@ -252,10 +252,7 @@ struct ShapeWriter {
     }
     void operator()(const MeshShape& mesh) const {
         to.text("shape", "mesh");
-        std::error_code error;
-        const auto path = std::filesystem::absolute(mesh.file, error);
-        const auto named = meshes.find(mesh.file);
-        to.text("stl", named != meshes.end() ? named->second : (error ? mesh.file : path).string());
+        to.text("stl", name_of(mesh.file));
         to.number("scale", mesh.scale);
     }
 
@@ -291,6 +288,13 @@ struct ShapeWriter {
     }
 
 private:
+    [[nodiscard]] std::string name_of(const std::filesystem::path& file) const {
+        if (const auto named = meshes.find(file); named != meshes.end())
+            return named->second;
+        std::error_code error;
+        const auto path = std::filesystem::absolute(file, error);
+        return (error ? file : path).string();
+    }
     void write(const solid::BoredCylinder& part) const {
         to.text("shape", "bored-cylinder");
         to.number("length_m", part.length);
@@ -304,9 +308,7 @@ private:
     }
     void write(const solid::MeshFile& part) const {
         to.text("shape", "hexahedra");
-        std::error_code error;
-        const auto path = std::filesystem::absolute(part.file, error);
-        to.text("inp", (error ? part.file : path).string());
+        to.text("inp", name_of(part.file));
         to.number("scale", part.scale);
     }
     void write(const solid::Prism& part) const {

@@ -1,5 +1,7 @@
 #include "solid/facet_load.h"
 
+#include "base/closest_point.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
@@ -13,6 +15,49 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double balanced = 1e-9; // share of the forces, and of their moments about the part's middle
+// Share of a facet's diagonal. A foot on a flat facet is met to rounding, 1e-15.
+constexpr double met = 1e-12;
+
+Vector3d corner_of(const HexMesh& mesh, int facet, Eigen::Index k) {
+    return mesh.nodes[static_cast<std::size_t>(
+        mesh.facets[static_cast<std::size_t>(facet)].corners[static_cast<std::size_t>(k)])];
+}
+
+Vector3d foot_of(const HexMesh& mesh, int facet, const Eigen::Vector4d& shares) {
+    Vector3d foot = Vector3d::Zero();
+    for (Eigen::Index k = 0; k < 4; ++k)
+        foot += shares[k] * corner_of(mesh, facet, k);
+    return foot;
+}
+
+/// A facet whose corners lie in no plane is touched as its triangles, 0 1 2 and 0 2 3, which the curved one misses:
+/// shares of the three corners of that which holds the point, so that force and moment are exact. `shares` where
+/// neither is nearer.
+Eigen::Vector4d shares_of_triangles(const HexMesh& mesh, int facet, const Vector3d& point,
+                                    const Eigen::Vector4d& shares) {
+    Eigen::Vector4d best = shares;
+    double nearest = (foot_of(mesh, facet, shares) - point).norm();
+    const Vector3d a = corner_of(mesh, facet, 0);
+    if (nearest <= met * (corner_of(mesh, facet, 2) - a).norm())
+        return best;
+    for (const Eigen::Index second : {1, 2}) {
+        const FlatTriangle triangle =
+            flat_triangle(a, corner_of(mesh, facet, second), corner_of(mesh, facet, second + 1));
+        const Vector3d off = point - closest_point(triangle, point).away - a;
+        const double ab = off.dot(triangle.ab), ac = off.dot(triangle.ac);
+        const double v = (triangle.ac_ac * ab - triangle.ab_ac * ac) * triangle.per_area2;
+        const double w = (triangle.ab_ab * ac - triangle.ab_ac * ab) * triangle.per_area2;
+        Eigen::Vector4d of_three = Eigen::Vector4d::Zero();
+        of_three[0] = 1 - v - w;
+        of_three[second] = v;
+        of_three[second + 1] = w;
+        if (const double away = (foot_of(mesh, facet, of_three) - point).norm(); away < nearest) {
+            nearest = away;
+            best = of_three;
+        }
+    }
+    return best;
+}
 
 } // namespace
 
@@ -70,7 +115,8 @@ Result<Eigen::Matrix3Xd> nodal_loads(const HexMesh& mesh, const std::vector<Push
         if (push.facet < 0 || push.facet >= static_cast<int>(mesh.facets.size()))
             return Problem{.what = fmt::format("a load names facet {} of {}", push.facet, mesh.facets.size()),
                            .fix = "it belongs to another mesh"};
-        const Eigen::Vector4d shares = shares_at(mesh, push.facet, push.point);
+        const Eigen::Vector4d shares =
+            shares_of_triangles(mesh, push.facet, push.point, shares_at(mesh, push.facet, push.point));
         Vector3d foot = Vector3d::Zero();
         for (int k = 0; k < 4; ++k) {
             const int node = mesh.facets[static_cast<std::size_t>(push.facet)].corners[static_cast<std::size_t>(k)];
@@ -95,7 +141,7 @@ Result<Eigen::Matrix3Xd> nodal_loads(const HexMesh& mesh, const std::vector<Push
             "m off facet {} of element {}",
             force_gap.norm(), moment_gap.norm(), worst, worst_facet + 1,
             mesh.hex_numbers[static_cast<std::size_t>(mesh.facets[static_cast<std::size_t>(worst_facet)].hex)]),
-        .fix = "facets must be flat: refine the mesh where they are not"};
+        .fix = "loads must lie on the surface of this mesh: run the scene again"};
 }
 
 } // namespace tumble::solid

@@ -3,8 +3,10 @@
 #include "base/text.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 namespace tumble::solid {
@@ -63,8 +65,8 @@ void Gatherer::hex(int number, const std::array<int, 8>& nodes, int line) {
     written_.push_back({number, nodes, line});
 }
 
-void Gatherer::member(const std::string& set, int number, int line) {
-    members_.push_back({set, number, line});
+void Gatherer::members(const std::string& set, int first, int last, int step, int line) {
+    members_.push_back({set, first, last, step, line});
 }
 
 void Gatherer::members_of(const std::string& set, const std::string& other, int line) {
@@ -93,36 +95,54 @@ void Gatherer::connect() {
         mesh_.hexes.push_back(nodes);
         mesh_.hex_numbers.push_back(number);
     }
-    for (const auto& [name, number, line] : members_)
-        if (!tired())
-            if (const auto node = find(number, line, fmt::format("set {}", name)))
+}
+
+void Gatherer::fill_sets() {
+    for (const auto& [name, first, last, step, line] : members_)
+        for (std::int64_t number = first; number <= last && !tired(); number += step)
+            if (const auto node = find(static_cast<int>(number), line, fmt::format("set {}", name)))
                 mesh_.node_sets[name].push_back(*node);
-    for (const auto& [name, other, line] : subsets_) {
-        const auto found = mesh_.node_sets.find(other);
-        if (found == mesh_.node_sets.end()) {
-            say(line, fmt::format("set {} names set {}, which is not there", name, other), "define it first");
-            continue;
+    for (const Subset& subset : subsets_)
+        mesh_.node_sets[subset.set]; // there, if only of others
+    for (auto& [name, nodes] : mesh_.node_sets) {
+        std::sort(nodes.begin(), nodes.end());
+        nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    }
+    // A set may name one that is filled further down, and that one the next: again, until none grows.
+    for (bool grows = true; grows && !tired();) {
+        grows = false;
+        for (const auto& [name, other, line] : subsets_) {
+            const auto found = mesh_.node_sets.find(other);
+            if (found == mesh_.node_sets.end()) {
+                say(line, fmt::format("set {} names set {}, which is not there", name, other), "define it");
+                continue;
+            }
+            std::vector<int>& nodes = mesh_.node_sets[name];
+            std::vector<int> both;
+            std::set_union(nodes.begin(), nodes.end(), found->second.begin(), found->second.end(),
+                           std::back_inserter(both));
+            grows = grows || both.size() > nodes.size();
+            nodes = std::move(both);
         }
-        const std::vector<int> nodes = found->second;
-        auto& into = mesh_.node_sets[name];
-        into.insert(into.end(), nodes.begin(), nodes.end());
+        if (!problems_.empty())
+            return;
     }
 }
 
 Result<HexMesh> Gatherer::finish() {
     connect();
+    fill_sets();
     if (!problems_.empty())
         return problems_;
-    for (auto& [name, nodes] : mesh_.node_sets) {
-        std::sort(nodes.begin(), nodes.end());
-        nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    }
     return finished(std::move(mesh_));
 }
 
 Result<std::string> mesh_text(const std::string& file) {
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream text;
+    std::error_code code;
+    if (stream && std::filesystem::is_regular_file(file, code) && std::filesystem::file_size(file, code) == 0)
+        return Problem{.file = file, .what = "is empty", .fix = "write the mesh again"};
     if (!stream || !(text << stream.rdbuf()))
         return Problem{.file = file, .what = "cannot be read", .fix = "check the name and its permissions"};
     return text.str();

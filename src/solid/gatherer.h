@@ -29,8 +29,9 @@ public:
     /// `number` was given by whole(). Nothing of a number that is there already, but a problem.
     void node(int number, const Eigen::Vector3d& place, int line);
     void hex(int number, const std::array<int, 8>& nodes, int line);
-    /// A node of a set, by its number; it may be listed later.
-    void member(const std::string& set, int number, int line);
+    /// Nodes of a set, by their numbers first, first + step, ... up to last; they may be listed later.
+    void members(const std::string& set, int first, int last, int step, int line);
+    void member(const std::string& set, int number, int line) { members(set, number, number, 1, line); }
     /// All nodes of another set; it may be defined later.
     void members_of(const std::string& set, const std::string& other, int line);
 
@@ -40,6 +41,7 @@ public:
 private:
     std::optional<int> find(int number, int line, const std::string& whose);
     void connect();
+    void fill_sets();
 
     struct Written {
         int number = 0;
@@ -48,7 +50,7 @@ private:
     };
     struct Member {
         std::string set;
-        int number = 0;
+        int first = 0, last = 0, step = 1;
         int line = 0;
     };
     struct Subset {

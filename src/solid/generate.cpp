@@ -26,6 +26,17 @@ void need_one(Problems& problems, const char* key, int count, int least) {
             fault(key, fmt::format("{} hexahedra are too few", count), fmt::format("give at least {}", least)));
 }
 
+// Beyond, numbers of nodes and triangles come near what 32 bits hold, and no factorisation fits a machine long before.
+constexpr std::int64_t most_hexahedra = 2'000'000;
+
+void need_few(Problems& problems, const char* key, std::int64_t layer, std::int64_t along, const char* others) {
+    if (problems.empty() && layer > most_hexahedra / along)
+        problems.push_back(fault(key,
+                                 fmt::format("{} layers of {} hexahedra are more than the {} that a part may have",
+                                             along, layer, most_hexahedra),
+                                 fmt::format("give fewer, or fewer {}", others)));
+}
+
 /// A box of cells i, j, k as a mesh; `wraps`: the last i is joined to the first.
 class Grid {
 public:
@@ -82,6 +93,8 @@ Result<HexMesh> mesh_of(const BoredCylinder& part, const Place& place) {
     need_one(problems, "along", part.along, 1);
     need_one(problems, "shell_rings", part.shell_rings, 1);
     need_one(problems, "inner_rings", part.inner_rings, 1);
+    need_few(problems, "along", std::int64_t{part.around} * (std::int64_t{part.inner_rings} + part.shell_rings),
+             part.along, "around, shell_rings or inner_rings");
     if (!problems.empty())
         return problems;
 
@@ -130,6 +143,8 @@ Result<HexMesh> mesh_of(const Prism& part, const Place& place) {
     need_one(problems, "corner_cells", part.corner_cells, 1);
     need_one(problems, "middle_cells", part.middle_cells, 1);
     need_one(problems, "along", part.along, 1);
+    const std::int64_t across = 2 * std::int64_t{part.corner_cells} + part.middle_cells;
+    need_few(problems, "along", across * across, part.along, "corner_cells or middle_cells");
     if (!problems.empty())
         return problems;
 

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <numeric>
 
@@ -26,6 +27,8 @@ public:
         check_nodes();
         check_shapes();
         find_facets();
+        if (problems_.empty())
+            check_whole();
         if (!problems_.empty())
             return problems_;
         return std::move(mesh_);
@@ -75,10 +78,17 @@ private:
                 continue;
             }
             double least = 1;
-            for (int point = 0; point < 8; ++point)
-                least = std::min(least,
-                                 jacobian_at(mesh_.corners_of(static_cast<int>(e)), gauss_point(point)).determinant());
-            if (!(least > 0)) {
+            bool sound = true;
+            for (int point = 0; point < 8; ++point) {
+                const double here =
+                    jacobian_at(mesh_.corners_of(static_cast<int>(e)), gauss_point(point)).determinant();
+                sound = sound && here > 0 && std::isfinite(here);
+                if (!std::isfinite(here) || here < least) // std::min would pass over NaN
+                    least = here;
+                if (!std::isfinite(here))
+                    break;
+            }
+            if (!sound) {
                 say(fmt::format("element {} is inside out or folded: its Jacobian determinant is {:.4g} m3 at an "
                                 "integration point",
                                 mesh_.hex_numbers[e], least),
@@ -89,7 +99,63 @@ private:
         }
     }
 
+    /// One body without cracks: each hexahedron hangs by its faces on all others, and no two nodes lie in one place.
+    void check_whole() {
+        std::string pairs;
+        std::size_t count = 0;
+        for (const auto& [a, b] : coincident())
+            if (++count <= most_named)
+                pairs += fmt::format("{}{} and {}", pairs.empty() ? "" : ", ",
+                                     mesh_.node_numbers[static_cast<std::size_t>(a)],
+                                     mesh_.node_numbers[static_cast<std::size_t>(b)]);
+        if (count > 0)
+            say(fmt::format("nodes lie in the same place, where the part is cracked: {}{}", pairs,
+                            count > most_named ? ", ..." : ""),
+                "make one node of each pair (gmsh: Coherence Mesh), or leave one body out");
+        for (std::size_t e = 1; e < mesh_.hexes.size() && count == 0; ++e)
+            if (body_of(static_cast<int>(e)) != body_of(0))
+                return say(fmt::format("the part is in pieces: element {} hangs by no face on element {}",
+                                       mesh_.hex_numbers[e], mesh_.hex_numbers[0]),
+                           "join the bodies face to face, or leave all but one out");
+    }
+
+    /// Pairs of nodes nearer than 1e-9 of the mesh's size, as their order along a line that no mesh is likely to have.
+    [[nodiscard]] std::vector<std::pair<int, int>> coincident() const {
+        const Vector3d line = Vector3d(0.53, 0.31, 0.79).normalized();
+        Eigen::AlignedBox3d box;
+        std::vector<std::pair<double, int>> order;
+        for (std::size_t n = 0; n < mesh_.nodes.size(); ++n) {
+            box.extend(mesh_.nodes[n]);
+            order.emplace_back(line.dot(mesh_.nodes[n]), static_cast<int>(n));
+        }
+        std::sort(order.begin(), order.end());
+        const double near = 1e-9 * box.sizes().norm();
+        std::vector<std::pair<int, int>> pairs;
+        for (std::size_t k = 0; k < order.size(); ++k)
+            for (std::size_t other = k + 1; other < order.size() && order[other].first - order[k].first <= near;
+                 ++other) {
+                const auto [a, b] = std::minmax(order[k].second, order[other].second);
+                if ((mesh_.nodes[static_cast<std::size_t>(a)] - mesh_.nodes[static_cast<std::size_t>(b)]).norm() <=
+                    near)
+                    pairs.emplace_back(a, b);
+            }
+        std::sort(pairs.begin(), pairs.end());
+        return pairs;
+    }
+
+    /// The hexahedron that stands for all that hang on this one by faces.
+    int body_of(int hex) {
+        while (bodies_[static_cast<std::size_t>(hex)] != hex) {
+            int& up = bodies_[static_cast<std::size_t>(hex)];
+            up = bodies_[static_cast<std::size_t>(up)];
+            hex = up;
+        }
+        return hex;
+    }
+
     void find_facets() {
+        bodies_.resize(mesh_.hexes.size());
+        std::iota(bodies_.begin(), bodies_.end(), 0);
         struct Use {
             int hex = 0, face = 0, times = 0;
         };
@@ -101,6 +167,8 @@ private:
                 Use& use = uses[key];
                 if (use.times++ == 0)
                     use = {static_cast<int>(e), static_cast<int>(face), 1};
+                else
+                    bodies_[static_cast<std::size_t>(body_of(static_cast<int>(e)))] = body_of(use.hex);
                 if (use.times == 3)
                     say(fmt::format("more than two hexahedra share a face of element {}", mesh_.hex_numbers[e]),
                         "two hexahedra lie in the same place");
@@ -126,6 +194,7 @@ private:
     }
 
     HexMesh mesh_;
+    std::vector<int> bodies_; // per hexahedron: one that it hangs on, or itself
     Problems problems_;
 };
 

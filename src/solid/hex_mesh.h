@@ -39,7 +39,7 @@ struct HexMesh {
 /// Numbers nodes and hexahedra from 1 where they have no numbers yet and finds the facets. Problems, with numbers: a
 /// hexahedron that is turned inside out or folded (a Jacobian determinant that is not positive at an integration
 /// point) or has a node twice, a face that three hexahedra share, nodes that belong to no hexahedron, no hexahedron at
-/// all, coordinates that are not finite.
+/// all, coordinates that are not finite, two nodes in one place, bodies that no face joins.
 Result<HexMesh> finished(HexMesh mesh);
 
 /// The surface as triangles: facet f is cut into triangles 2f and 2f + 1.

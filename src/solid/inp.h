@@ -14,10 +14,10 @@
 /// Input files of CalculiX and Abaqus.
 namespace tumble::solid {
 
-/// The mesh of a file's text: *NODE, *ELEMENT of TYPE C3D8, C3D8I or C3D8R, *NSET (also GENERATE); other keywords,
-/// lines and surfaces are passed over with their data. Coordinates are multiplied by `scale` (metres per unit of the
-/// file). Problems, with line: no such node, a number that is none, a line that is too short, numbers given twice,
-/// other solid elements; then those of finished().
+/// The mesh of a file's text: *NODE, *ELEMENT of TYPE C3D8, C3D8I or C3D8R, *NSET (also GENERATE); keywords that make
+/// or move nodes are problems, others, lines and surfaces are passed over with their data. Coordinates are multiplied
+/// by `scale` (metres per unit of the file). Problems, with line: no such node, a number that is none, a line that is
+/// too short, numbers given twice, other solid elements; then those of finished().
 Result<HexMesh> parse_inp(std::string_view text, const std::string& file, double scale = 1);
 Result<HexMesh> read_inp(const std::filesystem::path& file, double scale = 1);
 

@@ -16,6 +16,7 @@ namespace tumble::solid {
 /// purpose; other sections are passed over. Coordinates are multiplied by `scale` (metres per unit of the file).
 /// Problems, with line: another format or a binary file, other solid elements, a section that ends too early, numbers
 /// that are none or are there twice, nodes that are not there; then those of finished().
+bool is_gmsh(const std::filesystem::path& file); // by its ending; all others are read as .inp
 Result<HexMesh> parse_msh(std::string_view text, const std::string& file, double scale = 1);
 Result<HexMesh> read_msh(const std::filesystem::path& file, double scale = 1);
 

@@ -19,6 +19,10 @@ std::string upper(std::string_view text) {
     return result;
 }
 
+/// Without them the mesh would be another one.
+constexpr std::array<std::string_view, 8> making{"*INSTANCE", "*SYSTEM", "*ELGEN", "*ELCOPY",
+                                                 "*NGEN",     "*NCOPY",  "*NFILL", "*NMAP"};
+
 /// A keyword line: "*ELEMENT, TYPE=C3D8, ELSET=part".
 struct Card {
     std::string name; // "*ELEMENT"; empty: none whose data are read
@@ -71,8 +75,12 @@ private:
         }
         if (card_.name == "*NSET" && card_.option("NSET").empty())
             say("*NSET without a name", "write *NSET, NSET=name");
-        if (card_.name == "*INCLUDE")
-            say("*INCLUDE is not followed", "put the mesh into one file");
+        const bool mesh = card_.name == "*NODE" || card_.name == "*ELEMENT" || card_.name == "*NSET";
+        if (card_.name == "*INCLUDE" || (mesh && card_.options.contains("INPUT")))
+            say(fmt::format("{} of another file is not followed", card_.name), "put the mesh into one file");
+        if (std::find(making.begin(), making.end(), card_.name) != making.end())
+            say(fmt::format("{} makes or moves nodes and elements, which is not done here", card_.name),
+                "list all nodes and elements where they are; Abaqus: without parts and assemblies");
         if (card_.name != "*ELEMENT")
             return;
         const std::string type = card_.option("TYPE");
@@ -153,9 +161,7 @@ private:
                 }
             if (range.size() < 2 || range[1] < range[0])
                 return say("GENERATE needs a first and a last number", "write first, last, step");
-            for (std::int64_t n = range[0]; n <= range[1]; n += range.size() > 2 ? range[2] : 1)
-                gathered_.member(card_.option("NSET"), static_cast<int>(n), line_);
-            return;
+            return gathered_.members(card_.option("NSET"), range[0], range[1], range.size() > 2 ? range[2] : 1, line_);
         }
         for (const std::string_view word : words) {
             if (trimmed(word).empty())
@@ -190,9 +196,12 @@ Result<HexMesh> read_inp(const std::filesystem::path& file, double scale) {
     return parse_inp(*text, file.string(), scale);
 }
 
+bool is_gmsh(const std::filesystem::path& file) {
+    return upper(file.extension().string()) == ".MSH";
+}
+
 Result<HexMesh> mesh_of(const MeshFile& part, const Place& place) {
-    Result<HexMesh> mesh =
-        part.file.extension() == ".msh" ? read_msh(part.file, part.scale) : read_inp(part.file, part.scale);
+    Result<HexMesh> mesh = is_gmsh(part.file) ? read_msh(part.file, part.scale) : read_inp(part.file, part.scale);
     if (!mesh)
         return mesh;
     for (int f = 0; f < static_cast<int>(mesh->facets.size()); ++f) {

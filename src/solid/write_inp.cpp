@@ -1,6 +1,8 @@
 #include "base/text.h"
 #include "solid/inp.h"
 
+#include <algorithm>
+#include <cctype>
 #include <fmt/format.h>
 
 namespace tumble::solid {
@@ -20,6 +22,21 @@ void write_set(std::string& text, const std::string& name, const std::vector<int
                             k % 12 == 11 || k + 1 == nodes.size() ? "\n" : ", ");
 }
 
+/// A name for the set of all nodes; a file's own "all" may hold but some. CalculiX reads names without their case.
+std::string name_of_all(const HexMesh& mesh) {
+    std::string all = "ALL";
+    for (bool taken = true; taken;) {
+        taken = std::any_of(mesh.node_sets.begin(), mesh.node_sets.end(), [&](const auto& set) {
+            return set.second.size() < mesh.nodes.size() &&
+                   std::equal(set.first.begin(), set.first.end(), all.begin(), all.end(),
+                              [](unsigned char a, char b) { return std::toupper(a) == b; });
+        });
+        if (taken)
+            all += "_";
+    }
+    return all;
+}
+
 void write_step(std::string& text, const InpStep& step, const HexMesh& mesh, bool as_text) {
     text += fmt::format("** {}\n*STEP\n*STATIC\n*CLOAD, OP=NEW\n", step.name);
     for (Eigen::Index n = 0; n < step.force.cols(); ++n)
@@ -29,14 +46,15 @@ void write_step(std::string& text, const InpStep& step, const HexMesh& mesh, boo
                                     field(step.force(axis, n)));
     text += "*NODE FILE\nU\n*EL FILE\nS\n";
     if (as_text)
-        text += "*NODE PRINT, NSET=ALL\nU\n*EL PRINT, ELSET=PART\nS\n";
+        text += fmt::format("*NODE PRINT, NSET={}\nU\n*EL PRINT, ELSET=PART\nS\n", name_of_all(mesh));
     text += "*END STEP\n";
 }
 
 } // namespace
 
 std::string to_inp(const HexMesh& mesh, const InpModel& model, const std::vector<InpStep>& steps) {
-    std::string text = "*NODE, NSET=ALL\n";
+    const std::string all = name_of_all(mesh);
+    std::string text = fmt::format("*NODE, NSET={}\n", all);
     for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
         text += fmt::format("{}, {}, {}, {}\n", mesh.node_numbers[n], field(mesh.nodes[n].x()),
                             field(mesh.nodes[n].y()), field(mesh.nodes[n].z()));
@@ -48,7 +66,7 @@ std::string to_inp(const HexMesh& mesh, const InpModel& model, const std::vector
         text += "\n";
     }
     for (const auto& [name, nodes] : mesh.node_sets)
-        if (name != "ALL")
+        if (name != all)
             write_set(text, name, nodes, mesh);
     text += fmt::format("*MATERIAL, NAME=SOLID\n*ELASTIC\n{}, {}\n*SOLID SECTION, ELSET=PART, MATERIAL=SOLID\n",
                         field(model.youngs_modulus), field(model.poisson_ratio));

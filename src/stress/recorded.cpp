@@ -2,6 +2,7 @@
 
 #include "observe/frame_file.h"
 #include "observe/whole_file.h"
+#include "run/mesh_copies.h"
 #include "scene/load.h"
 #include "scene/specimen.h"
 #include "scene/to_toml.h"
@@ -35,7 +36,13 @@ bool holds_loads(const fs::path& folder) {
 }
 
 Result<Done> write_recorded(const Recorded& recorded, const fs::path& folder) {
-    if (const auto written = observe::write_whole(folder / "scene.toml", scene::to_toml(recorded.scene)); !written)
+    const auto meshes = run::read_meshes(recorded.scene);
+    if (!meshes)
+        return meshes.problems();
+    if (const auto written = run::write_meshes(*meshes, {folder}); !written)
+        return written;
+    const std::string toml = scene::to_toml(recorded.scene, run::names_of(*meshes));
+    if (const auto written = observe::write_whole(folder / "scene.toml", toml); !written)
         return written;
     return run::write_loads(recorded.loads, recorded.specimen(), folder);
 }

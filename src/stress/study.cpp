@@ -72,6 +72,10 @@ public:
         : mesh_(specimen.mesh), crew_(options.threads), options_(options) {}
 
     std::optional<Problems> prepare(const scene::SpecimenShape& specimen, Study& study) {
+        auto slices = slices_of(specimen, options_);
+        if (!slices)
+            return slices.problems();
+        study.slices = std::move(*slices);
         std::vector<fem::Support> supports;
         for (const std::string& set : scene::held_sets(specimen)) {
             auto held = fem::encastre(*mesh_, set);
@@ -89,24 +93,18 @@ public:
         study.unknowns = 3 * study.nodes - supports.size();
         study.factor_entries = part_->factor().entries();
         study.factor_operations = part_->factor().operations();
-        const solid::Locator locator(*mesh_);
-        for (const std::string& side : options_.sides.empty() ? outward_sides(specimen) : options_.sides)
-            for (const double depth : options_.depths) {
-                auto slice = fem::slice_of(*mesh_, locator, side, specimen.place.axis, depth);
-                if (!slice)
-                    return slice.problems();
-                study.slices.push_back(std::move(*slice));
-            }
         return std::nullopt;
     }
 
-    void solve(const std::vector<Eigen::Matrix3Xd>& forces, Study& study) {
+    std::optional<Problem> solve(const std::vector<Eigen::Matrix3Xd>& forces, Study& study) {
         for (std::size_t first = 0; first < forces.size(); first += cases_at_once) {
             const std::size_t count = std::min(cases_at_once, forces.size() - first);
             MatrixXd loads(3 * static_cast<Index>(study.nodes), static_cast<Index>(count));
             for (std::size_t c = 0; c < count; ++c)
                 loads.col(static_cast<Index>(c)) = forces[first + c].reshaped();
             const fem::Solution solution = part_->solve(loads, crew_);
+            if (auto problem = part_->distrust(solution))
+                return problem;
             crew_.share(static_cast<int>(count), [&](int c) {
                 weigh(solution, c, study.slices, study.cases[first + static_cast<std::size_t>(c)]);
             });
@@ -119,6 +117,7 @@ public:
                                solution.stress.col(column)};
             }
         }
+        return std::nullopt;
     }
 
 private:
@@ -142,6 +141,19 @@ private:
 };
 
 } // namespace
+
+Result<std::vector<fem::Slice>> slices_of(const scene::SpecimenShape& specimen, const StudyOptions& options) {
+    std::vector<fem::Slice> slices;
+    const solid::Locator locator(*specimen.mesh);
+    for (const std::string& side : options.sides.empty() ? outward_sides(specimen) : options.sides)
+        for (const double depth : options.depths) {
+            auto slice = fem::slice_of(*specimen.mesh, locator, side, specimen.place.axis, depth);
+            if (!slice)
+                return slice.problems();
+            slices.push_back(std::move(*slice));
+        }
+    return slices;
+}
 
 Result<std::vector<Eigen::Matrix3Xd>> nodal_cases(const scene::SpecimenShape& specimen, const run::PartLoads& loads,
                                                   bool means) {
@@ -185,7 +197,8 @@ Result<Study> study(const scene::Scene& scene, const scene::SpecimenShape& speci
             look_at(loads.instants[c], *specimen.mesh, now);
         study.cases.push_back(std::move(now));
     }
-    solver.solve(*forces, study);
+    if (const auto problem = solver.solve(*forces, study))
+        return *problem;
     study.solve_s = seconds_since(solving);
 
     const auto most = std::max_element(study.cases.begin(), study.cases.end(),

@@ -65,7 +65,11 @@ struct Study {
     std::vector<std::string> warnings;
 };
 
-/// Problems: no load case; those of fem::Structure, fem::slice_of and solid::nodal_loads.
+/// Where stresses are looked at. Problems: those of fem::slice_of, a side that the part has not or a depth that it does
+/// not reach.
+Result<std::vector<fem::Slice>> slices_of(const scene::SpecimenShape& specimen, const StudyOptions& options);
+
+/// Problems: no load case; those of fem::Structure, of its solutions too, slices_of() and solid::nodal_loads.
 Result<Study> study(const scene::Scene& scene, const scene::SpecimenShape& specimen, const run::PartLoads& loads,
                     const StudyOptions& options);
 

@@ -38,7 +38,7 @@ TEST_CASE("stress runs a scene, keeps its loads, solves them, and solves them ag
     const Outcome exported = tumble_in(folder, {"export", "out/ball-stress", "--to", "calculix"});
     REQUIRE_MESSAGE(exported.code == 0, exported.err);
     const std::string model = content_of(folder.path / "out/ball-stress/part.inp");
-    CHECK(contains(model, "*ELEMENT, TYPE=C3D8, ELSET=PART"));
+    CHECK(contains(model, "*ELEMENT, TYPE=C3D8I, ELSET=PART"));
     std::size_t steps = 0;
     for (std::size_t at = model.find("*STEP"); at != std::string::npos; at = model.find("*STEP", at + 1))
         ++steps;
@@ -49,10 +49,12 @@ TEST_CASE("stress runs a scene, keeps its loads, solves them, and solves them ag
 TEST_CASE("stress goes on where it was stopped, and solves the same contacts on another mesh") {
     const Folder folder;
     put(folder.path / "ball.toml", ball_on_prism);
-    const std::vector<std::string> every{"--every", "0.04", "--json"};
+    const std::vector<std::string> every{"--every", "0.04"};
     const auto stress = [&](std::vector<std::string> words) {
+        if (words.front() == "ball.toml") // a folder with loads has its instants
+            words.insert(words.end(), every.begin(), every.end());
         words.insert(words.begin(), "stress");
-        words.insert(words.end(), every.begin(), every.end());
+        words.emplace_back("--json");
         const Outcome outcome = tumble_in(folder, words);
         REQUIRE_MESSAGE(outcome.code == 0, outcome.err);
         return nlohmann::json::parse(outcome.out)["facts"];
@@ -67,6 +69,19 @@ TEST_CASE("stress goes on where it was stopped, and solves the same contacts on 
     const auto finer = stress({"parts", "--out", "finer", "--remesh", "along=20", "--remesh", "middle_cells=8"});
     CHECK(finer["cases"]["value"] == 7);
     CHECK(finer["unbalance"]["value"] < 1e-10);
+    const auto kept = content_of(folder.path / "finer/cases.csv");
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"parts", "--remesh", "along=5"},
+                                                  {"parts", "--remesh", "along=5", "--out", "finer"}}) {
+        std::vector<std::string> all{"stress"};
+        all.insert(all.end(), words.begin(), words.end());
+        const Outcome over = tumble_in(folder, all);
+        CHECK(over.code == 2);
+        CHECK_MESSAGE(contains(over.err, "--force replaces them"), over.err);
+    }
+    CHECK(content_of(folder.path / "finer/cases.csv") == kept);
+    const Outcome late = tumble_in(folder, {"stress", "parts", "--resume"});
+    CHECK(late.code == 2);
+    CHECK_MESSAGE(contains(late.err, "--resume changes nothing there"), late.err);
     const Outcome early = tumble_in(folder, {"stress", "ball.toml", "--remesh", "along=20"});
     CHECK(early.code == 2);
     CHECK_MESSAGE(contains(early.err, "--remesh is for a folder with loads"), early.err);
@@ -85,6 +100,9 @@ TEST_CASE("stress refuses scenes without a specimen, folders without loads, and 
     refused({"stress", ".", "--set", "seed=2"}, "is solved again as it was run");
     refused({"stress", "ball.toml", "--part", "prat"}, "no specimen is called 'prat'");
     refused({"stress", "ball.toml", "--element", "quadratic"}, "incompatible");
+    refused({"stress", "ball.toml", "--side", "north"}, "north"); // before anything is run
+    refused({"stress", "ball.toml", "--depth", "100"}, "the part ends");
+    CHECK_FALSE(fs::exists(folder.path / "out"));
     refused({"export", ".", "--to", "calculix"}, "holds no loads on a part");
     refused({"export", ".", "--to", "abaqus"}, "calculix");
 }

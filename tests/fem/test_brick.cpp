@@ -95,4 +95,25 @@ TEST_CASE("in pure bending a brick is too stiff by its slenderness, the incompat
     CHECK(energy(Formulation::incompatible) == about(beam, 1e-12));
 }
 
+TEST_CASE("a bent incompatible brick of steel has beam theory's stress at its corners, and none across") {
+    // With lateral strain (nu = 0.3): u = -k x z, v = nu k y z, w = k (x^2 + nu (z^2 - y^2)) / 2 strains by -k z along
+    // x and by nu k z across, shears nothing, and leaves sigma_x = -E k z alone. A trilinear field extrapolates it
+    // exactly.
+    const double curvature = 0.1;
+    const solid::Corners corners = Vector3d(0.015, 0.01, 0.005).asDiagonal() * solid::corner_signs;
+    const auto bent = moved(corners, [&](const Vector3d& at) {
+        const double x = at.x(), y = at.y(), z = at.z();
+        return Vector3d(-curvature * x * z, 0.3 * curvature * y * z, 0.5 * curvature * (x * x + 0.3 * (z * z - y * y)));
+    });
+    const Brick brick = brick_of(corners, hooke(steel), Formulation::incompatible);
+    const Eigen::Matrix<double, 48, 1> stress = brick.corner_stress * bent;
+    for (int corner = 0; corner < 8; ++corner) {
+        Stress theory = Stress::Zero();
+        theory[0] = -2e11 * curvature * corners(2, corner);
+        CHECK((stress.segment<6>(6 * corner) - theory).norm() < 1e-11 * theory.norm());
+    }
+    const double area = 0.02 * 0.01, inertia = area * 0.01 * 0.01 / 12;
+    CHECK(0.5 * bent.dot(brick.stiffness * bent) == about(0.5 * 2e11 * inertia * curvature * curvature * 0.03, 1e-11));
+}
+
 } // namespace test_brick

@@ -120,4 +120,23 @@ TEST_CASE("a matrix that is not positive definite is refused, one of rounding si
     CHECK(Factor::of(springs(4, 1, 1e-6), crew));
 }
 
+TEST_CASE("one block that is not positive definite is refused, however many others are found good beside it") {
+    // Blocks without a spring between them are subtrees of their own; two threads take them at once.
+    constexpr int blocks = 64, size = 3;
+    Sparse lower(blocks * size, blocks * size);
+    for (int column = 0; column < blocks * size; ++column)
+        for (int row = column; row < (column / size + 1) * size; ++row)
+            lower.insert(row, column) = row == column ? 3 : -1;
+    Crew crew(2);
+    CHECK(Factor::of(lower, crew));
+    int passed = 0;
+    for (int turn = 0; turn < 500; ++turn) {
+        const int bad = turn % blocks * size;
+        lower.coeffRef(bad, bad) = -1;
+        passed += Factor::of(lower, crew) ? 1 : 0;
+        lower.coeffRef(bad, bad) = 3;
+    }
+    CHECK(passed == 0);
+}
+
 } // namespace test_factor

@@ -108,40 +108,45 @@ TEST_CASE("a thick tube under pressure widens as Lame says, and the error falls 
     // p (a^2 + b^2) / (b^2 - a^2).
     const double a = 0.005, b = 0.015, pressure = 1e6;
     const double widening = 1.3 / 2e11 * pressure * a * a / (b * b - a * a) * (0.4 * a + b * b / a);
-    std::vector<double> errors, hoops;
-    for (const int refined : {1, 2, 4}) {
-        const solid::BoredCylinder tube{.length = 0.004,
-                                        .radius = b,
-                                        .bore_radius = a,
-                                        .shell = 0.005,
-                                        .around = 16 * refined,
-                                        .along = 1,
-                                        .shell_rings = 2 * refined,
-                                        .inner_rings = 2 * refined};
-        const auto mesh = std::make_shared<const solid::HexMesh>(solid::mesh_of(tube, {}).value());
-        MatrixXd loads = test::no_loads(*mesh);
-        for (const int facet : mesh->facet_sets.at("bore"))
-            for (const int node : mesh->facets[static_cast<std::size_t>(facet)].corners)
-                loads.col(0).segment<3>(3 * node) -= pressure / 4 * mesh->area_of(facet);
-        std::vector<Support> supports;
-        for (int node = 0; node < static_cast<int>(mesh->nodes.size()); ++node) {
-            const Vector3d& at = mesh->nodes[static_cast<std::size_t>(node)];
-            supports.push_back({node, 1, 0});
-            if (std::abs(at.x()) < 1e-9) // by symmetry nothing there goes sideways
-                supports.push_back({node, 0, 0});
-            if (std::abs(at.z()) < 1e-9)
-                supports.push_back({node, 2, 0});
+    for (const Formulation formulation : both) {
+        std::vector<double> errors, hoops;
+        for (const int refined : {1, 2, 4}) {
+            const solid::BoredCylinder tube{.length = 0.004,
+                                            .radius = b,
+                                            .bore_radius = a,
+                                            .shell = 0.005,
+                                            .around = 16 * refined,
+                                            .along = 1,
+                                            .shell_rings = 2 * refined,
+                                            .inner_rings = 2 * refined};
+            const auto mesh = std::make_shared<const solid::HexMesh>(solid::mesh_of(tube, {}).value());
+            MatrixXd loads = test::no_loads(*mesh);
+            for (const int facet : mesh->facet_sets.at("bore"))
+                for (const int node : mesh->facets[static_cast<std::size_t>(facet)].corners)
+                    loads.col(0).segment<3>(3 * node) -= pressure / 4 * mesh->area_of(facet);
+            std::vector<Support> supports;
+            for (int node = 0; node < static_cast<int>(mesh->nodes.size()); ++node) {
+                const Vector3d& at = mesh->nodes[static_cast<std::size_t>(node)];
+                supports.push_back({node, 1, 0});
+                if (std::abs(at.x()) < 1e-9) // by symmetry nothing there goes sideways
+                    supports.push_back({node, 0, 0});
+                if (std::abs(at.z()) < 1e-9)
+                    supports.push_back({node, 2, 0});
+            }
+            const Solution solution = solved(mesh, steel, formulation, supports, loads);
+            // Node 0 stands at the bore, at angle 0: its way along z is the widening, its hoop direction x.
+            errors.push_back(std::abs(solution.displacement(2, 0) / widening - 1));
+            hoops.push_back(
+                std::abs(test::stress_at(solution, 0)[0] / (pressure * (a * a + b * b) / (b * b - a * a)) - 1));
         }
-        const Solution solution = solved(mesh, steel, Formulation::standard, supports, loads);
-        // Node 0 stands at the bore, at angle 0: its way along z is the widening, its hoop direction x.
-        errors.push_back(std::abs(solution.displacement(2, 0) / widening - 1));
-        hoops.push_back(std::abs(test::stress_at(solution, 0)[0] / (pressure * (a * a + b * b) / (b * b - a * a)) - 1));
+        CHECK(errors[2] < 0.004);
+        CHECK(std::log2(errors[0] / errors[1]) == about(2, 0.1));
+        CHECK(std::log2(errors[1] / errors[2]) == about(2, 0.1));
+        CHECK(hoops[2] < 0.08);
+        // Stresses extrapolated to a surface: first order at least. The incompatible brick's, off by 3.6 and 3.2 %, are
+        // not yet in their order.
+        CHECK(hoops[2] < (formulation == Formulation::standard ? 0.7 : 1) * hoops[1]);
     }
-    CHECK(errors[2] < 0.004);
-    CHECK(std::log2(errors[0] / errors[1]) == about(2, 0.1));
-    CHECK(std::log2(errors[1] / errors[2]) == about(2, 0.1));
-    CHECK(hoops[2] < 0.08);
-    CHECK(hoops[2] < 0.7 * hoops[1]); // stresses extrapolated to a surface: first order at least
 }
 
 TEST_CASE("beneath a point load the stress falls off as Boussinesq says") {
@@ -201,6 +206,10 @@ TEST_CASE("every load case is in equilibrium, and its residual is rounding") {
         const Solution again = solved(mesh, steel, Formulation::incompatible, supports, loads, 2);
         CHECK(again.displacement == solution.displacement);
         CHECK(again.stress == solution.stress);
+        const Solution many = solved(mesh, steel, Formulation::incompatible, supports, loads.replicate(1, 8), 2);
+        for (Eigen::Index c = 0; c < 19 * 8; ++c) // past the 128 of one walk over the elements
+            CHECK((many.stress.col(c) - solution.stress.col(c % 19)).norm() <=
+                  1e-13 * solution.stress.col(c % 19).norm());
         const Solution alone = solved(mesh, steel, Formulation::incompatible, supports, loads.col(11));
         CHECK(alone.displacement.col(0) == solution.displacement.col(11));
     }
@@ -224,6 +233,61 @@ TEST_CASE("what cannot be solved is refused: loose parts, wrong sets, contradict
     CHECK(refused({-1, 0.3}, {}) == "a modulus of -1 Pa is no solid's");
     CHECK(refused({2e11, 0.5}, {}) == "a Poisson ratio of 0.5 is no elastic solid's");
     CHECK(encastre(*mesh, "top").problems().at(0).what == "the mesh has no node set 'top'");
+}
+
+TEST_CASE("a part on a hinge, or with a loose body beside it, is refused before or after it is solved, at any size") {
+    Crew crew(2);
+    const auto refused = [&](const MeshPtr& mesh, const std::vector<Support>& supports) {
+        const auto part = Structure::make(mesh, steel, Formulation::incompatible, supports, crew);
+        MatrixXd loads = test::no_loads(*mesh);
+        loads(loads.rows() - 3, 0) = 1; // x of the last node, about a hinge along z
+        return !part || part->distrust(part->solve(loads, crew)).has_value();
+    };
+    for (const int n : {1, 3, 8}) {
+        CAPTURE(n);
+        const Box box{{0.03, 0.03, 0.03}, {n, n, n}};
+        std::vector<Support> supports;
+        test::hold(supports, box.node(0, 0, 0), Vector3d::Zero());
+        test::hold(supports, box.node(0, 0, n), Vector3d::Zero());
+        CHECK(refused(box.mesh(0.2), supports));
+        test::hold(supports, box.node(n, 0, 0), Vector3d::Zero());
+        CHECK_FALSE(refused(box.mesh(0.2), supports));
+
+        solid::HexMesh two = *box.mesh(); // such a mesh does not pass solid::finished() either
+        const auto count = static_cast<int>(two.nodes.size());
+        for (int node = 0; node < count; ++node) {
+            two.nodes.emplace_back(two.nodes[static_cast<std::size_t>(node)] + Vector3d(0.1, 0, 0));
+            two.node_numbers.push_back(count + node + 1);
+        }
+        for (std::size_t hex = 0, hexes = two.hexes.size(); hex < hexes; ++hex) {
+            auto moved = two.hexes[hex];
+            for (int& node : moved)
+                node += count;
+            two.hexes.push_back(moved);
+            two.hex_numbers.push_back(static_cast<int>(hexes + hex + 1));
+        }
+        CHECK(refused(std::make_shared<const solid::HexMesh>(std::move(two)), supports));
+    }
+}
+
+TEST_CASE("a solution that leaves forces over is refused with the numbers") {
+    const Box box;
+    const MeshPtr mesh = box.mesh();
+    std::vector<Support> supports;
+    for (int node = 0; node < 4; ++node)
+        test::hold(supports, node, Vector3d::Zero());
+    Crew crew(1);
+    const auto part = Structure::make(mesh, steel, Formulation::standard, supports, crew);
+    REQUIRE(part);
+    MatrixXd loads = test::no_loads(*mesh);
+    loads(14, 0) = 1;
+    Solution solution = part->solve(loads, crew);
+    CHECK_FALSE(part->distrust(solution));
+    solution.residual[0] = 2e-3;
+    CHECK(part->distrust(solution).value().what.starts_with(
+        "the solution cannot be trusted: 0.002 of the largest force is left over at a free node, loads and supports"));
+    solution.residual[0] = std::numeric_limits<double>::quiet_NaN();
+    CHECK(part->distrust(solution));
 }
 
 TEST_CASE("the stress vector on a plane has Cauchy's components") {

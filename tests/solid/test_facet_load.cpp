@@ -58,6 +58,30 @@ TEST_CASE("nodal loads have the force and the moment of the contacts") {
     CHECK((nodal_moment - moment).norm() < 1e-13 * 500); // arms of 0.1 m
 }
 
+TEST_CASE("a facet that is not flat takes a force on either of its triangles with its moment, exactly") {
+    // A corner of the unit cube is drawn in by a tenth, so that three of its facets are curved by 0.1 m.
+    HexMesh cube;
+    for (const double z : {0.0, 1.0})
+        for (const auto& [x, y] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}})
+            cube.nodes.emplace_back(x, y, z);
+    cube.nodes[6] = Vector3d(0.9, 0.9, 0.9);
+    cube.hexes = {{0, 1, 2, 3, 4, 5, 6, 7}};
+    const HexMesh mesh = *finished(cube);
+    const auto triangles = triangles_of(mesh);
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        CAPTURE(t);
+        const auto& [p, q, r] = triangles[t];
+        const Vector3d point = 0.2 * p + 0.3 * q + 0.5 * r, force(1, -2, 3);
+        const auto loads = nodal_loads(mesh, {{static_cast<int>(t / 2), point, force}});
+        REQUIRE_MESSAGE(loads, to_string(loads.problems()));
+        Vector3d moment = Vector3d::Zero();
+        for (Eigen::Index n = 0; n < 8; ++n)
+            moment += mesh.nodes[static_cast<std::size_t>(n)].cross(Vector3d(loads->col(n)));
+        CHECK((loads->rowwise().sum() - force).norm() < 1e-14);
+        CHECK((moment - point.cross(force)).norm() < 1e-14);
+    }
+}
+
 TEST_CASE("a force at a corner goes to that node alone, one in the middle to all four alike") {
     const HexMesh mesh = cylinder();
     const int corner = mesh.facets[7].corners[2];

@@ -147,6 +147,66 @@ TEST_CASE("bad elements and loose nodes are named by their numbers") {
     CHECK_FALSE(finished(HexMesh{}));
 }
 
+TEST_CASE("a mesh in pieces, or with a crack, is refused with the numbers of elements and nodes") {
+    // Two cubes side by side at x = 1; the second has its own nodes, then all but the shared face's, then an edge's.
+    HexMesh cracked = cube();
+    const HexMesh one = cube();
+    for (const Vector3d& node : one.nodes)
+        cracked.nodes.emplace_back(node + Vector3d(1, 0, 0));
+    cracked.hexes.push_back({8, 9, 10, 11, 12, 13, 14, 15});
+    const auto crack = finished(cracked);
+    REQUIRE_FALSE(crack);
+    CHECK(crack.problems()[0].what ==
+          "nodes lie in the same place, where the part is cracked: 2 and 9, 3 and 12, 6 and 13, 7 and 16");
+
+    HexMesh apart = cracked;
+    for (std::size_t node = 8; node < 16; ++node)
+        apart.nodes[node].x() += 0.5;
+    apart.hex_numbers = {5, 17};
+    const auto pieces = finished(apart);
+    REQUIRE_FALSE(pieces);
+    CHECK(pieces.problems()[0].what == "the part is in pieces: element 17 hangs by no face on element 5");
+
+    HexMesh hinge = cube(); // the edge from node 2 to node 6 is all that they share
+    for (const auto& [x, y] : {std::pair{2.0, 0.0}, {2.0, -1.0}, {1.0, -1.0}})
+        for (const double z : {0.0, 1.0})
+            hinge.nodes.emplace_back(x, y, z);
+    hinge.hexes.push_back({12, 10, 8, 1, 13, 11, 9, 5});
+    const auto by_an_edge = finished(hinge);
+    REQUIRE_FALSE(by_an_edge);
+    CHECK(by_an_edge.problems()[0].what == "the part is in pieces: element 2 hangs by no face on element 1");
+
+    HexMesh joined = cube();
+    for (const auto& [y, z] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}})
+        joined.nodes.emplace_back(2, y, z);
+    joined.hexes.push_back({1, 8, 9, 2, 5, 10, 11, 6});
+    const auto whole = finished(joined);
+    REQUIRE_MESSAGE(whole, to_string(whole.problems()));
+    CHECK(whole->facets.size() == 10);
+}
+
+TEST_CASE("coordinates whose Jacobian is no number are refused, in whichever order its points come") {
+    HexMesh huge = cube();
+    for (Vector3d& node : huge.nodes)
+        node *= 1e150;
+    const auto refused = finished(huge);
+    REQUIRE_FALSE(refused);
+    CHECK(refused.problems()[0].what.starts_with("element 1 is inside out or folded"));
+}
+
+TEST_CASE("more hexahedra than numbers can count are refused at their key before one is made") {
+    BoredCylinder tube = thesis_cylinder();
+    tube.around = 1000;
+    tube.along = 10000;
+    tube.inner_rings = tube.shell_rings = 1000;
+    CHECK(mesh_of(tube, {}).problems().at(0).what ==
+          "10000 layers of 2000000 hexahedra are more than the 2000000 that a part may have");
+    Prism fine = thesis_prism();
+    fine.corner_cells = fine.middle_cells = 1000;
+    fine.along = 10000;
+    CHECK(mesh_of(fine, {}).problems().at(0).key == "along");
+}
+
 TEST_CASE("sizes that leave nothing are refused at their key") {
     BoredCylinder hollow = thesis_cylinder();
     hollow.bore_radius = 0.015;

@@ -60,6 +60,28 @@ TEST_CASE("what is wrong with a file is said at its line") {
     CHECK(problem("").starts_with("part.inp: the mesh has no hexahedra"));
 }
 
+TEST_CASE("a range of nodes that are not there ends after the first ones, whatever its last number") {
+    const auto mesh = parse_inp(changed(cube, "5, 8, 1", "5, 2000000000"), "part.inp");
+    REQUIRE_FALSE(mesh);
+    CHECK(to_string(mesh.problems()[0]).starts_with("part.inp:22: set UPPER names node 9, which is not there"));
+    CHECK(mesh.problems().size() <= 20);
+}
+
+TEST_CASE("a set may name sets that are filled further down, and itself") {
+    const std::string nested = "*NSET, NSET=all\nmiddle, all\n*NSET, NSET=middle\nlast\n*NSET, NSET=last\n7\n";
+    const auto mesh = parse_inp(cube + nested, "part.inp");
+    REQUIRE_MESSAGE(mesh, to_string(mesh.problems()));
+    CHECK(mesh->node_sets.at("ALL") == std::vector{6});
+}
+
+TEST_CASE("keywords that make, move or fetch nodes are refused at their line") {
+    CHECK(problem("*INSTANCE, NAME=a, PART=b\n" + cube).starts_with("part.inp:1: *INSTANCE makes or moves nodes"));
+    CHECK(problem("*SYSTEM\n0, 0, 1\n" + cube).starts_with("part.inp:1: *SYSTEM makes or moves nodes"));
+    CHECK(problem(cube + "*ELGEN\n69, 4\n").find("*ELGEN makes or moves nodes") != std::string::npos);
+    CHECK(problem("*NODE, INPUT=nodes.inp\n" + cube).starts_with("part.inp:1: *NODE of another file is not followed"));
+    CHECK(problem("*INCLUDE, INPUT=mesh.inp\n").starts_with("part.inp:1: *INCLUDE of another file is not followed"));
+}
+
 TEST_CASE("a part of a file has its surface by the axis, and the set that is held by name") {
     const test::Folder folder;
     test::put(folder.path / "cube.inp", cube);
@@ -68,6 +90,10 @@ TEST_CASE("a part of a file has its surface by the axis, and the set that is hel
     CHECK(mesh->facet_sets.at("side").size() == 4);
     CHECK(mesh->centre_of(mesh->facet_sets.at("top").at(0)) == Vector3d(1, 1, 2));
     CHECK(mesh_of(MeshFile{folder.path / "none.inp", 1}, {}).problems().at(0).what == "cannot be read");
+    test::put(folder.path / "empty.inp", "");
+    CHECK(mesh_of(MeshFile{folder.path / "empty.inp", 1}, {}).problems().at(0).what == "is empty");
+    test::put(folder.path / "cube.MSH", "$MeshFormat\n9 0 8\n");
+    CHECK(mesh_of(MeshFile{folder.path / "cube.MSH", 1}, {}).problems().at(0).what.find("*NODE") == std::string::npos);
 }
 
 TEST_CASE("what is written reads back, and no number is longer than the 20 letters that CalculiX reads") {
@@ -96,6 +122,14 @@ TEST_CASE("what is written reads back, and no number is longer than the 20 lette
     CHECK(again->node_sets.at("TOP") == mesh.node_sets.at("top"));
     CHECK(text.find("*CLOAD, OP=NEW\n6, 2, -0.1\n") != std::string::npos);
     CHECK(text.find("*BOUNDARY\nbase, 1, 3\n") != std::string::npos);
+    CHECK(again->node_sets.at("ALL").size() == mesh.nodes.size());
+
+    HexMesh some = mesh; // a file's own "ALL", of two nodes
+    some.node_sets["ALL"] = {3, 5};
+    const auto kept = parse_inp(to_inp(some, {2e11, 0.3, "C3D8", {"ALL"}}, {}), "kept.inp");
+    REQUIRE_MESSAGE(kept, to_string(kept.problems()));
+    CHECK(kept->node_sets.at("ALL") == std::vector{3, 5});
+    CHECK(kept->node_sets.at("ALL_").size() == mesh.nodes.size());
 }
 
 } // namespace test_inp

@@ -103,7 +103,23 @@ TEST_CASE("the same contacts on another mesh load the part and its support alike
     const auto study = stress::study(finer->scene, finer->specimen(), finer->loads, options);
     REQUIRE_MESSAGE(study, to_string(study.problems()));
     REQUIRE(study->cases.size() == 3);
+    const auto coarse_loads = nodal_cases(recorded->specimen(), recorded->loads, false);
+    const auto finer_loads = nodal_cases(finer->specimen(), finer->loads, false);
+    REQUIRE((coarse_loads && finer_loads));
+    const auto moment = [](const solid::HexMesh& mesh, const Eigen::Matrix3Xd& forces) {
+        Vector3d sum = Vector3d::Zero();
+        for (Eigen::Index n = 0; n < forces.cols(); ++n)
+            sum += mesh.nodes[static_cast<std::size_t>(n)].cross(Vector3d(forces.col(n)));
+        return sum;
+    };
+    // The ball lies at x = 3 mm, z = 2 mm: its weight turns the part about z and x.
+    const Vector3d turned = moment(*finer->specimen().mesh, (*finer_loads)[2]);
+    CHECK(turned.z() == about(-0.003 * test::weight_of_ball, 0.01));
+    CHECK(turned.x() == about(0.002 * test::weight_of_ball, 0.01));
     for (std::size_t c = 0; c < 3; ++c) {
+        CHECK((moment(*finer->specimen().mesh, (*finer_loads)[c]) -
+               moment(*recorded->specimen().mesh, (*coarse_loads)[c]))
+                  .norm() < 1e-14);
         CHECK((study->cases[c].force - coarse_study->cases[c].force).norm() < 1e-12);
         CHECK(study->cases[c].unbalance < 1e-10);
     }

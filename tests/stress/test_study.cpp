@@ -2,6 +2,8 @@
 #include "folder.h"
 #include "run/specimens.h"
 #include "sheet/show.h"
+#include "solid/inp.h"
+#include "stress/recorded.h"
 #include "stress/study.h"
 #include "stress/study_sheet.h"
 
@@ -96,6 +98,46 @@ TEST_CASE("a part that gives way visibly is warned about with the number") {
     CHECK(study.warnings[0].find("of the smallest sphere's radius") != std::string::npos);
     // A tenth of strain over half a side of 7.5 mm and more.
     CHECK(study.cases[0].deflection > 0.0005);
+}
+
+TEST_CASE("a part of a file with curved facets is run and solved, and its file is kept with the loads") {
+    // The prism's layers as y (1 - k (x z)^2), lower at the four edges: on its upper end no facet is flat, where the
+    // ball lies (between 2.7 and 5.1 mm, and 0 and 2.7 mm) by 9 micrometres.
+    const test::Folder folder;
+    solid::HexMesh mesh = *solid::mesh_of(
+        solid::Prism{
+            .length = 0.05, .side = 0.015, .corner = 0.0048, .corner_cells = 2, .middle_cells = 2, .along = 10},
+        {});
+    for (Vector3d& node : mesh.nodes)
+        node.y() *= 1 - 1.26e6 * std::pow(node.x() * node.z(), 2);
+    const std::string written = solid::to_inp(mesh, {2e11, 0.3, "C3D8", {}}, {});
+    test::put(folder.path / "part.inp", written);
+    std::string text = test::ball_on_prism;
+    const auto from = text.find("shape = \"prism\""), to = text.find("material = \"glass\"\n[observe]");
+    text.replace(from, to - from,
+                 "shape = \"hexahedra\"\ninp = \"" + (folder.path / "part.inp").string() +
+                     "\"\naxis = [0, 1, 0]\nheld_set = \"base\"\n");
+    auto scene = scene::load_scene_text(text, "ball-on-part.toml", {{"duration_s=0.1"}});
+    REQUIRE_MESSAGE(scene, to_string(scene.problems()));
+    auto recorded = specimen_in(std::move(*scene), "");
+    REQUIRE(recorded);
+    recorded->loads = test::recorded(recorded->scene, {.every = 0.01, .folder = folder.path / "kept"});
+    REQUIRE(write_recorded(*recorded, folder.path / "kept"));
+    const Study study = studied(recorded->scene, recorded->loads);
+    double pressed = 0;
+    for (const Case& now : study.cases) {
+        CHECK(now.unbalance < 1e-10);
+        CHECK((now.force + now.support_force).norm() < 1e-9 * (now.force.norm() + 1));
+        pressed = std::max(pressed, -now.force.y());
+    }
+    CHECK(pressed > 0.5 * test::weight_of_ball);
+
+    std::filesystem::remove(folder.path / "part.inp");
+    CHECK(test::content_of(folder.path / "kept/meshes/0.inp") == written);
+    const auto again = read_recorded(folder.path / "kept", "");
+    REQUIRE_MESSAGE(again, to_string(again.problems()));
+    CHECK(again->specimen().mesh->nodes.size() == mesh.nodes.size());
+    CHECK(again->loads.instants.size() == recorded->loads.instants.size());
 }
 
 TEST_CASE("the means are solved as well, and what is written can be read") {

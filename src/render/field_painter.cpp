@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr int samples = 4;         // a pixel
+constexpr int samples_a_pixel = 4;
 constexpr double body_share = 0.3; // of the letters' colour in the bodies', the rest is the background's
 
 std::optional<Problem> refuse(const Field& field) {
@@ -60,7 +60,7 @@ void lay_over(const Picture& veiled, double veil, Picture& bare) {
 struct FieldCanvas {
     static Result<FieldCanvas> open(const scene::Render& settings, const Theme& theme, const ColorMap& map,
                                     std::shared_ptr<const observe::FrameLayout> scenery, const Layout& layout) {
-        auto canvas = make_canvas(settings.width, settings.height, samples);
+        auto canvas = make_canvas(settings.width, settings.height, samples_a_pixel);
         if (!canvas)
             return canvas.problems();
         auto spheres = SphereDrawer::open(*canvas);

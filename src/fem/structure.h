@@ -64,7 +64,6 @@ private:
     std::shared_ptr<const solid::HexMesh> mesh_;
     Eigen::Matrix<double, 6, 6> law_;
     Formulation formulation_ = Formulation::standard;
-    std::vector<Support> supports_;
     std::vector<int> unknown_of_;           // per row of the displacements, or -1: held
     std::vector<int> row_of_;               // per unknown
     Eigen::VectorXd held_;                  // m, displacements of the supports, 0 elsewhere; by rows

@@ -129,7 +129,7 @@ std::string conclusion(const Account& account, bool unsure) {
     const auto needed = account.seeds_needed();
     const std::string more =
         needed ? fmt::format("--seeds {} would tell, if errors and scatter stay as they are", *needed)
-               : fmt::format("more seeds, of the reference too (at least {}), or a longer --time would tell",
+               : fmt::format("many more seeds, of the reference too (at least {}), or a longer --time would tell",
                              seeds_to_be_sure);
     return fmt::format(
         "The cheapest that seems to stay within {:.3g} %: {}. Its errors are below that, but not surely: "

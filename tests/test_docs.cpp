@@ -171,7 +171,8 @@ TEST_CASE("every link in README and docs leads somewhere") {
         }
 }
 
-TEST_CASE("what README and docs show is made by the gallery, by its lesson, or by a command that docs/gallery.md names") {
+TEST_CASE(
+    "what README and docs show is made by the gallery, by its lesson, or by a command that docs/gallery.md names") {
     const std::set<std::string> gallery = first_words_of("gallery --list"), others = pictures_with_commands();
     std::set<fs::path> shown;
     for (const fs::path& page : pages())

@@ -7,8 +7,9 @@
 
 namespace tumble::cli {
 
-/// Makes pictures of the gallery. Runs lie in `out/.runs` until all is made: a call after one that was stopped or killed
-/// takes up those that are over and goes on with the one that is not. Each picture gets its name when it is whole.
+/// Makes pictures of the gallery. Runs lie in `out/.runs` until all is made: a call after one that was stopped or
+/// killed takes up those that are over and goes on with the one that is not. Each picture gets its name when it is
+/// whole.
 class Workshop {
 public:
     Workshop(std::filesystem::path out, std::filesystem::path scenes);

@@ -1,8 +1,8 @@
 #include "expect.h"
 #include "view/grip.h"
 #include "view/page.h"
-#include "view/response.h"
 #include "view/request.h"
+#include "view/response.h"
 
 #include <boost/asio/io_context.hpp>
 #include <boost/beast/_experimental/test/stream.hpp>

@@ -50,7 +50,8 @@ TEST_CASE("a request is answered alike in whatever pieces it comes, and one that
              {std::string("\0\x16\x03\x01", 4) + "\r\n\r\n", 400}, // as TLS begins
              {get + host + cookie + "Content-Length: 1\r\n\r\nx", 400},
              {get + host + cookie + "Content-Length: 1025\r\n\r\n", 413},
-             {get + host + cookie + "Transfer-Encoding: chunked\r\n\r\n1000\r\n" + std::string(4096, 'x') + "\r\n", 413},
+             {get + host + cookie + "Transfer-Encoding: chunked\r\n\r\n1000\r\n" + std::string(4096, 'x') + "\r\n",
+              413},
              {get + host + "X: " + std::string(9000, 'x') + "\r\n\r\n", 431},
              {"", 0},
              {get + host + cookie, 0},

@@ -103,13 +103,21 @@ Error error_beside_zero(const Mean& mean, const Mean& reference) {
     return {.at_least = surely > 0 && most > 0 ? surely / most : 0};
 }
 
-Verdict judge(const Error& error, double tolerance, bool enough_seeds) {
+Verdict judge(const Error& error, double tolerance, bool enough_seeds, bool lost_by_all) {
     const double size = std::abs(error.relative);
-    if (!std::isfinite(size) || size - error.uncertainty > tolerance)
+    if (!std::isfinite(size))
+        return lost_by_all ? Verdict::beyond : Verdict::seems_beyond;
+    if (size - error.uncertainty > tolerance)
         return Verdict::beyond;
     if (enough_seeds && size + error.uncertainty <= tolerance)
         return Verdict::within;
     return size <= tolerance ? Verdict::seems_within : Verdict::seems_beyond;
+}
+
+/// No seed has the quantity.
+bool lost_by_all(const Sample& sample, std::size_t quantity) {
+    return std::none_of(sample.values.begin(), sample.values.end(),
+                        [&](const std::vector<double>& seed) { return std::isfinite(seed[quantity]); });
 }
 
 bool enough_seeds(const Sample& sample) {
@@ -185,7 +193,7 @@ Prices price(const std::vector<Sample>& samples, std::size_t reference, double t
                 rung.worst =
                     std::max(rung.worst, std::isfinite(error.relative) ? std::abs(error.relative)
                                                                        : std::numeric_limits<double>::infinity());
-                rung.verdict = std::max(rung.verdict, judge(error, tolerance, enough));
+                rung.verdict = std::max(rung.verdict, judge(error, tolerance, enough, lost_by_all(samples[i], q)));
             } else {
                 error = error_beside_zero(mean, of_reference);
                 if (error.at_least > tolerance)

@@ -34,8 +34,8 @@ enum class Verdict {
     not_judged,   // by no quantity
     within,       // even with its uncertainty, and enough seeds to know that
     seems_within, // the error is, its uncertainty is not, or is known from too few seeds
-    seems_beyond,
-    beyond // even less its uncertainty, or a quantity is lost
+    seems_beyond, // the error is, or some seeds have lost a quantity
+    beyond        // even less its uncertainty, or all seeds have lost a quantity
 };
 const char* word_of(Verdict verdict);
 

@@ -106,9 +106,12 @@ TEST_CASE("a rung that surely has what the reference hardly has is beyond") {
     CHECK_FALSE(prices.cheapest);
 }
 
-TEST_CASE("a rung that has lost what the reference has is beyond") {
-    const Prices prices = price({sample({1, 1}, 8), sample({1, std::nan("")}, 4)}, 0, 0.1);
+TEST_CASE("a rung that has lost what the reference has is beyond, or seems to be where only some seeds have") {
+    const double none = std::nan("");
+    const Prices prices = price({sample({1, 1}, 8), sample({none, none}, 4), sample({1, none}, 4)}, 0, 0.1);
     CHECK(prices.rungs[1].verdict == Verdict::beyond);
+    CHECK(prices.rungs[2].verdict == Verdict::seems_beyond);
+    CHECK_FALSE(prices.cheapest);
     CHECK_FALSE(prices.rungs[1].errors[0].told_apart());
 }
 

@@ -1,23 +1,13 @@
 #include "reduce/price.h"
 
+#include "base/distributions.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace tumble::reduce {
 
 namespace {
-
-/// P(|t| < value), Abramowitz and Stegun 26.7.3 and 26.7.4.
-double student_inside(double value, int degrees) {
-    const double angle = std::atan(value / std::sqrt(degrees)), cosine = std::cos(angle), sine = std::sin(angle);
-    double term = degrees % 2 == 0 ? 1 : cosine, sum = degrees == 1 ? 0 : term;
-    for (int k = degrees % 2 == 0 ? 2 : 3; k <= degrees - 2; k += 2) {
-        term *= cosine * cosine * (k - 1) / k;
-        sum += term;
-    }
-    return degrees % 2 == 0 ? sine * sum : 2 / std::numbers::pi * (angle + sine * sum);
-}
 
 std::vector<double> of_quantity(const Sample& sample, std::size_t quantity) {
     std::vector<double> values;
@@ -57,9 +47,9 @@ struct Mean {
     [[nodiscard]] double reach() const;
 };
 
+/// Half of a 95 % interval, in standard errors.
 double t_of(double degrees) {
-    return degrees >= 1 ? student_t_95(static_cast<int>(std::min(degrees, 1e6)))
-                        : std::numeric_limits<double>::infinity();
+    return degrees >= 1 ? student_quantile(0.025, std::floor(degrees)) : std::numeric_limits<double>::infinity();
 }
 
 double Mean::reach() const {
@@ -147,26 +137,6 @@ bool Error::told_apart() const {
 const char* word_of(Verdict verdict) {
     constexpr const char* words[] = {"not judged", "within", "seems within", "seems beyond", "beyond"};
     return words[static_cast<int>(verdict)];
-}
-
-Spread spread_of(const std::vector<double>& values) {
-    Spread spread;
-    const auto n = static_cast<double>(values.size());
-    for (const double value : values)
-        spread.mean += value / n;
-    for (const double value : values)
-        spread.deviation += (value - spread.mean) * (value - spread.mean);
-    spread.deviation = values.size() > 1 ? std::sqrt(spread.deviation / (n - 1)) : 0;
-    return spread;
-}
-
-double student_t_95(int degrees) {
-    double lo = 0, hi = 20; // 12.7 for one degree
-    for (int k = 0; k < 60; ++k) {
-        const double middle = (lo + hi) / 2;
-        (student_inside(middle, degrees) < 0.95 ? lo : hi) = middle;
-    }
-    return lo;
 }
 
 Prices price(const std::vector<Sample>& samples, std::size_t reference, double tolerance) {

@@ -23,14 +23,6 @@ Sample sample(std::vector<double> values, double core_s) {
 
 } // namespace
 
-TEST_CASE("Student's t bounds 95 % where the tables say") {
-    CHECK(student_t_95(1) == about(12.7062, 1e-5));
-    CHECK(student_t_95(2) == about(4.30265, 1e-5));
-    CHECK(student_t_95(3) == about(3.18245, 1e-5));
-    CHECK(student_t_95(10) == about(2.22814, 1e-5));
-    CHECK(student_t_95(60) == about(2.00030, 1e-5));
-}
-
 TEST_CASE("an error's interval ends where the data would just bear that ratio of two means") {
     // Fieller: a ratio R is borne while (m - R m_ref)^2 <= t^2 (s^2 / n + R^2 s_ref^2 / n). Deviations of
     // 0.2 / sqrt(2) each, pooled over two rungs of two seeds: two degrees of freedom.

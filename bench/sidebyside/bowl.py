@@ -2,7 +2,7 @@
 
 scenes/bowl.toml with cones twice as long, four times softer. Both codes get the same spheres, materials and step, and
 the walls' triangles as `tumble walls` writes them; each fills the bowl in its own way. Paths part at once. What is
-compared are means over the last 0.4 s of 0.8 s of turning, by when the bulk has forgotten its beginning.
+compared are means over the last 0.3 s of 0.6 s of turning, by when the bulk has forgotten its beginning.
 """
 
 import csv
@@ -20,7 +20,8 @@ from .bulk import SEEDS
 
 SCENE = programs.ROOT / "scenes" / "bowl.toml"
 REDUCED = ("reduce.size=2", "reduce.softening=4")
-REST, TURN, LATE = 0.7, 0.8, 0.4       # s: at rest until the disc turns, how long it turns, what of it counts
+REST, TURN, LATE = 0.7, 0.6, 0.3       # s: when the scene's disc begins to turn, how long it turns, what of it counts
+FALL = 0.6                             # s, that LIGGGHTS' cones have to fall and come to rest
 EVERY = 0.01                           # s, between rows
 SHARE = 0.02                           # of LIGGGHTS' mean; differences below it count as agreement
 LOW, RADIUS = 0.04, 0.1665             # m, the layer over the disc that the thesis sees move fastest; the bowl's radius
@@ -65,10 +66,10 @@ def their_run(seed, scene, core, folder):
 
     deck = {"N": scene["fill"][0]["count"], "seed": seed, "dt": scene["time_step_s"], "cone": str(cone), "bowl": str(walls / "bowl.stl"),
             "disc": str(walls / "disc.stl"), "density": media["density_kg_m3"], "media": media["youngs_modulus_Pa"],
-            "lining": scene["material"]["lining"]["youngs_modulus_Pa"], "nset": steps(REST), "nturn": steps(TURN),
+            "lining": scene["material"]["lining"]["youngs_modulus_Pa"], "nset": steps(FALL), "nturn": steps(TURN),
             "every": steps(EVERY), "skin": 1.5e-3}
     ran = liggghts.run("bowl.in", deck, [core])
-    late = steps(REST + TURN - LATE) + 1
+    late = steps(FALL + TURN - LATE) + 1
     rows = np.array([frame for step, frame in liggghts.frames(ran.folder / "body.dump") if step > late])
     x, v = rows[..., :3], rows[..., 3:6]
     around = (v[..., 0] * x[..., 2] - v[..., 2] * x[..., 0]) / np.maximum(np.hypot(x[..., 0], x[..., 2]), 1e-9)  # about +y

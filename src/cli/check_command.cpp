@@ -2,6 +2,7 @@
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "cli/progress_line.h"
 #include "cli/scene_arguments.h"
 #include "run/scene_check.h"
 #include "scene/read_file.h"
@@ -17,6 +18,7 @@ namespace {
 
 struct CheckArguments {
     SceneArguments scene;
+    bool quiet = false;
     bool json = false;
 };
 
@@ -92,7 +94,10 @@ int check_it(const CheckArguments& arguments) {
     if (!scene)
         return refuse(scene.problems(), arguments.json, wrong);
     const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    const Result<run::SceneCheck> check = run::check_scene(*scene, threads);
+    ProgressLine line(arguments.quiet);
+    const Result<run::SceneCheck> check =
+        run::check_scene(*scene, threads, [&](auto... told) { line.prepares(told...); });
+    line.end();
     if (!check)
         return refuse(check.problems(), arguments.json, wrong);
     if (arguments.json) {
@@ -121,6 +126,7 @@ void add_check_command(CLI::App& program, Action& action) {
                  "code 2 where `run` would refuse the scene.");
     const auto arguments = std::make_shared<CheckArguments>();
     arguments->scene.add_to(*command);
+    command->add_flag("--quiet", arguments->quiet, "No progress on stderr");
     command->add_flag("--json", arguments->json, "Print the result as JSON");
     command->callback([arguments, &action] { action = [arguments] { return check_it(*arguments); }; });
 }

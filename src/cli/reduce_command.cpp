@@ -42,6 +42,9 @@ public:
         if (!quiet_)
             note(fmt::format("run {} of {}: {}, seed {}{}", run, of, rung, seed, kept ? ", done before" : ""));
     }
+    void prepares(std::string_view what, std::int64_t done, std::int64_t all) override {
+        line_.prepares(what, done, all);
+    }
     void progressed(const run::Progress& now) override { line_.progressed(now); }
     void end() { line_.end(); }
 

@@ -57,7 +57,8 @@ public:
 private:
     /// What a run of it takes, as far as that can be told before it.
     void weigh(Climbed& rung) const {
-        const auto check = run::check_scene(prepared(rung, 0), options_.threads);
+        const auto check =
+            run::check_scene(prepared(rung, 0), options_.threads, [&](auto... told) { listener_.prepares(told...); });
         if (!check) {
             rung.standing = Standing::refused;
             rung.reason = first_of(check.problems());

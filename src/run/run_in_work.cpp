@@ -107,7 +107,8 @@ Result<std::unique_ptr<RunInWork>> RunInWork::prepare(const scene::Scene& scene,
 
 Result<std::unique_ptr<RunInWork>> RunInWork::begin(const scene::Scene& scene, const RunOptions& options,
                                                     RunListener& listener, const std::vector<MeshCopy>& meshes) {
-    Result<SimulationPtr> simulation = simulate(scene, options.threads, options.stop);
+    Result<SimulationPtr> simulation =
+        simulate(scene, options.threads, options.stop, [&](auto... told) { listener.prepares(told...); });
     if (!simulation)
         return simulation.problems();
     Result<FolderInWork> folder =

@@ -132,11 +132,11 @@ nlohmann::ordered_json to_json(const scene::TimeStepReport& report) {
 
 } // namespace
 
-Result<SceneCheck> check_scene(const scene::Scene& scene, int threads) {
+Result<SceneCheck> check_scene(const scene::Scene& scene, int threads, const Tally& tally) {
     Problems problems = check_measures(scene);
     for (Problem& problem : problems)
         problem = scene::placed(scene, std::move(problem));
-    const Result<SimulationPtr> simulation = simulate(scene, threads);
+    const Result<SimulationPtr> simulation = simulate(scene, threads, nullptr, tally);
     const Problems more = simulation.problems();
     problems.insert(problems.end(), more.begin(), more.end());
     if (!problems.empty())

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/problem.h"
+#include "base/tally.h"
 #include "run/simulation.h"
 #include "scene/scene.h"
 
@@ -50,9 +51,9 @@ struct SceneCheck {
 /// The same of a world that is built.
 SceneCheck check_built(const scene::Scene& scene, const Simulation& simulation);
 
-/// Builds everything as a run would, takes no step, writes nothing. Problems: all that would keep the scene from
-/// running, an unstable time step among them.
-Result<SceneCheck> check_scene(const scene::Scene& scene, int threads);
+/// Builds everything as a run would, takes no step, writes nothing; `tally` hears of each body that found its place.
+/// Problems: all that would keep the scene from running, an unstable time step among them.
+Result<SceneCheck> check_scene(const scene::Scene& scene, int threads, const Tally& tally = {});
 
 /// Stable keys, units in the names.
 nlohmann::ordered_json to_json(const SceneCheck& check);

@@ -134,6 +134,16 @@ TEST_CASE("the lists name what scenes may say") {
     CHECK(found);
     // A measure stands as a scene and --plot name it.
     CHECK(contains(tumble_in(folder, {"list", "measures"}).out, "\nkinetic_translation  "));
+    CHECK(contains(tumble_in(folder, {"list", "measures"}).out, "\ntracer:BODY  "));
+    put(folder.path / "ball.toml", bouncing_ball(0.01));
+    CHECK(tumble_in(folder, {"list", "measures", "ball.toml"}).out.find("tracer") == std::string::npos);
+    std::string traced = bouncing_ball(0.01);
+    traced.replace(traced.find("[observe]"), 9, "[observe]\nmeasures = [\"tracer:ball\"]");
+    put(folder.path / "ball.toml", traced);
+    const std::string listed = tumble_in(folder, {"list", "measures", "ball.toml"}).out;
+    CHECK(contains(listed, "\nkinetic_translation  "));
+    CHECK(contains(listed, "\ntracer:ball_point_vy "));
+    CHECK(tumble_in(folder, {"list", "measures", "none.toml"}).code == 2);
     CHECK(contains(tumble_in(folder, {"list", "laws"}).out, "hertz"));
     CHECK(contains(tumble_in(folder, {"list", "keys"}).out, "duration_s"));
     const auto laws = nlohmann::json::parse(tumble_in(folder, {"list", "laws", "--json"}).out);

@@ -9,6 +9,7 @@
 #include "cli/stop_flag.h"
 #include "cli/time_range.h"
 #include "reduce/account.h"
+#include "reduce/given_run.h"
 #include "sheet/show.h"
 
 #include <fmt/format.h>
@@ -109,6 +110,8 @@ Result<Asked> understand(const ReduceArguments& arguments) {
     auto ladder = reduce::ladder(text, *wishes);
     if (!ladder)
         return ladder.problems();
+    if (const auto problem = reduce::unfit_reference(arguments.options.references, ladder->front().scene, *stick))
+        return *problem;
     return Asked{*within, std::move(*ladder), std::move(*stick)};
 }
 

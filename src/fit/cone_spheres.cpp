@@ -88,9 +88,9 @@ std::vector<Sphere> arranged(const MedialAxis& axis, const Arrangement& so, cons
 
 Result<std::vector<Sphere>> spheres_in(const Cone& cone, const Wanted& wanted, const Tally& tally) {
     const MedialAxis axis(cone);
-    if (wanted.spheres < 8)
+    if (wanted.spheres < fewest_in_a_cone)
         return Problem{.what = fmt::format("{} spheres are too few for a cone", wanted.spheres),
-                       .fix = "take 8 at least: an axis and a ring"};
+                       .fix = fmt::format("take {} at least: an axis and a ring", fewest_in_a_cone)};
     if (!(wanted.smallest > 0 && wanted.smallest < axis.inscribed))
         return Problem{.what = fmt::format("the smallest sphere, {:.4g} mm, is not smaller than the largest that fits, "
                                            "{:.4g} mm",

@@ -17,10 +17,13 @@ struct Wanted {
     double smallest = 0; // m, the least radius
 };
 
+/// An axis and a ring.
+constexpr int fewest_in_a_cone = 8;
+
 /// Spheres on the cone's medial axis, where the largest that fit inside touch base and mantle at once: some on the axis
 /// from the inscribed sphere to the tip, the others in rings towards the rim of the base. Radii fall off
 /// geometrically; rings hold spheres in proportion to their length over their radius. How many stand on the axis and
-/// in how many rings is tried out, and the fullest kept; `tally` hears of each try. Problems: fewer than 8 spheres, a
+/// in how many rings is tried out, and the fullest kept; `tally` hears of each try. Problems: too few spheres, a
 /// smallest radius that is not below that of the inscribed sphere.
 Result<std::vector<Sphere>> spheres_in(const Cone& cone, const Wanted& wanted, const Tally& tally = {});
 

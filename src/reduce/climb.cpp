@@ -34,6 +34,8 @@ public:
     }
 
     Result<Climb> climb() {
+        if (const auto problem = unfit_reference(options_.references, result_.rungs.front().rung.scene, result_.stick))
+            return *problem;
         for (Climbed& rung : result_.rungs)
             weigh(rung);
         if (const Result<Done> taken = take_references(); !taken)
@@ -75,11 +77,6 @@ private:
             const auto given = read_given(folder, whole.rung.scene, result_.stick, whole.mass);
             if (!given)
                 return given.problems();
-            for (const Seeded& run : whole.runs)
-                if (run.seed == given->seed)
-                    return Problem{.file = folder.string(),
-                                   .what = fmt::format("seed {} is among the references already", given->seed),
-                                   .fix = "give each run once, and only runs of different seeds"};
             whole.runs.push_back(*given);
             whole.standing = Standing::finished;
         }

@@ -46,7 +46,7 @@ TEST_CASE("a quantity that no row has a value of is left out of the table, and s
     for (const auto& row : grid.rows)
         CHECK(row.size() == heads.size());
     CHECK(text_of(climb).find("circulation judges none of the others") != std::string::npos);
-    CHECK(csv_of(account).find("circulation_rad_s_mean") != std::string::npos);
+    CHECK(csv_of(account).find("circulation_mean") != std::string::npos);
     CHECK(to_json(account)["rungs"][0]["quantities"].size() == 3);
 }
 

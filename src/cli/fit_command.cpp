@@ -127,12 +127,9 @@ int fit_it(const FitArguments& arguments) {
     if (arguments.spheres < 1 && arguments.compare.empty())
         return refuse({{.what = "it is not said how many spheres", .fix = "give --spheres N, or --compare CLUMP.csv"}},
                       arguments.json, wrong);
-    std::error_code error;
-    if (!arguments.out.empty() && !arguments.force && std::filesystem::exists(arguments.out, error))
-        return refuse({{.file = arguments.out.string(),
-                        .what = "is there already, and nothing is overwritten",
-                        .fix = "--force replaces it"}},
-                      arguments.json, wrong);
+    if (!arguments.out.empty() && !arguments.force)
+        if (const auto problem = refuse_to_overwrite({arguments.out}))
+            return refuse({*problem}, arguments.json, wrong);
     auto result = fitted(arguments);
     if (stop_wanted(&watch_for_stop()))
         return stop_code();

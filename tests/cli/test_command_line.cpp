@@ -241,6 +241,25 @@ TEST_CASE("fit and walls write what they say, and nothing twice; flow wants a ru
     CHECK(reversed.code == 2);
     CHECK(contains(reversed.err, "--heights: the lowest height, 0.16 m, does not lie below the highest, 0 m"));
     CHECK(contains(reversed.err, "give the lower one first, as in --heights 0,0.16"));
+    const Outcome ending = tumble_in(folder, {"flow", "out/ball", "--picture", "flow.jpg"});
+    CHECK(ending.code == 2);
+    CHECK(contains(ending.err, "'flow.jpg' does not end in .png or .svg"));
+    // What is there stays, unless it is said that it may go.
+    const std::vector<std::string> tables{"flow", "out/ball", "--out", "tables", "--body", "ball"};
+    CHECK(tumble_in(folder, tables).code == 0);
+    CHECK(std::filesystem::exists(folder.path / "tables" / "tracer_ball.csv"));
+    put(folder.path / "tables" / "tracer_ball.csv", "mine");
+    put(folder.path / "flow.png", "mine");
+    const Outcome again = tumble_in(folder, tables);
+    CHECK(again.code == 2);
+    CHECK(contains(again.err, "tables/flow_field.csv: is there already, and nothing is overwritten"));
+    CHECK(content_of(folder.path / "tables" / "tracer_ball.csv") == "mine");
+    CHECK(tumble_in(folder, {"flow", "out/ball", "--picture", "flow.png"}).code == 2);
+    CHECK(content_of(folder.path / "flow.png") == "mine");
+    std::vector<std::string> forced = tables;
+    forced.emplace_back("--force");
+    CHECK(tumble_in(folder, forced).code == 0);
+    CHECK(content_of(folder.path / "tables" / "tracer_ball.csv").starts_with("time_s,"));
 }
 
 } // namespace test_command_line

@@ -25,6 +25,15 @@ struct WallCheck {
     Eigen::Vector3d size; // m, of the box around it at rest; infinite where it does not end
 };
 
+/// What two materials do to each other, of which one is a body's.
+struct PairCheck {
+    std::string name;       // "media-lining"
+    std::string normal;     // law: "hertz", "linear", "box2d"
+    std::string tangential; // law: "mindlin", "linear", "none", "box2d"
+    contact::PairProperties given;
+    contact::PairConstants taken; // by the laws: an addition that the pair gives no size is none
+};
+
 /// What a scene means before anything runs.
 struct SceneCheck {
     int dimension = 3;
@@ -35,6 +44,7 @@ struct SceneCheck {
     double mass = 0;           // kg, of all wanted
     std::size_t parts = 0;     // spheres or discs of all wanted
     std::vector<WallCheck> walls;
+    std::vector<PairCheck> pairs;
     scene::TimeStepReport time_step;
     std::int64_t steps = 0;
     std::int64_t rows = 0;

@@ -210,6 +210,32 @@ TEST_CASE("check shows each wall's size and its warnings on stdout, where its an
     CHECK(contains(outcome.out, "warning: --set gravity_m_s2.1: a gravity of 981 m/s2"));
 }
 
+TEST_CASE("check has a line for each pair of materials that can meet, with its laws and their numbers") {
+    const Folder folder;
+    const std::string lining = "[material.lining]\ndensity_kg_m3 = 1200\nyoungs_modulus_Pa = 2e7\npoisson_ratio = 0.3\n"
+                               "[pair.glass-lining]\nrestitution = 0.2\nfriction = 0.9\nrolling_friction = 0.05\n"
+                               "work_of_adhesion_J_m2 = 0.04\n";
+    std::string text = bouncing_ball(0.5);
+    text.insert(text.find("[body.ball]"), lining + "[contact]\nrolling = \"epsd\"\nadhesion = \"jkr\"\n");
+    const std::string glass_wall = "normal = [0, 1, 0]\nmaterial = \"glass\"";
+    text.replace(text.find(glass_wall), glass_wall.size(), "normal = [0, 1, 0]\nmaterial = \"lining\"");
+    put(folder.path / "ball.toml", text);
+    const Outcome outcome = tumble_in(folder, {"check", "ball.toml"});
+    CHECK_MESSAGE(outcome.code == 0, outcome.err);
+    // 1 / E* = 0.9375 / 1e8 + 0.91 / 2e7; glass alone: 1e8 / (2 0.9375).
+    CHECK(contains(outcome.out, "glass-glass   hertz, E* 53.3 MPa; mindlin  0.8          0.3       none"));
+    CHECK(contains(outcome.out,
+                   "glass-lining  hertz, E* 18.2 MPa; mindlin  0.2          0.9       epsd 0.05, damping 0.3  "
+                   "jkr, 0.04 J/m2"));
+    CHECK(outcome.out.find("lining-lining") == std::string::npos);
+    const auto pairs = nlohmann::json::parse(tumble_in(folder, {"check", "ball.toml", "--json"}).out)["pairs"];
+    REQUIRE(pairs.size() == 2);
+    CHECK(pairs[0]["rolling"] == "none");
+    CHECK(pairs[1]["pair"] == "glass-lining");
+    CHECK(pairs[1]["rolling_friction"] == 0.05);
+    CHECK(pairs[1]["adhesion"] == "jkr");
+}
+
 TEST_CASE("fit and walls write what they say, and nothing twice; flow wants a run") {
     const Folder folder;
     const std::vector<std::string> fit{"fit", "--cone", "10,12", "--spheres", "12", "--out", "cone.csv"};

@@ -23,7 +23,7 @@ std::vector<std::string> names_close_by(const std::string& word, std::vector<std
     return candidates;
 }
 
-std::vector<observe::TracerColumn> columns_of(const std::vector<std::string>& traced) {
+std::vector<observe::TracerColumn> traced_columns(const std::vector<std::string>& traced) {
     std::vector<observe::TracerColumn> all;
     for (const std::string& body : traced)
         for (observe::TracerColumn& column : observe::tracer_columns(body))
@@ -33,7 +33,7 @@ std::vector<observe::TracerColumn> columns_of(const std::vector<std::string>& tr
 
 Result<Plotted> find_traced(const std::string& name, const std::vector<std::string>& traced) {
     std::vector<std::string> names;
-    for (const observe::TracerColumn& column : columns_of(traced)) {
+    for (const observe::TracerColumn& column : traced_columns(traced)) {
         if (name == column.name || name == column.column())
             return Plotted{name, observe::spelled_name(column.name.substr(column.name.find(':') + 1)),
                            observe::spelled_unit(column.unit), column.column()};

@@ -68,8 +68,9 @@ void check_walls(const scene::Scene& scene, SceneCheck& check) {
 void check_pairs(const scene::Scene& scene, SceneCheck& check) {
     std::set<std::pair<int, int>> meet;
     for (const scene::BodyTemplate& body : scene.bodies) {
-        for (const scene::BodyTemplate& other : scene.bodies)
-            meet.insert(std::minmax(body.material, other.material));
+        if (scene.bodies_can_meet())
+            for (const scene::BodyTemplate& other : scene.bodies)
+                meet.insert(std::minmax(body.material, other.material));
         for (const scene::Wall& wall : scene.walls)
             meet.insert(std::minmax(body.material, wall.material));
     }

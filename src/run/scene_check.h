@@ -25,7 +25,7 @@ struct WallCheck {
     Eigen::Vector3d size; // m, of the box around it at rest; infinite where it does not end
 };
 
-/// What two materials do to each other, of which one is a body's.
+/// What two materials do to each other that can meet.
 struct PairCheck {
     std::string name;       // "media-lining"
     std::string normal;     // law: "hertz", "linear", "box2d"

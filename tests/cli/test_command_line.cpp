@@ -217,8 +217,8 @@ TEST_CASE("check has a line for each pair of materials that can meet, with its l
                                "work_of_adhesion_J_m2 = 0.04\n";
     std::string text = bouncing_ball(0.5);
     text.insert(text.find("[body.ball]"), lining + "[contact]\nrolling = \"epsd\"\nadhesion = \"jkr\"\n");
-    const std::string glass_wall = "normal = [0, 1, 0]\nmaterial = \"glass\"";
-    text.replace(text.find(glass_wall), glass_wall.size(), "normal = [0, 1, 0]\nmaterial = \"lining\"");
+    text.insert(text.find("[observe]"), "[[wall]]\nname = \"side\"\nshape = \"plane\"\npoint_m = [-0.05, 0, 0]\n"
+                                        "normal = [1, 0, 0]\nmaterial = \"lining\"\n");
     put(folder.path / "ball.toml", text);
     const Outcome outcome = tumble_in(folder, {"check", "ball.toml"});
     CHECK_MESSAGE(outcome.code == 0, outcome.err);

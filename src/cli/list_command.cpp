@@ -123,33 +123,12 @@ int list_laws(const ListArguments& arguments) {
     return show(items, {"key", "law", "dimension", "sentence"}, arguments.json);
 }
 
-/// The columns of the bodies that a scene traces, or what names them.
-Result<Json> tracers_in(const fs::path& place) {
-    Json items = Json::array();
-    const auto add = [&](const std::string& name, const std::string& unit, const std::string& column,
-                         const std::string& sentence) {
-        items.push_back({{"name", name}, {"group", ""}, {"unit", unit}, {"column", column}, {"sentence", sentence}});
-    };
-    if (place.empty()) {
-        add("tracer:BODY", "", "",
-            "24 columns that follow a body; `tumble list measures SCENE` names those of a scene's");
-        return items;
-    }
-    std::error_code ignored;
-    const Result<scene::Scene> scene =
-        scene::load_scene(fs::is_directory(place, ignored) ? place / "scene.toml" : place);
-    if (!scene)
-        return scene.problems();
-    for (const std::string& body : run::traced_bodies(scene->observe.measures))
-        for (const observe::TracerColumn& column : observe::tracer_columns(body))
-            add(column.name, column.unit, column.column(), column.sentence);
-    return items;
+void add_column(Json& items, const std::string& name, const std::string& unit, const std::string& column,
+                const std::string& sentence) {
+    items.push_back({{"name", name}, {"group", ""}, {"unit", unit}, {"column", column}, {"sentence", sentence}});
 }
 
 int list_measures(const ListArguments& arguments) {
-    const Result<Json> tracers = tracers_in(arguments.place);
-    if (!tracers)
-        return refuse(tracers.problems(), arguments.json, wrong);
     Json items = Json::array();
     for (const observe::Measure& measure : observe::all_measures())
         items.push_back({{"name", measure.name},
@@ -157,7 +136,19 @@ int list_measures(const ListArguments& arguments) {
                          {"unit", measure.unit},
                          {"column", measure.column()},
                          {"sentence", measure.sentence}});
-    items.insert(items.end(), tracers->begin(), tracers->end());
+    const fs::path& place = arguments.place;
+    if (place.empty()) {
+        add_column(items, "tracer:BODY", "", "",
+                   "24 columns that follow a body; `tumble list measures SCENE` names those of a scene's");
+    } else {
+        std::error_code ignored;
+        const auto scene = scene::load_scene(fs::is_directory(place, ignored) ? place / "scene.toml" : place);
+        if (!scene)
+            return refuse(scene.problems(), arguments.json, wrong);
+        for (const std::string& body : run::traced_bodies(scene->observe.measures))
+            for (const observe::TracerColumn& column : observe::tracer_columns(body))
+                add_column(items, column.name, column.unit, column.column(), column.sentence);
+    }
     return show(items, {"name", "unit", "group", "sentence"}, arguments.json);
 }
 

@@ -40,9 +40,9 @@ int export_model(const ExportArguments& arguments) {
     if (!cases)
         return refuse(cases.problems(), arguments.json, wrong);
     const std::filesystem::path file = arguments.out.empty() ? arguments.run / "part.inp" : arguments.out;
-    if (std::filesystem::exists(file) && !arguments.options.overwrite)
-        return refuse({{.file = file.string(), .what = "is there already", .fix = "--force replaces it"}},
-                      arguments.json, wrong);
+    if (!arguments.options.overwrite)
+        if (const auto problem = refuse_to_overwrite({file}))
+            return refuse({*problem}, arguments.json, wrong);
     const auto formulation =
         arguments.element == "standard" ? fem::Formulation::standard : fem::Formulation::incompatible;
     const std::string text = stress::to_calculix(*recorded, *cases, formulation, arguments.means);

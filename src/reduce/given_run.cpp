@@ -10,6 +10,7 @@
 #include "scene/load.h"
 
 #include <fmt/format.h>
+#include <set>
 
 namespace tumble::reduce {
 
@@ -91,24 +92,50 @@ std::optional<Problem> unfit_series(const run::RunFolder& folder, const Yardstic
     return std::nullopt;
 }
 
+std::optional<Problem> unfit(const run::RunFolder& folder, const nlohmann::json& summary, const scene::Scene& scene,
+                             const Yardstick& stick) {
+    if (auto problem = other_scene(folder, scene))
+        return problem;
+    if (auto problem = unfit_series(folder, stick))
+        return problem;
+    return unlike_others(folder, summary);
+}
+
+std::uint64_t seed_of(const nlohmann::json& summary) {
+    return static_cast<std::uint64_t>(number_in(summary, "seed"));
+}
+
 } // namespace
+
+std::optional<Problem> unfit_reference(const std::vector<std::filesystem::path>& folders, const scene::Scene& scene,
+                                       const Yardstick& stick) {
+    std::set<std::uint64_t> seeds;
+    for (const std::filesystem::path& root : folders) {
+        const auto folder = run::find_run(root);
+        if (!folder)
+            return folder.problems().front();
+        const nlohmann::json summary = run::read_summary(*folder);
+        if (auto problem = unfit(*folder, summary, scene, stick))
+            return problem;
+        if (!seeds.insert(seed_of(summary)).second)
+            return no_reference(*folder, fmt::format("seed {} is among the references already", seed_of(summary)),
+                                "give each run once, and only runs of different seeds");
+    }
+    return std::nullopt;
+}
 
 Result<Seeded> read_given(const std::filesystem::path& root, const scene::Scene& scene, const Yardstick& stick,
                           double mass) {
     const auto folder = run::find_run(root);
     if (!folder)
         return folder.problems();
-    if (auto problem = other_scene(*folder, scene))
-        return *problem;
-    if (auto problem = unfit_series(*folder, stick))
-        return *problem;
     const nlohmann::json summary = run::read_summary(*folder);
-    if (auto problem = unlike_others(*folder, summary))
+    if (auto problem = unfit(*folder, summary, scene, stick))
         return *problem;
     auto values = stick.read(root, mass);
     if (!values)
         return values.problems();
-    Seeded given{static_cast<std::uint64_t>(number_in(summary, "seed")),
+    Seeded given{seed_of(summary),
                  processor_time(summary, scene.duration),
                  number_in(summary, "overlap_ratio_max"),
                  std::move(*values),

@@ -91,9 +91,10 @@ private:
 
 } // namespace
 
-Result<SimulationPtr> simulate_in_3d(const scene::Scene& scene, int threads, StopFlag stop, const std::string* state) {
+Result<SimulationPtr> simulate_in_3d(const scene::Scene& scene, int threads, StopFlag stop, const std::string* state,
+                                     const Tally& tally) {
     Result<sim3d::WorldPtr> world =
-        state ? sim3d::restore_world(scene, threads, *state, stop) : sim3d::build_world(scene, threads, stop);
+        state ? sim3d::restore_world(scene, threads, *state, stop) : sim3d::build_world(scene, threads, stop, tally);
     if (!world)
         return world.problems();
     return SimulationPtr(std::make_unique<Simulation3d>(scene, std::move(*world)));

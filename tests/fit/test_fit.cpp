@@ -6,7 +6,9 @@
 
 #include <cmath>
 #include <doctest/doctest.h>
+#include <map>
 #include <numbers>
+#include <string>
 
 namespace test_fit {
 
@@ -188,6 +190,27 @@ TEST_CASE("asked for many points, depths are those of each by itself, bit for bi
             CHECK(one[k].radius == depth_in(solid, one[k].centre)); // signs of the grid's points come from few of them
         }
     }
+}
+
+TEST_CASE("a fit counts for whoever listens: each count rises to its end, of a cone's tries and of a mesh's spheres") {
+    std::map<std::string, std::pair<std::int64_t, std::int64_t>> heard; // the last of each
+    const Tally tally = [&](std::string_view what, std::int64_t done, std::int64_t all) {
+        auto& [before, of] = heard[std::string(what)];
+        CHECK(done > before);
+        CHECK(done <= all);
+        before = done;
+        of = all;
+    };
+    const Solid bar = solid_of(box(0.04, 0.01, 0.01)).value();
+    const auto told = spheres_in(bar, {12, 0.001}, 2, nullptr, tally).value();
+    CHECK(told.front().centre == spheres_in(bar, {12, 0.001}).value().front().centre);
+    CHECK(spheres_in(Cone{0.010, 0.012}, {8, 0.0006}, tally).ok());
+    CHECK(heard["spheres chosen"] == std::pair<std::int64_t, std::int64_t>{12, 12});
+    CHECK(heard["layers of the grid measured"].second == 10); // of 40 along the bar's longest side
+    // One ring takes at least 3 of the 8 and leaves 2 to 5 for the axis, two rings at least 6 and leave it 2.
+    CHECK(heard["arrangements tried"] == std::pair<std::int64_t, std::int64_t>{5, 5});
+    for (const auto& [what, counted] : heard)
+        CHECK_MESSAGE(counted.first == counted.second, what);
 }
 
 TEST_CASE("a fit that is told to stop does") {

@@ -66,8 +66,9 @@ void restitutions(Outcome& outcome) {
         const Spread spread = spread_of(e);
         const double digit = surface.sd > 0.1 ? 1e-2 : 1e-3;
         grid.rows.push_back({surface.name, fmt::format("{} of {}", same, e.size()), spread.mean,
-                             fmt::format("{:.3f}", surface.mean), verdict(spread.mean, surface.mean, 1e-3), spread.deviation,
-                             fmt::format("{:g}", surface.sd), verdict(spread.deviation, surface.sd, digit)});
+                             fmt::format("{:.3f}", surface.mean), verdict(spread.mean, surface.mean, 1e-3),
+                             spread.deviation, fmt::format("{:g}", surface.sd),
+                             verdict(spread.deviation, surface.sd, digit)});
         sheet.fact(fmt::format("mean_{}", s), spread.mean);
         sheet.fact(fmt::format("sd_{}", s), spread.deviation);
         sheet.fact(fmt::format("same_{}", s), same);

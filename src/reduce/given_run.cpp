@@ -135,11 +135,8 @@ Result<Seeded> read_given(const std::filesystem::path& root, const scene::Scene&
     auto values = stick.read(root, mass);
     if (!values)
         return values.problems();
-    Seeded given{seed_of(summary),
-                 processor_time(summary, scene.duration),
-                 number_in(summary, "overlap_ratio_max"),
-                 std::move(*values),
-                 doubts_of_cost(summary)};
+    Seeded given{seed_of(summary), processor_time(summary, scene.duration), number_in(summary, "overlap_ratio_max"),
+                 std::move(*values), doubts_of_cost(summary)};
     if (summary.contains("warnings") && summary["warnings"].is_array())
         for (const auto& warning : summary["warnings"])
             if (warning.is_string())

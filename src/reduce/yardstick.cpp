@@ -16,8 +16,8 @@ namespace tumble::reduce {
 
 namespace {
 
-constexpr int layers_of_a_bowl = 5; // over its wall
-constexpr int rings_of_a_bowl = 5;  // the innermost a twentyfifth of its area
+constexpr int layers_of_a_bowl = 5;  // over its wall
+constexpr int rings_of_a_bowl = 5;   // the innermost a twentyfifth of its area
 constexpr double least_share = 0.01; // of the mass: a layer with less holds what flies
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 

@@ -43,9 +43,9 @@ struct Case {
     double facet_shear = 0;                                  // Pa, the same
     double surface_normal = 0; // Pa, mean over the part's whole surface: what presses over all its area
     double surface_shear = 0;  // Pa, the same of what shears, facet by facet
-    double deflection = 0;                                   // m, the largest of all nodes
-    double von_mises = 0;                                    // Pa, the same
-    double residual = 0;                                     // fem::Solution
+    double deflection = 0;     // m, the largest of all nodes
+    double von_mises = 0;      // Pa, the same
+    double residual = 0;       // fem::Solution
     double unbalance = 0;
     std::vector<fem::SliceFigures> slices; // parallel to Study::slices
 };

@@ -69,8 +69,7 @@ TEST_CASE("a low pass that is quicker than the rows takes a kink as sharp as it 
     const Signal passed = bounce.low_passed(tau, bounce.value.front() + v * tau);
     for (const double after : {-0.004, -0.001, 0.0002, 0.0005, 0.001, 0.002, 0.006}) {
         CAPTURE(after);
-        const double exact = v * std::abs(after) +
-                             (after < 0 ? v * tau : v * tau * (2 * std::exp(-after / tau) - 1));
+        const double exact = v * std::abs(after) + (after < 0 ? v * tau : v * tau * (2 * std::exp(-after / tau) - 1));
         CHECK(std::abs(passed.at(kink + after) - exact) < 0.02 * v * tau);
     }
 }

@@ -58,6 +58,16 @@ double number_in(const nlohmann::json& summary, const char* key) {
     return summary.contains(key) && summary[key].is_number() ? summary[key].get<double>() : 0;
 }
 
+/// What makes it look dearer than the rungs.
+std::vector<std::string> doubts_of_cost(const nlohmann::json& summary) {
+    std::vector<std::string> doubts;
+    if (number_in(summary, "processor_s") <= 0)
+        doubts.emplace_back("its processor time was not written: the clock's time of all its threads stands for it");
+    if (const double pictures = number_in(summary, "pictures"); pictures > 0 || summary.value("video", false))
+        doubts.emplace_back("its processor time includes pictures, which rungs do not draw");
+    return doubts;
+}
+
 /// Of as much as the scene asks for: a run may be longer. One of an older program says only what the clock said.
 double processor_time(const nlohmann::json& summary, double duration) {
     const double own = number_in(summary, "processor_s");
@@ -125,11 +135,8 @@ Result<Seeded> read_given(const std::filesystem::path& root, const scene::Scene&
     auto values = stick.read(root, mass);
     if (!values)
         return values.problems();
-    Seeded given{seed_of(summary),
-                 processor_time(summary, scene.duration),
-                 number_in(summary, "overlap_ratio_max"),
-                 std::move(*values),
-                 {}};
+    Seeded given{seed_of(summary), processor_time(summary, scene.duration), number_in(summary, "overlap_ratio_max"),
+                 std::move(*values), doubts_of_cost(summary)};
     if (summary.contains("warnings") && summary["warnings"].is_array())
         for (const auto& warning : summary["warnings"])
             if (warning.is_string())

@@ -71,7 +71,7 @@ public:
     [[nodiscard]] std::vector<observe::WallPush> wall_pushes(int wall) const override {
         std::vector<observe::WallPush> pushes;
         for (const sim3d::WallPush& push : sim3d::wall_pushes_of(*world_, wall))
-            pushes.push_back({push.body, push.triangle, push.foot, push.normal, push.force, push.velocity});
+            pushes.push_back({push.body, push.triangle, push.foot, push.normal, push.force, push.velocity, push.patch});
         return pushes;
     }
 

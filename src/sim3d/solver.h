@@ -95,6 +95,7 @@ struct WallPush {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();   // unit, towards the body
     Eigen::Vector3d force = Eigen::Vector3d::Zero();    // N, on the wall
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); // m/s, of the body's centre past it, before
+    double patch = 0;                                   // m, radius of the circle in which they touch
 };
 /// Of scene.walls[wall]; in an order that does not depend on the threads. Empty before the first step.
 std::vector<WallPush> wall_pushes_of(const World& world, int wall);

@@ -59,6 +59,18 @@ TEST_CASE("a cone has the volume and centre of a cone") {
     CHECK(solid.second(1, 1) == about(3.0 / 80 * 144e-6 * solid.volume));
 }
 
+TEST_CASE("the bowl's cone of 36 spheres is what its command makes") {
+    // tumble fit --cone 10,12 --spheres 36 --smallest 0.775 --volume 294.609
+    const auto kept = scene::read_clump(TUMBLE_ROOT "/scenes/clumps/cone-36.csv").value();
+    auto made = spheres_in(Cone{0.010, 0.012}, {36, 0.775e-3}).value();
+    scale_to_volume(made, 294.609e-9);
+    REQUIRE(made.size() == kept.size());
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        CHECK((made[i].centre - kept[i].centre).norm() < 1e-12);
+        CHECK(made[i].radius == about(kept[i].radius, 1e-9));
+    }
+}
+
 TEST_CASE("depth is the distance to the nearest face, negative outside") {
     const Solid solid = solid_of(box(1, 2, 3)).value();
     CHECK(depth_in(solid, {0.5, 1, 1.5}) == about(0.5));

@@ -5,6 +5,7 @@
 #include "run/run_scene.h"
 #include "scene/load.h"
 
+#include <cstdlib>
 #include <doctest/doctest.h>
 #include <numbers>
 

@@ -266,16 +266,22 @@ void Studio::grant(const Wishes& wishes) {
         save_scene();
     if (wishes.film_ends)
         source_->film_no_more();
-    if (wishes.film)
-        source_->film(film_settings(), free_name(".mp4"));
+    film_wanted_ = film_wanted_ || wishes.film;
 }
 
-scene::Render Studio::film_settings() const {
+/// Scales of a film of what goes on are those of the picture that was drawn last; of a run that is over the film knows
+/// all frames.
+scene::Render Studio::film_settings() {
     scene::Render settings = look_;
     settings.plot = settings_.plot && source_->can_seek(); // a film of what goes on knows no series
-    if (!settings.range)
-        settings.range = {painter_->range().lo, painter_->range().hi};
-    return settings;
+    if (source_->can_seek())
+        return settings;
+    return film_scales_.settle(settings, moment_->frame, painter_->range(), painter_->mark_key());
+}
+
+void Studio::begin_film() {
+    film_scales_ = {};
+    source_->film(film_settings(), free_name(".mp4"));
 }
 
 bool Studio::is_at_rest() const {
@@ -295,10 +301,10 @@ void Studio::draw_scene() {
         if (!done)
             notice_ = to_string(done.problems().front());
     source_->show_contacts(look_.marks.chains);
-    if (look_changed_ && source_->state().filming)
-        source_->restyle_film(film_settings());
     plots_.take(*moment_);
     scene_picture_ = painter_->draw(moment_->frame);
+    if ((look_changed_ || film_scales_.waits_for_contacts()) && source_->state().filming)
+        source_->restyle_film(film_settings()); // after the picture: it says what the scales are
     drawn_ = moment_->number;
     look_changed_ = false;
 }
@@ -322,6 +328,8 @@ Result<Shown> Studio::draw() {
     const bool is_new = look_changed_ || moment_->number != drawn_;
     if (is_new || (sketched_ && is_at_rest()))
         draw_scene();
+    if (std::exchange(film_wanted_, false))
+        begin_film();
     if (is_new)
         pass_panel(); // with the range and the points of this picture
     Shown shown{panel_shown_ ? beside_panel(panel_->paint()) : scene_picture_, describe()};

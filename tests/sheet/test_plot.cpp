@@ -21,8 +21,8 @@ const Figure line{.name = "line",
 
 TEST_CASE("gnuplot is told units, and words as they stand") {
     const std::string script = gnuplot_script(line, "a.svg");
-    CHECK(script.find("set xlabel 'time, s'") != std::string::npos);
-    CHECK(script.find("set ylabel 'force, N'") != std::string::npos);
+    CHECK(script.find("set xlabel 'time [s]'") != std::string::npos);
+    CHECK(script.find("set ylabel 'force [N]'") != std::string::npos);
     CHECK(script.find("set title 'It''s a line'") != std::string::npos);
     CHECK(script.find("1 2\nEND") != std::string::npos);
     CHECK(script.find("set terminal svg size 800,500 font 'DejaVu Sans,13' background 'white' noenhanced rounded\n") ==
@@ -70,7 +70,7 @@ TEST_CASE("figures are written as PNG and SVG, and a folder that is not there is
         REQUIRE_MESSAGE(drawn.ok(), to_string(drawn.problems()));
     }
     CHECK(test::content_of(folder.path / "line.png").starts_with("\x89PNG"));
-    CHECK(test::content_of(folder.path / "line.svg").find("force, N") != std::string::npos);
+    CHECK(test::content_of(folder.path / "line.svg").find("force [N]") != std::string::npos);
     CHECK(test::content_of(folder.path / "line.svg").ends_with(mark_of(line) + "\n"));
     CHECK_FALSE(draw(line, folder.path / "none" / "line.png").ok());
 }

@@ -21,11 +21,11 @@ Result<std::vector<std::string>> choose_columns(const observe::Series& series, c
                                                 const std::string& run);
 
 struct SeriesPlotOptions {
-    std::vector<std::string> measures;                      // words of choose_columns; empty: the main ones, and the
-                                                            // height of the first tracer
+    // Words of choose_columns; empty: the main ones, and the height of the first tracer.
+    std::vector<std::string> measures{};
     double from = -std::numeric_limits<double>::infinity(); // s
     double to = std::numeric_limits<double>::infinity();    // s
-    std::vector<std::string> labels;                        // of the runs; empty: their folders' names
+    std::vector<std::string> labels{};                      // of the runs; empty: their folders' names
 };
 
 struct SeriesPlot {

@@ -1,5 +1,6 @@
 #include "process.h"
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 namespace test_pictures {
@@ -72,6 +73,47 @@ TEST_CASE("render puts instants or sections into one picture, and says what does
         CHECK_MESSAGE(contains(refused.err, words), refused.err);
     }
     CHECK(tumble_in(folder, {"render", "ball.toml", "--strip", "2"}).code == 2);
+}
+
+TEST_CASE("plot draws what runs measured, in a size for print, and says what it cannot" *
+          doctest::skip(std::system("gnuplot --version >/dev/null 2>&1") != 0)) {
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(0.02));
+    for (const char* run : {"a", "b"})
+        REQUIRE(tumble_in(folder, {"run", "ball.toml", "--out", run, "--quiet"}).code == 0);
+    const Outcome drawn = tumble_in(folder, {"plot", "a", "--measure", "kinetic_energy,centre_of_mass_y", "--json"});
+    REQUIRE_MESSAGE(drawn.code == 0, drawn.err);
+    const auto json = nlohmann::json::parse(drawn.out);
+    CHECK(json["file"] == "a/redrawn/plot.png");
+    CHECK(json["panels"].size() == 2);
+    CHECK(json["panels"][0]["columns"][0] == "kinetic_energy_J");
+    CHECK(content_of(folder.path / "a/redrawn/plot.png").starts_with("\x89PNG"));
+    const Outcome both = tumble_in(folder, {"plot", "a", "b", "--labels", "first,second", "--size-mm", "85x80",
+                                            "--out", "both.svg", "--quiet"});
+    CHECK_MESSAGE(both.code == 0, both.err);
+    const std::string svg = content_of(folder.path / "both.svg");
+    CHECK(contains(svg, "width=\"321\"")); // 85 mm at 96 an inch
+    CHECK(contains(svg, "second"));
+    // A run that is to be made anew in its folder is not hindered by its plot.
+    CHECK(tumble_in(folder, {"run", "ball.toml", "--out", "a", "--quiet", "--force"}).code == 0);
+    for (const auto& [flags, words] :
+         {std::pair{std::vector<std::string>{"a", "--measure", "kinetic_enrgy"}, "did you mean 'kinetic_energy'?"},
+          {{"a", "--out", "a.jpg"}, "plots are drawn as .png, .svg or .pdf"},
+          {{"a", "--size-mm", "85"}, "write width x height"},
+          {{"a", "--size-mm", "85x20"}, "leave no room"},
+          {{"a", "--font-pt", "90"}, "--font-pt"},
+          {{"a", "--time", "1:2"}, "has no row in the time asked for"},
+          {{"a", "--labels", "x,y"}, "2 labels are given for 1 runs"},
+          {{"a", "--out", "both.svg"}, "--force replaces it"},
+          {{"nowhere"}, "there is no such folder"}}) {
+        std::vector<std::string> all{"plot"};
+        all.insert(all.end(), flags.begin(), flags.end());
+        const Outcome refused = tumble_in(folder, all);
+        CAPTURE(words);
+        CHECK(refused.code == 2);
+        CHECK_MESSAGE(contains(refused.err, words), refused.err);
+    }
+    CHECK(contains(content_of(folder.path / "both.svg"), "second")); // what was refused has changed nothing
 }
 
 TEST_CASE("the gallery makes what it can, names what failed, and leaves no runs behind") {

@@ -71,6 +71,7 @@ private:
     [[nodiscard]] scene::Render film_settings();
     void begin_film();
     void keep_picture();
+    void name_kept();
     void save_scene();
     [[nodiscard]] std::filesystem::path free_name(const std::string& extension);
     [[nodiscard]] render::Picture beside_panel(render::Picture panel) const;
@@ -113,8 +114,9 @@ private:
     int passes_left_ = 0; // of the panel until it has settled
     render::PngWriter png_;
     int kept_ = 0; // number of the last file
-    std::string notice_;
-    std::string told_; // of the source when last drawn
+    std::filesystem::path keeping_; // the picture that is being written
+    std::string notice_, told_notice_; // of what was kept; as it was last drawn
+    std::string told_;                 // of the source when last drawn
     std::map<std::string, std::array<double, 4>> places_;
     std::string told_key_; // of the widget under the pointer
     std::chrono::steady_clock::time_point passed_ = std::chrono::steady_clock::now();

@@ -219,6 +219,7 @@ TEST_CASE("a slider that is dragged changes the scene, and the changed scene is 
     REQUIRE_MESSAGE(scene.ok(), to_string(scene.problems()));
     CHECK(scene->pair(0, 0).friction == value);
     CHECK(scene->pair(0, 0).restitution == 0.6);
+    CHECK(scene->claim == "none yet: shaken.toml with pair.glass-glass.friction = 1.5");
     opened.click("as in the scene");
     CHECK(opened.state["values"][key] == 0.4);
 }
@@ -292,6 +293,23 @@ TEST_CASE("velocities, a way and force chains are switched on over the bodies, a
     CHECK(scene->render.marks.trails == std::vector<std::string>{"ball"});
     CHECK(scene->render.marks.chains);
     CHECK(scene->observe.contacts);
+    CHECK(scene->claim == "none"); // what only changes the picture leaves it as it was
+}
+
+TEST_CASE("what cannot change while it is watched is saved with the camera and the look that hands gave it") {
+    Opened opened(test::pouring, 1000, 700, true);
+    opened.drag(600, 250, 660, 230);
+    opened.click("tab Look");
+    opened.click("color");
+    opened.click("color vx");
+    opened.click("tab Change");
+    CHECK(!opened.state["places"].contains("as in the scene"));
+    opened.click("save scene");
+    const auto scene = scene::load_scene(opened.folder.path / "shaken-001.toml");
+    REQUIRE_MESSAGE(scene.ok(), to_string(scene.problems()));
+    CHECK(scene->render.camera == "free");
+    CHECK(scene->render.color == "vx");
+    CHECK(scene->claim == "none");
 }
 
 TEST_CASE("a window that is hidden or tiny keeps the view alive, a larger one gets a larger picture") {
@@ -354,7 +372,9 @@ TEST_CASE("a picture is kept as PNG and a film as MP4, under names that nothing 
     test::put(opened.folder.path / "shaken-001.png", "not ours");
     opened.click("tab Keep");
     opened.click("picture");
+    REQUIRE(opened.eventually([&] { return !opened.state["notice"].get<std::string>().empty(); }));
     CHECK(opened.state["notice"] == (opened.folder.path / "shaken-002.png").string());
+    CHECK(std::filesystem::exists(opened.folder.path / "shaken-002.png")); // it is named when it is whole
     opened.click("film");
     opened.click("steps");
     REQUIRE(opened.eventually([&] { return opened.state["step"] == 100; }));

@@ -66,6 +66,16 @@ double span_of(const Figure& figure, const Axis& axis, std::vector<double> Curve
     return hi - lo;
 }
 
+/// Names above the plot, slanted so that neighbours leave each other room.
+std::string names_of(const std::vector<std::pair<double, std::string>>& places) {
+    if (places.empty())
+        return "";
+    std::string ticks;
+    for (const auto& [x, name] : places)
+        ticks += fmt::format("{}{} {:.9g}", ticks.empty() ? "" : ", ", in_gnuplots_quotes(name), x);
+    return fmt::format("set link x2\nset xtics nomirror\nset x2tics ({}) rotate by 30 left\n", ticks);
+}
+
 /// A drawing of bound scales that is low for its width gets a canvas as low, and ticks that leave each other room.
 std::string bind_scales(const Figure& figure, Canvas& canvas) {
     if (!(figure.stretch > 0))
@@ -83,6 +93,8 @@ std::string bind_scales(const Figure& figure, Canvas& canvas) {
 std::string mark_of(const Figure& figure) {
     Hash64 hash;
     hash.add(figure.title).add(axis_words(figure.x.label, figure.x.unit)).add(axis_words(figure.y.label, figure.y.unit));
+    for (const auto& [x, name] : figure.places)
+        hash.add(name);
     for (const Curve& curve : figure.curves) {
         hash.add(curve.label).add(static_cast<int>(curve.style));
         add_rounded(hash, curve.x);
@@ -100,7 +112,7 @@ std::string gnuplot_script(const Figure& figure, const std::filesystem::path& fi
     script += "set grid lc rgb '#cccccc'\nset key below height 1\nset autoscale noextend\nset offsets graph 0.02, "
               "graph 0.02, "
               "graph 0.05, graph 0.05\n";
-    script += axis('x', figure.x) + axis('y', figure.y);
+    script += axis('x', figure.x) + axis('y', figure.y) + names_of(figure.places);
     std::string plots;
     for (std::size_t k = 0; k < figure.curves.size(); ++k) {
         script += data_of(figure.curves[k], k);

@@ -40,6 +40,13 @@ TEST_CASE("points with a spread get it as bars, and the mark of a figure knows o
     CHECK(mark_of(scattered) != before);
 }
 
+TEST_CASE("places across are named at the upper edge") {
+    Figure named = line;
+    named.places = {{0.5, "it's half"}};
+    CHECK(gnuplot_script(named, "a.svg").find("set x2tics ('it''s half' 0.5)") != std::string::npos);
+    CHECK(mark_of(named) != mark_of(line));
+}
+
 TEST_CASE("a figure's mark changes with its data and words, and not with rounding") {
     Figure other = line;
     other.curves[0].y[1] *= 1 + 1e-13;

@@ -52,9 +52,9 @@ Result<sheet::Canvas> canvas_for(const PlotArguments& arguments, sheet::Stack& s
     sheet::Canvas canvas;
     const auto size = read_size(arguments.size);
     if (!arguments.size.empty() && !size)
-        return Problem{.what = fmt::format("--size-mm {} is no size", excerpt(arguments.size)),
-                       .fix = fmt::format("write width x height, each from {:g} to {:g} mm, such as 85x60", least_mm,
-                                          most_mm)};
+        return Problem{
+            .what = fmt::format("--size-mm {} is no size", excerpt(arguments.size)),
+            .fix = fmt::format("write width x height, each from {:g} to {:g} mm, such as 85x60", least_mm, most_mm)};
     if (size) {
         canvas.dpi = print_dpi;
         canvas.font_pt = print_font;
@@ -73,12 +73,8 @@ nlohmann::ordered_json json_of(const run::SeriesPlot& plot, const std::filesyste
     nlohmann::ordered_json panels = nlohmann::ordered_json::array();
     for (std::size_t p = 0; p < plot.columns.size(); ++p)
         panels.push_back({{"unit", plot.stack.panels[p].y.unit}, {"columns", plot.columns[p]}});
-    return {{"file", file.string()},
-            {"width_mm", canvas.width_mm},
-            {"height_mm", canvas.height_mm},
-            {"first_s", plot.first},
-            {"last_s", plot.last},
-            {"panels", panels},
+    return {{"file", file.string()},    {"width_mm", canvas.width_mm}, {"height_mm", canvas.height_mm},
+            {"first_s", plot.first},    {"last_s", plot.last},         {"panels", panels},
             {"warnings", plot.warnings}};
 }
 

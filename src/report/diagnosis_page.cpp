@@ -59,7 +59,8 @@ std::string axis_of(const Curve& curve) {
 }
 
 Trace residual_trace(const Curve& curve, const std::vector<double>& model, const std::vector<double>& x, Looks& looks) {
-    Trace trace{.label = looks.label(curve.condition), .x = x, .y = {}, .color = color_of(looks.index(curve.condition))};
+    Trace trace{
+        .label = looks.label(curve.condition), .x = x, .y = {}, .color = color_of(looks.index(curve.condition))};
     for (std::size_t k = 0; k < x.size(); ++k)
         trace.y.push_back(curve.left_out[k] ? std::nan("") : (curve.measured[k] - model[k]) / curve.sigma);
     return trace;

@@ -10,9 +10,9 @@ namespace tumble::report {
 namespace {
 
 constexpr int left = 62, right = 12, above_axes = 30, bottom = 44; // px around the axes
-constexpr int legend_row = 14;                               // px
-constexpr double room = 0.04;                               // of the range, beyond the traces
-constexpr std::size_t most_points = 1500;                   // of a trace that are drawn
+constexpr int legend_row = 14;                                     // px
+constexpr double room = 0.04;                                      // of the range, beyond the traces
+constexpr std::size_t most_points = 1500;                          // of a trace that are drawn
 
 struct Range {
     double lo = std::numeric_limits<double>::infinity();
@@ -134,7 +134,9 @@ private:
         out_ += "</g>";
     }
 
-    static int entry_width(const Trace& trace) { return 26 + static_cast<int>(6.6 * static_cast<double>(trace.label.size())); }
+    static int entry_width(const Trace& trace) {
+        return 26 + static_cast<int>(6.6 * static_cast<double>(trace.label.size()));
+    }
 
     void lay_out_legend() {
         int room = 0;

@@ -74,7 +74,8 @@ std::string script_of(const FlowReport& report, const std::filesystem::path& fil
 } // namespace
 
 Result<Done> draw_flow(const FlowReport& report, const std::filesystem::path& file, const sheet::Canvas& canvas) {
-    return sheet::run_gnuplot(script_of(report, file, canvas), file, "leave --picture away: the tables need no gnuplot");
+    return sheet::run_gnuplot(script_of(report, file, canvas), file,
+                              "leave --picture away: the tables need no gnuplot");
 }
 
 } // namespace tumble::run

@@ -46,10 +46,10 @@ Named named(const std::string& head) {
 
 /// What several measures of one unit are called together.
 std::string together(const std::string& unit) {
-    static const std::map<std::string, std::string> words{{"J", "energy"},      {"m", "length"},
-                                                          {"m/s", "velocity"},  {"m/s2", "acceleration"},
-                                                          {"deg", "angle"},     {"rad/s", "angular velocity"},
-                                                          {"s", "time"},        {"", "number"}};
+    static const std::map<std::string, std::string> words{{"J", "energy"},     {"m", "length"},
+                                                          {"m/s", "velocity"}, {"m/s2", "acceleration"},
+                                                          {"deg", "angle"},    {"rad/s", "angular velocity"},
+                                                          {"s", "time"},       {"", "number"}};
     const auto found = words.find(unit);
     return found == words.end() ? "" : found->second;
 }
@@ -78,9 +78,9 @@ Result<RunSeries> read_run(const fs::path& root, const SeriesPlotOptions& option
     if (run.series.rows() == 0)
         return Problem{.file = folder->series().string(),
                        .what = "has no row in the time asked for",
-                       .fix = times->empty() ? "run the scene again"
-                                             : fmt::format("its rows go from {:.6g} to {:.6g} s", times->front(),
-                                                           times->back())};
+                       .fix = times->empty()
+                                  ? "run the scene again"
+                                  : fmt::format("its rows go from {:.6g} to {:.6g} s", times->front(), times->back())};
     return run;
 }
 
@@ -170,8 +170,8 @@ std::vector<Group> grouped(const std::vector<RunSeries>& runs, const std::vector
             continue;
         }
         const Named measure = named(head);
-        auto group = std::find_if(groups.begin(), groups.end(),
-                                  [&](const Group& one) { return one.takes(measure, *size); });
+        auto group =
+            std::find_if(groups.begin(), groups.end(), [&](const Group& one) { return one.takes(measure, *size); });
         if (group == groups.end())
             group = groups.insert(groups.end(), Group{.unit = measure.unit});
         group->add(measure, *size);
@@ -196,10 +196,10 @@ sheet::Panel panel_of(const std::vector<RunSeries>& runs, const Group& group, do
             if (!values)
                 continue;
             const bool labelled = several && (panel.traces.empty() || panel.traces.back().ink.color != m);
-            sheet::Trace trace{{labelled ? group.measures[m].label : "", by_dashes || runs.size() == 1 ? m : r,
-                                by_dashes ? r : 0},
-                               *runs[r].series.find("time_s"),
-                               *values};
+            sheet::Trace trace{
+                {labelled ? group.measures[m].label : "", by_dashes || runs.size() == 1 ? m : r, by_dashes ? r : 0},
+                *runs[r].series.find("time_s"),
+                *values};
             scale(trace.x, time_factor);
             scale(trace.y, unit.factor);
             panel.traces.push_back(std::move(trace));
@@ -208,8 +208,8 @@ sheet::Panel panel_of(const std::vector<RunSeries>& runs, const Group& group, do
 }
 
 std::string common_title(const std::vector<RunSeries>& runs) {
-    const bool same = std::all_of(runs.begin(), runs.end(),
-                                  [&](const RunSeries& run) { return run.title == runs.front().title; });
+    const bool same =
+        std::all_of(runs.begin(), runs.end(), [&](const RunSeries& run) { return run.title == runs.front().title; });
     return same ? runs.front().title : "";
 }
 

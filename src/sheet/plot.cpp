@@ -92,7 +92,9 @@ std::string bind_scales(const Figure& figure, Canvas& canvas) {
 
 std::string mark_of(const Figure& figure) {
     Hash64 hash;
-    hash.add(figure.title).add(axis_words(figure.x.label, figure.x.unit)).add(axis_words(figure.y.label, figure.y.unit));
+    hash.add(figure.title)
+        .add(axis_words(figure.x.label, figure.x.unit))
+        .add(axis_words(figure.y.label, figure.y.unit));
     for (const auto& [x, name] : figure.places)
         hash.add(name);
     for (const Curve& curve : figure.curves) {
@@ -124,7 +126,8 @@ std::string gnuplot_script(const Figure& figure, const std::filesystem::path& fi
 }
 
 Result<Done> draw(const Figure& figure, const std::filesystem::path& file, const Canvas& canvas) {
-    if (Result<Done> drawn = run_gnuplot(gnuplot_script(figure, file, canvas), file, "leave --out away: the text and --json need no gnuplot");
+    if (Result<Done> drawn = run_gnuplot(gnuplot_script(figure, file, canvas), file,
+                                         "leave --out away: the text and --json need no gnuplot");
         !drawn)
         return drawn;
     if (file.extension() == ".svg" && !(std::ofstream(file, std::ios::app) << mark_of(figure) << '\n'))

@@ -208,10 +208,9 @@ Problem no_room(const Stack& stack, const Plan& plan, const std::filesystem::pat
     const auto count = static_cast<double>(stack.panels.size());
     const double high = std::ceil(canvas.em() * (plan.words + least_panel * count));
     return {.file = file.string(),
-            .what = fmt::format("{:g} x {:g} mm leave no room for {} with letters of {:g} pt", canvas.width_mm,
-                                canvas.height_mm,
-                                stack.panels.size() == 1 ? "a plot" : fmt::format("{} plots", stack.panels.size()),
-                                canvas.font_pt),
+            .what = fmt::format(
+                "{:g} x {:g} mm leave no room for {} with letters of {:g} pt", canvas.width_mm, canvas.height_mm,
+                stack.panels.size() == 1 ? "a plot" : fmt::format("{} plots", stack.panels.size()), canvas.font_pt),
             .fix = canvas.height_mm < high
                        ? fmt::format("make it {:.0f} mm high, the letters smaller or the measures fewer", high)
                        : "make it wider, or the letters smaller"};

@@ -113,8 +113,8 @@ private:
     std::chrono::steady_clock::time_point moved_ = std::chrono::steady_clock::now(); // when it last had to be new
     int passes_left_ = 0; // of the panel until it has settled
     render::PngWriter png_;
-    int kept_ = 0; // number of the last file
-    std::filesystem::path keeping_; // the picture that is being written
+    int kept_ = 0;                     // number of the last file
+    std::filesystem::path keeping_;    // the picture that is being written
     std::string notice_, told_notice_; // of what was kept; as it was last drawn
     std::string told_;                 // of the source when last drawn
     std::map<std::string, std::array<double, 4>> places_;

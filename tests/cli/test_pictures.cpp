@@ -57,11 +57,17 @@ TEST_CASE("render puts instants or sections into one picture, and says what does
                                                 "85x60", "--out", "cuts", "--quiet"});
     CHECK_MESSAGE(sections.code == 0, sections.err);
     CHECK(fs::exists(folder.path / "cuts/section_2.png"));
+    const Outcome places = tumble_in(folder, {"render", "a", "--sections=-0.01,0,0.02", "--clip-lo=-0.1,-0.1,-0.1",
+                                              "--clip-hi=0.1,0.5,0.1", "--quiet"});
+    CHECK_MESSAGE(places.code == 0, places.err);
+    CHECK(fs::exists(folder.path / "a/redrawn/front_speed_sections_3.png"));
     for (const auto& [flags, words] :
          {std::pair{std::vector<std::string>{"--strip", "six"}, "write --strip 6"},
           {{"--strip", "3", "--sections", "3"}, "leave one of them away"},
           {{"--strip", "3", "--video", "a.mp4"}, "leave --beside, --video and --frames away"},
-          {{"--sections", "0"}, "--sections"},
+          {{"--sections", "0"}, "write --sections 6"},
+          {{"--sections", "0,x"}, "places in m"},
+          {{"--sections", "0,27"}, "cuts no bodies"},
           {{"--strip", "90"}, "ask for fewer"},
           {{"--size-mm", "85x60", "--size", "640x480"}, "write width_mm, height_mm and dpi in its place"},
           {{"--force-chains"}, "write contacts = true in [observe]"}}) {
@@ -88,8 +94,8 @@ TEST_CASE("plot draws what runs measured, in a size for print, and says what it 
     CHECK(json["panels"].size() == 2);
     CHECK(json["panels"][0]["columns"][0] == "kinetic_energy_J");
     CHECK(content_of(folder.path / "a/redrawn/plot.png").starts_with("\x89PNG"));
-    const Outcome both = tumble_in(folder, {"plot", "a", "b", "--labels", "first,second", "--size-mm", "85x80",
-                                            "--out", "both.svg", "--quiet"});
+    const Outcome both = tumble_in(
+        folder, {"plot", "a", "b", "--labels", "first,second", "--size-mm", "85x80", "--out", "both.svg", "--quiet"});
     CHECK_MESSAGE(both.code == 0, both.err);
     const std::string svg = content_of(folder.path / "both.svg");
     CHECK(contains(svg, "width=\"321\"")); // 85 mm at 96 an inch

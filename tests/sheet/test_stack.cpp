@@ -15,13 +15,13 @@ using tumble::test::about;
 
 namespace {
 
-const Stack two{.title = "It's a fall",
-                .x = {"time", "s"},
-                .legend = {},
-                .panels = {{{"energy", "mJ"},
-                            {{{"kinetic energy", 0, 0}, {0, 1, 2}, {0, 1, 4}},
-                             {{"lost energy", 1, 0}, {0, 1, 2}, {0, 0, 1}}}},
-                           {{"height", "mm"}, {{{"", 0, 0}, {0, 1, 2}, {500, 400, 100}}}}}};
+const Stack two{
+    .title = "It's a fall",
+    .x = {"time", "s"},
+    .legend = {},
+    .panels = {{{"energy", "mJ"},
+                {{{"kinetic energy", 0, 0}, {0, 1, 2}, {0, 1, 4}}, {{"lost energy", 1, 0}, {0, 1, 2}, {0, 0, 1}}}},
+               {{"height", "mm"}, {{{"", 0, 0}, {0, 1, 2}, {500, 400, 100}}}}}};
 
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
@@ -83,8 +83,8 @@ TEST_CASE("letters that leave panels no room are refused, and the height that is
     CHECK(gnuplot_script(two, "a.pdf", canvas).ok());
 }
 
-/// 100,000 points of a wave whose highest and lowest are single points; a picture has no more than 800 columns, of which
-/// four points each are enough.
+/// 100,000 points of a wave whose highest and lowest are single points; a picture has no more than 800 columns, of
+/// which four points each are enough.
 TEST_CASE("a long line is thinned out, and keeps its ends and its peaks") {
     constexpr int count = 100000;
     Stack stack{.x = {"time", "s"}, .panels = {{{"force", "N"}, {Trace{}}}}};

@@ -33,7 +33,7 @@ struct Named {
     std::string head, label, unit; // the unit as people write it
 };
 
-Named named(const std::string& head) {
+Named called(const std::string& head) {
     for (const observe::Measure& measure : observe::all_measures())
         if (measure.column() == head)
             return {head, observe::spelled_name(measure.name), observe::spelled_unit(measure.unit)};
@@ -101,7 +101,7 @@ Result<std::vector<RunSeries>> read_runs(const std::vector<fs::path>& roots, con
 }
 
 /// The largest size of a column in all runs; nothing where it has no number.
-std::optional<double> size_of(const std::vector<RunSeries>& runs, const std::string& head) {
+std::optional<double> largest_size(const std::vector<RunSeries>& runs, const std::string& head) {
     std::optional<double> size;
     for (const RunSeries& run : runs)
         if (const std::vector<double>* values = run.series.find(head))
@@ -121,6 +121,10 @@ std::vector<std::string> usual_columns(const observe::Series& series) {
     });
     if (height != series.columns.end())
         heads.push_back(*height);
+    std::erase_if(heads, [&](const std::string& head) {
+        const std::vector<double>& values = *series.find(head);
+        return std::none_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+    });
     return heads.empty() ? std::vector<std::string>(series.columns.begin() + 1, series.columns.end()) : heads;
 }
 
@@ -164,12 +168,12 @@ std::vector<Group> grouped(const std::vector<RunSeries>& runs, const std::vector
                            std::vector<std::string>& warnings) {
     std::vector<Group> groups;
     for (const std::string& head : heads) {
-        const std::optional<double> size = size_of(runs, head);
+        const std::optional<double> size = largest_size(runs, head);
         if (!size) {
             warnings.push_back(fmt::format("{} has no number in this time", head));
             continue;
         }
-        const Named measure = named(head);
+        const Named measure = called(head);
         auto group =
             std::find_if(groups.begin(), groups.end(), [&](const Group& one) { return one.takes(measure, *size); });
         if (group == groups.end())
@@ -240,7 +244,7 @@ std::vector<std::string> what_is_missing(const std::vector<RunSeries>& runs, con
 }
 
 /// s
-std::pair<double, double> time_of(const std::vector<RunSeries>& runs) {
+std::pair<double, double> stretch_of(const std::vector<RunSeries>& runs) {
     double first = std::numeric_limits<double>::infinity(), last = -first;
     for (const RunSeries& run : runs) {
         first = std::min(first, run.series.find("time_s")->front());
@@ -308,7 +312,7 @@ Result<SeriesPlot> plot_series(const std::vector<fs::path>& roots, const SeriesP
         return Problem{.file = roots.front().string(),
                        .what = "there is nothing to plot: no number of these measures in this time",
                        .fix = "ask for others with --measure, or for another --time"};
-    const auto [first, last] = time_of(*runs);
+    const auto [first, last] = stretch_of(*runs);
     plot.first = first;
     plot.last = last;
     const bool several = std::any_of(groups.begin(), groups.end(), [](const Group& one) { return one.several(); });

@@ -76,7 +76,7 @@ Result<std::vector<double>> cuts_between(double near, double far, const StripOpt
     for (const double cut : options.places)
         if (!(cut >= lo && cut <= hi))
             return Problem{.what = fmt::format("a section at {} = {:g} m cuts no bodies", axis, cut),
-                           .fix = fmt::format("their centres go from {:.4g} to {:.4g} m", lo, hi)};
+                           .fix = fmt::format("choose places from {:.4g} to {:.4g} m", lo, hi)};
     return cuts;
 }
 

@@ -91,7 +91,7 @@ TEST_CASE("sections are taken at the places that are given, and a place that no 
     const Problems problems = run::draw_strip(run, options, silent).problems();
     REQUIRE(problems.size() == 1);
     CHECK(problems[0].what == "a section at x = 27 m cuts no bodies");
-    CHECK(problems[0].fix == "their centres go from -0.1 to 0.1 m");
+    CHECK(problems[0].fix == "choose places from -0.1 to 0.1 m");
     CHECK(!fs::exists(options.out));
 }
 

@@ -402,10 +402,11 @@ def rests_while_hidden(page):
     page.click("play")
     page.wait("the simulation to run", lambda: page.state()["playing"])
     page.driver.execute_script(hide.replace("arguments[0]", "true"))
-    time.sleep(0.5)  # for frames that are under way, two at most
+    unsaid = lambda: page.driver.execute_script("return unsaid.length")
+    page.wait("the two frames that are under way at most", lambda: unsaid() == 2)
     before = page.state()
-    time.sleep(1.5)  # a view that knew nothing of it would have shown a dozen
-    assert page.state()["shown"] == before["shown"], (before["shown"], page.state()["shown"])
+    time.sleep(0.5)  # a view that knew nothing of it would show some more
+    assert (unsaid(), page.state()["shown"]) == (2, before["shown"]), (unsaid(), before["shown"], page.state()["shown"])
     page.driver.execute_script(hide.replace("arguments[0]", "false"))
     page.wait("frames again, of a later time", lambda: page.state()["shown"] > before["shown"] and page.state()["time"] > before["time"])
     page.press(Keys.SPACE)

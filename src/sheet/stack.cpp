@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <utility>
 
 namespace tumble::sheet {
 
@@ -15,10 +16,13 @@ namespace {
 
 // Ems.
 constexpr double line_height = 1.45;
-constexpr double below_axis = 1.5 + line_height; // numbers and the label of the axis across
-constexpr double between = 0.7;                  // a panel and the words over the next
+constexpr double numbers_across = 1.9; // below the axis
+constexpr double between = 0.7;        // a panel and the words over the next
 constexpr double edge = 0.5;
-constexpr double sample = 3.5; // a legend's piece of line, and what keeps it from its words
+constexpr double sample = 2.2, gap = 0.5; // a legend's piece of line, and what keeps it from its words
+constexpr double apart = 1.6;             // entries of a legend
+constexpr double tick_room = 2.0;         // height that a number at an upright axis wants
+constexpr int most_ticks = 6;
 constexpr double least_panel = 4, usual_panel = 8;
 constexpr double rim = 0.05;              // of the range, between a curve and its panel's ends
 constexpr std::size_t most_columns = 800; // of a line: more points than twice that cannot be told apart in print
@@ -65,9 +69,20 @@ Range range_of(const Panel& panel) {
     return range.widened();
 }
 
-/// Ems that the longest number at an axis of that range takes: gnuplot writes about four to ten of them.
-double numbers_width(const Range& range) {
-    const double step = std::pow(10, std::floor(std::log10((range.hi - range.lo) / 4)));
+/// The finest round step of which a range holds no more than `most` multiples, and two at least.
+double step_of(const Range& range, int most) {
+    const auto count = [&](double step) { return std::floor(range.hi / step) - std::ceil(range.lo / step) + 1; };
+    double step = std::pow(10, std::floor(std::log10(range.hi - range.lo)) + 1);
+    for (double power = step / 10; true; power /= 10)
+        for (const double finer : {5 * power, 2 * power, power}) {
+            if (count(step) >= 2 && count(finer) > most)
+                return step;
+            step = finer;
+        }
+}
+
+/// Ems that the longest number at an axis of that step takes.
+double numbers_width(const Range& range, double step) {
     const double digits_before = std::floor(std::log10(std::max({std::abs(range.lo), std::abs(range.hi), 1.0}))) + 1;
     const double digits_behind = std::max(0.0, -std::floor(std::log10(step) + 1e-9));
     const double signs = (range.lo < 0 ? 1 : 0) + (digits_behind > 0 ? 1 : 0);
@@ -77,17 +92,18 @@ double numbers_width(const Range& range) {
 /// A legend in columns.
 struct Key {
     int columns = 1, rows = 0;
+    double widest = 0; // ems, of a column
     bool fits = true;
 
     Key(const std::vector<const Ink*>& inks, double room) {
-        double widest = 0;
         for (const Ink* ink : inks)
-            widest = std::max(widest, width_of(ink->label) + sample + 1);
+            widest = std::max(widest, sample + gap + width_of(ink->label) + apart);
         const int count = static_cast<int>(inks.size());
         columns = count > 0 ? std::clamp(static_cast<int>(room / widest), 1, count) : 1;
         rows = (count + columns - 1) / columns;
         fits = columns * widest <= room;
     }
+    [[nodiscard]] double width() const { return columns * widest - apart; }
 };
 
 std::vector<const Ink*> labelled(const std::vector<Ink>& inks) {
@@ -129,9 +145,11 @@ struct Plan {
     double words = 0; // of the height that is no panel's
 
     Plan(const Stack& stack, double wide) {
-        for (const Panel& panel : stack.panels)
-            left = std::max(left, numbers_width(range_of(panel)));
-        left += 1.2;
+        for (const Panel& panel : stack.panels) {
+            const Range range = range_of(panel);
+            left = std::max(left, numbers_width(range, step_of(range, most_ticks)));
+        }
+        left += 1.4;
         right = wide - 1.8;
         const double room = right - left;
         const auto columns = static_cast<std::size_t>(std::max(1.0, (wide - 2 * edge) / width_of("x")));
@@ -140,18 +158,14 @@ struct Plan {
             lines.erase(0, title.back().size() + 1);
         }
         legend = Key(labelled(stack.legend), room);
-        words = edge + line_height * static_cast<double>(title.size()) + line_height * legend.rows + below_axis + edge;
+        words = edge + line_height * static_cast<double>(title.size()) + line_height * legend.rows + numbers_across +
+                line_height + edge;
         for (const Panel& panel : stack.panels) {
             heads.emplace_back(panel, room);
             words += heads.back().height() + between;
         }
     }
 };
-
-std::string line_style(const Ink& ink) {
-    return fmt::format("with lines lw 1.5 dt {} lc rgb '{}'", ink.dashes % 5 + 1,
-                       ink.color ? color_of(*ink.color) : "#000000");
-}
 
 /// Of the points in one column of the picture the first, lowest, highest and last.
 std::string thinned(const Trace& trace, const Range& across) {
@@ -187,22 +201,43 @@ std::string name_of(std::size_t panel, std::size_t trace) {
     return fmt::format("$line{}_{}", panel, trace);
 }
 
-/// Written by the plot that comes next, and by no other.
-std::string title_at(const Plan& plan, const Page& page, double top) {
-    std::string script;
-    for (std::size_t line = 0; line < plan.title.size(); ++line, top += line_height)
-        script +=
-            fmt::format("set label {} {} at screen {:.5g},{:.5g} left front\n", line + 2,
-                        in_gnuplots_quotes(plan.title[line]), page.across(edge), 1 - page.up(top + 0.5 * line_height));
-    return script;
-}
+/// Words and pieces of line that gnuplot draws with the next plot, and with no other.
+class Words {
+public:
+    explicit Words(const Page& page) : page_(page) {}
 
-std::string unset_title(const Plan& plan) {
-    std::string script;
-    for (std::size_t line = 0; line < plan.title.size(); ++line)
-        script += fmt::format("unset label {}\n", line + 2);
-    return script;
-}
+    /// Left end (or where `align` says) and middle of the line, ems from the left and from above.
+    void text(const std::string& words, double left, double middle, const char* align = "left") {
+        script_ += fmt::format("set label {} {} at screen {:.5g},{:.5g} {} front\n", ++labels_,
+                               in_gnuplots_quotes(words), page_.across(left), 1 - page_.up(middle), align);
+    }
+    void legend(const std::vector<const Ink*>& inks, const Key& key, double left, double top) {
+        const auto columns = static_cast<std::size_t>(key.columns);
+        for (std::size_t k = 0; k < inks.size(); ++k) {
+            const double x = left + key.widest * static_cast<double>(k % columns);
+            const double y = top + line_height * (static_cast<double>(k / columns) + 0.5);
+            script_ += fmt::format("set arrow {} from screen {:.5g},{:.5g} to screen {:.5g},{:.5g} nohead front {}\n",
+                                   ++arrows_, page_.across(x), 1 - page_.up(y), page_.across(x + sample),
+                                   1 - page_.up(y), pen(*inks[k]));
+            text(inks[k]->label, x + sample + gap, y);
+        }
+    }
+    /// To stand before the plot.
+    std::string take() {
+        labels_ = arrows_ = 0;
+        return "unset label\nunset arrow\n" + std::exchange(script_, {});
+    }
+
+    static std::string pen(const Ink& ink) {
+        return fmt::format("lw 1.5 dt {} lc rgb '{}'", ink.dashes % 5 + 1,
+                           ink.color ? color_of(*ink.color) : "#000000");
+    }
+
+private:
+    const Page& page_;
+    std::string script_;
+    int labels_ = 0, arrows_ = 0;
+};
 
 Problem no_room(const Stack& stack, const Plan& plan, const std::filesystem::path& file, const Canvas& canvas) {
     const auto count = static_cast<double>(stack.panels.size());
@@ -227,50 +262,51 @@ Range range_across(const Stack& stack) {
     return across.lo < across.hi ? across : across.widened();
 }
 
-/// The legend's lines, in a plot of its own that shows nothing else.
-std::string draw_legend(const std::vector<Ink>& inks, const Key& key, double left, double top) {
-    std::string script = fmt::format("unset border\nunset tics\nset key at screen {:.5g},{:.5g} left top "
-                                     "Left reverse horizontal maxcols {} samplen 2\nplot [0:1][0:1] ",
-                                     left, top, key.columns);
-    bool first = true;
-    for (const Ink* ink : labelled(inks)) {
-        script += fmt::format("{}NaN {} title {}", first ? "" : ", ", line_style(*ink), in_gnuplots_quotes(ink->label));
-        first = false;
+/// Title, legend and the name of the axis across.
+void write_around(Words& words, const Stack& stack, const Plan& plan, const Page& page) {
+    double top = edge;
+    for (const std::string& line : plan.title) {
+        words.text(line, edge, top + 0.5 * line_height);
+        top += line_height;
     }
-    return script + "\nset border 3\nset tics nomirror out\n";
+    words.legend(labelled(stack.legend), plan.legend, plan.left, top);
+    words.text(axis_words(stack.x.label, stack.x.unit), 0.5 * (plan.left + plan.right),
+               page.high() - edge - 0.5 * line_height, "center");
 }
 
-/// Words and curves of one panel; `top` is that of its words, ems from above.
-std::string draw_panel(const Stack& stack, std::size_t index, const Plan& plan, const Page& page, double top,
-                       double height) {
+/// Axes, grid and margins that all panels share.
+std::string draw_axes(const Plan& plan, const Page& page, const Range& across) {
+    int most = 10;
+    while (most > 2 && most * (numbers_width(across, step_of(across, most)) + 1.2) > plan.right - plan.left)
+        --most;
+    return fmt::format("unset key\nset border 3\nset xtics {:.9g} nomirror out scale 0.5\n"
+                       "set ytics nomirror out scale 0.5\nset grid lc rgb '#cccccc'\n"
+                       "set lmargin at screen {:.5g}\nset rmargin at screen {:.5g}\nset xrange [{:.9g}:{:.9g}]\n",
+                       step_of(across, most), page.across(plan.left), page.across(plan.right), across.lo, across.hi);
+}
+
+/// Words and curves of a panel whose words begin at `top` and whose axes are `height` high, ems.
+std::string draw_panel(const Stack& stack, std::size_t index, Words& words, const Plan& plan, const Page& page,
+                       double top, double height) {
     const Panel& panel = stack.panels[index];
     const Head& head = plan.heads[index];
-    const double ceiling = top + head.height(), floor = ceiling + height;
-    const bool last = index + 1 == stack.panels.size();
-    const auto y = [&](double ems) { return 1 - page.up(ems); };
-    std::string script =
-        fmt::format("set tmargin at screen {:.5g}\nset bmargin at screen {:.5g}\n", y(ceiling), y(floor));
-    script += fmt::format("set label 1 {} at screen {:.5g},{:.5g} left front\n",
-                          in_gnuplots_quotes(axis_words(panel.y.label, panel.y.unit)), page.across(plan.left),
-                          y(top + 0.5 * line_height));
-    const double key_top = head.beside ? top : top + line_height;
-    script += head.key.rows > 0
-                  ? fmt::format("set key at screen {:.5g},{:.5g} {} top Left reverse horizontal maxcols {} samplen 2\n",
-                                page.across(head.beside ? plan.right : plan.left), y(key_top + 0.1),
-                                head.beside ? "right" : "left", head.key.columns)
-                  : "unset key\n";
-    script += last ? fmt::format("set format x '%g'\nset xlabel {} offset 0,0.3\n",
-                                 in_gnuplots_quotes(axis_words(stack.x.label, stack.x.unit)))
-                   : "set format x ''\nunset xlabel\n";
+    words.text(axis_words(panel.y.label, panel.y.unit), plan.left, top + 0.5 * line_height);
+    words.legend(labelled(panel), head.key, head.beside ? plan.right - head.key.width() : plan.left,
+                 head.beside ? top : top + line_height);
     const Range range = range_of(panel);
-    script += fmt::format("set yrange [{:.9g}:{:.9g}]\n", range.lo, range.hi);
+    const double ceiling = top + head.height();
+    std::string script = words.take();
+    script += fmt::format("set tmargin at screen {:.5g}\nset bmargin at screen {:.5g}\nset yrange [{:.9g}:{:.9g}]\n"
+                          "set ytics {:.9g}\n",
+                          1 - page.up(ceiling), 1 - page.up(ceiling + height), range.lo, range.hi,
+                          step_of(range, std::clamp(static_cast<int>(height / tick_room), 2, most_ticks)));
+    if (index + 1 == stack.panels.size()) // numbers across at the lowest
+        script += "set format x '%g'\n";
     std::string plots;
-    for (std::size_t k = 0; k < panel.traces.size(); ++k) {
-        const Ink& ink = panel.traces[k].ink;
-        plots += fmt::format("{}{} {} {}", k == 0 ? "plot " : ", ", name_of(index, k), line_style(ink),
-                             ink.label.empty() ? "notitle" : "title " + in_gnuplots_quotes(ink.label));
-    }
-    return script + plots + "\n" + unset_title(plan);
+    for (std::size_t k = 0; k < panel.traces.size(); ++k)
+        plots += fmt::format("{}{} with lines {}", k == 0 ? "plot " : ", ", name_of(index, k),
+                             Words::pen(panel.traces[k].ink));
+    return script + plots + "\n";
 }
 
 } // namespace
@@ -292,18 +328,12 @@ Result<std::string> gnuplot_script(const Stack& stack, const std::filesystem::pa
     for (std::size_t p = 0; p < stack.panels.size(); ++p)
         for (std::size_t k = 0; k < stack.panels[p].traces.size(); ++k)
             script += name_of(p, k) + " << END\n" + thinned(stack.panels[p].traces[k], across) + "END\n";
-    script += fmt::format("set multiplot\nset grid lc rgb '#cccccc'\nset border 3\nset tics nomirror out\n"
-                          "set lmargin at screen {:.5g}\nset rmargin at screen {:.5g}\n",
-                          page.across(plan.left), page.across(plan.right));
-    double top = edge;
-    script += title_at(plan, page, top);
-    top += line_height * static_cast<double>(plan.title.size());
-    if (plan.legend.rows > 0)
-        script += draw_legend(stack.legend, plan.legend, page.across(plan.left), 1 - page.up(top)) + unset_title(plan);
-    top += line_height * plan.legend.rows;
-    script += fmt::format("set xrange [{:.9g}:{:.9g}]\n", across.lo, across.hi);
+    script += "set multiplot\nset format x ''\n" + draw_axes(plan, page, across);
+    Words words(page);
+    write_around(words, stack, plan, page);
+    double top = edge + line_height * (static_cast<double>(plan.title.size()) + plan.legend.rows);
     for (std::size_t p = 0; p < stack.panels.size(); ++p) {
-        script += draw_panel(stack, p, plan, page, top, height);
+        script += draw_panel(stack, p, words, plan, page, top, height);
         top += plan.heads[p].height() + height + between;
     }
     return script + "unset multiplot\nunset output\n";

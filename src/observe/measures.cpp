@@ -152,7 +152,7 @@ std::string spelled_name(std::string name) {
 }
 
 std::string spelled_unit(const std::string& unit) {
-    const std::size_t per = unit.rfind('_');
+    const std::size_t per = unit.find("_s");
     return per == std::string::npos ? unit : unit.substr(0, per) + "/" + unit.substr(per + 1);
 }
 

@@ -8,6 +8,7 @@
 #include "run/series_plot.h"
 #include "run/target.h"
 
+#include <algorithm>
 #include <array>
 #include <fmt/format.h>
 #include <memory>
@@ -20,6 +21,7 @@ namespace {
 // As of pictures for print, scene keys render.width_mm and the like.
 constexpr double least_mm = 20, most_mm = 600;
 constexpr double print_dpi = 300, print_font = 8;
+constexpr double most_pixels = 8192; // as render.width_px
 
 struct PlotArguments {
     std::vector<std::filesystem::path> runs;
@@ -65,6 +67,11 @@ Result<sheet::Canvas> canvas_for(const PlotArguments& arguments, sheet::Stack& s
     if (size)
         canvas.width_mm = (*size)[0];
     canvas.height_mm = size ? (*size)[1] : sheet::usual_height(stack, canvas);
+    if (const double pixels = std::max(canvas.width_mm, canvas.height_mm) / 25.4 * canvas.dpi; pixels > most_pixels)
+        return Problem{.what =
+                           fmt::format("{:.0f} x {:.0f} mm at {:g} dpi are {:.0f} pixels along a side, more than {:g}",
+                                       canvas.width_mm, canvas.height_mm, canvas.dpi, pixels, most_pixels),
+                       .fix = "choose a lower --dpi or a smaller --size-mm"};
     return canvas;
 }
 

@@ -108,6 +108,7 @@ TEST_CASE("plot draws what runs measured, in a size for print, and says what it 
           {{"a", "--size-mm", "85"}, "write width x height"},
           {{"a", "--size-mm", "85x20"}, "leave no room"},
           {{"a", "--font-pt", "90"}, "--font-pt"},
+          {{"a", "--size-mm", "600x100", "--dpi", "1200"}, "choose a lower --dpi"},
           {{"a", "--time", "1:2"}, "has no row in the time asked for"},
           {{"a", "--labels", "x,y"}, "2 labels are given for 1 runs"},
           {{"a", "--out", "both.svg"}, "--force replaces it"},

@@ -234,6 +234,21 @@ TEST_CASE("the cheapest scene is a scene file that says what it was reduced by a
     }
     const Account account = account_of("scenes/small.toml", climb, 0.1, 2);
     REQUIRE(account.cheapest());
+    // The plot names each rung at its speed-up; its limits are two lines, not a box.
+    const sheet::Sheet sheet = sheet_of(account, true);
+    REQUIRE(sheet.figures().size() == 1);
+    const sheet::Figure& figure = *sheet.figures().front();
+    REQUIRE(figure.places.size() == 1);
+    CHECK(figure.places[0].first == about(2));
+    CHECK(figure.places[0].second == rungs->at(1).name);
+    std::vector<double> limits;
+    for (const sheet::Curve& curve : figure.curves)
+        if (curve.style == sheet::Style::dashes) {
+            REQUIRE(curve.y.size() == 2);
+            CHECK(curve.y[0] == curve.y[1]);
+            limits.push_back(curve.y[0]);
+        }
+    CHECK(limits == std::vector<double>{10, -10});
     const test::Folder folder;
     REQUIRE(write_account(account, folder.path, true));
     const auto scene = scene::load_scene(folder.path / "small-reduced.toml");

@@ -139,16 +139,16 @@ private:
     }
 
     void lay_out_legend() {
-        int room = 0;
+        int left = 0;
         for (const Trace& trace : plot_.traces) {
             if (trace.label.empty())
                 continue;
-            if (legend_.empty() || entry_width(trace) > room) {
+            if (legend_.empty() || entry_width(trace) > left) {
                 legend_.emplace_back();
-                room = inner_width();
+                left = inner_width();
             }
             legend_.back().push_back(&trace);
-            room -= entry_width(trace);
+            left -= entry_width(trace);
         }
     }
 

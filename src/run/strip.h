@@ -9,7 +9,7 @@ struct StripOptions {
     RedrawOptions redraw; // its targets do not count
     render::StripPlan plan;
     bool sections = false;     // through the last frame; else instants from the first to the last, evenly spaced
-    std::filesystem::path out; // one picture where it ends in .png; else a folder with a picture each
+    std::filesystem::path out; // one picture where it ends in .png, .svg or .pdf; else a folder with a picture each
 };
 
 /// Several pictures of a run in one call. Instants: frames as evenly spaced as there are. Sections: cuts across the

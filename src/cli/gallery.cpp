@@ -43,6 +43,7 @@ const std::vector<GalleryPicture>& gallery_pictures() {
          "a picture for print, 85 mm wide",
          "drum",
          {"--strip=1", "--size-mm=85x85", "--dpi=200", "--font-pt=8"}},
+        {"lines.svg", "the same as lines", "drum", {"--size-mm=85x85", "--font-pt=8"}},
     };
     return pictures;
 }

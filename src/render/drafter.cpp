@@ -51,7 +51,7 @@ Result<Drafter> Drafter::open(const scene::Render& settings, std::shared_ptr<con
     if (!style) {
         return style.problems();
     }
-    return Drafter(Composition(in_fine_pixels(settings), options, std::move(layout), std::move(*style)));
+    return Drafter(Composition(settings, options, std::move(layout), std::move(*style)));
 }
 
 void Drafter::foresee(const observe::Frame& frame) {

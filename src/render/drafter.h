@@ -6,7 +6,7 @@
 namespace tumble::render {
 
 /// Draws frames of one run in two dimensions as lines and areas: what Painter is to pixels, in the same arrangement and
-/// colours. On paper the size is that of the paper, whatever its dots.
+/// colours.
 class Drafter {
 public:
     /// Problems: a scene in space; unknown words as in Painter::open.
@@ -33,7 +33,7 @@ private:
     Composition page_;
 };
 
-/// The settings with the paper's dots so fine that lengths in pixels lose nothing by being rounded to whole ones.
+/// The settings of a drawing on the same paper: dots so fine that lengths which are rounded to whole ones lose nothing.
 scene::Render in_fine_pixels(const scene::Render& settings);
 
 /// An empty drawing of the settings' size, `height` pixels high.

@@ -33,7 +33,7 @@ private:
 
 Result<std::unique_ptr<FrameSink>> keep_drawing(const scene::Render& settings, const Recording& recording,
                                                 const fs::path& file) {
-    auto drafter = render::Drafter::open(settings, recording.layout);
+    auto drafter = render::Drafter::open(render::in_fine_pixels(settings), recording.layout);
     if (!drafter)
         return of_run(drafter.problems(), recording.folder.root);
     drafter->fit(recording.bounds);

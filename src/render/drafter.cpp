@@ -3,6 +3,7 @@
 #include "render/body_outline.h"
 #include "render/disc_list.h"
 #include "render/drawing_pen.h"
+#include "render/paper.h"
 
 #include <algorithm>
 #include <array>
@@ -14,23 +15,22 @@ namespace tumble::render {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double fine_dpi = 720;  // ten pixels a point
-constexpr double screen_dpi = 96; // CSS: a pixel is 1/96 inch
-constexpr double inch_in_mm = 25.4;
+constexpr double fine_dpi = 720;    // ten pixels a point
+constexpr double screen_dpi = 96;   // CSS: a pixel is 1/96 inch
 constexpr double edge_share = 0.85; // of the edges' colour in walls, as Painter has it; the rest is the background's
 
 scene::Render in_fine_pixels(const scene::Render& settings) {
     scene::Render fine = settings;
     if (fine.paper) {
         fine.paper->dpi = fine_dpi;
-        fine.width = static_cast<int>(std::lround(fine.paper->width_mm / inch_in_mm * fine_dpi));
-        fine.height = static_cast<int>(std::lround(fine.paper->height_mm / inch_in_mm * fine_dpi));
+        fine.width = static_cast<int>(std::lround(fine.paper->width_mm / mm_per_inch * fine_dpi));
+        fine.height = static_cast<int>(std::lround(fine.paper->height_mm / mm_per_inch * fine_dpi));
     }
     return fine;
 }
 
 Drawing blank_drawing(const scene::Render& settings, double height, const Theme& theme) {
-    const double mm = inch_in_mm / (settings.paper ? settings.paper->dpi : screen_dpi);
+    const double mm = mm_per_inch / (settings.paper ? settings.paper->dpi : screen_dpi);
     // Whole pixels are a little more or less than the paper.
     const bool full = settings.paper && height == settings.height;
     return {.width_mm = settings.paper ? settings.paper->width_mm : settings.width * mm,

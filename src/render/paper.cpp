@@ -7,9 +7,6 @@
 
 namespace tumble::render {
 
-constexpr double mm_per_inch = 25.4;
-constexpr double points_per_inch = 72;
-
 double letter_unit(const scene::Paper& paper) {
     // Layout measures letters by their reach, typographers by their size.
     return paper.font_pt / points_per_inch * paper.dpi * reach_of_letters / small_letters;

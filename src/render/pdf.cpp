@@ -1,5 +1,6 @@
 #include "render/drawing_file.h"
 #include "render/letters.h"
+#include "render/paper.h"
 
 #include <cairo-pdf.h>
 #include <cairo.h>
@@ -12,7 +13,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double points_per_mm = 72 / 25.4;
+constexpr double points_per_mm = points_per_inch / mm_per_inch;
 
 /// Draws shape after shape; the page's scale stands in cairo's matrix, so lengths stay pixels.
 struct CairoPainter {

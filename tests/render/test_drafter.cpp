@@ -257,7 +257,8 @@ TEST_CASE("text stays text, in the words of the legend, and lies on the page") {
     screen.camera = "side";
     screen.width = 1280;
     screen.height = 720;
-    const auto titles = all(xml_of(drafter_for(screen, layout).draw(frame)), "text");
+    const pt::ptree shown = xml_of(drafter_for(screen, layout).draw(frame));
+    const auto titles = all(shown, "text");
     CHECK(std::any_of(titles.begin(), titles.end(),
                       [](const pt::ptree* text) { return text->get_value<std::string>() == "Discs & <others>"; }));
 }

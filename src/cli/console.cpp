@@ -9,6 +9,20 @@
 
 namespace tumble::cli {
 
+namespace {
+
+int silenced = 0;
+
+} // namespace
+
+SilentOutput::SilentOutput() {
+    ++silenced;
+}
+
+SilentOutput::~SilentOutput() {
+    --silenced;
+}
+
 bool stderr_is_terminal() {
     return isatty(STDERR_FILENO) == 1;
 }
@@ -21,6 +35,8 @@ bool stderr_takes_color() {
 }
 
 void say(std::string_view text) {
+    if (silenced > 0)
+        return;
     std::fwrite(text.data(), 1, text.size(), stdout);
     std::fputc('\n', stdout);
     std::fflush(stdout);

@@ -18,6 +18,15 @@ bool stderr_takes_color();
 void say(std::string_view text);
 void say_json(const nlohmann::ordered_json& json);
 
+/// While one lives nothing is said on stdout: for a command that runs others.
+class SilentOutput {
+public:
+    SilentOutput();
+    SilentOutput(const SilentOutput&) = delete;
+    SilentOutput& operator=(const SilentOutput&) = delete;
+    ~SilentOutput();
+};
+
 /// To stderr, with a line end.
 void note(std::string_view text);
 

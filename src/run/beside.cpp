@@ -23,39 +23,26 @@ constexpr double same_instant = 0.4;
 
 using Recordings = std::array<Recording, 2>;
 
-struct Dated {
-    double time = 0; // s
-    fs::path file;
-};
-
 struct Moment {
     fs::path left, right;
 };
 
-/// Those that can be read.
-std::vector<Dated> dated(const Recording& recording) {
-    std::vector<Dated> frames;
-    for (const fs::path& file : recording.frames)
-        if (const Result<observe::Frame> frame = observe::read_frame(file, recording.layout))
-            frames.push_back({frame->time, file});
-    return frames;
-}
-
-double spacing_of(const std::vector<Dated>& frames) {
+double spacing_of(const std::vector<RecordedFrame>& frames) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 1; k < frames.size(); ++k)
         least = std::min(least, frames[k].time - frames[k - 1].time);
     return least;
 }
 
-std::vector<Moment> common(const std::vector<Dated>& left, const std::vector<Dated>& right) {
+std::vector<Moment> common(const std::vector<RecordedFrame>& left, const std::vector<RecordedFrame>& right) {
     std::vector<Moment> moments;
     // A single frame goes with whatever stands beside it.
     const double apart = same_instant * std::max(spacing_of(left), spacing_of(right));
-    for (const Dated& frame : left) {
-        const auto nearest = std::min_element(right.begin(), right.end(), [&](const Dated& a, const Dated& b) {
-            return std::abs(a.time - frame.time) < std::abs(b.time - frame.time);
-        });
+    for (const RecordedFrame& frame : left) {
+        const auto nearest =
+            std::min_element(right.begin(), right.end(), [&](const RecordedFrame& a, const RecordedFrame& b) {
+                return std::abs(a.time - frame.time) < std::abs(b.time - frame.time);
+            });
         if (nearest != right.end() && std::abs(nearest->time - frame.time) <= apart)
             moments.push_back({frame.file, nearest->file});
     }
@@ -85,8 +72,7 @@ Result<Comparison> compare(const std::array<fs::path, 2>& runs, const BesideOpti
     if (!left || !right)
         return (left ? right : left).problems();
     Comparison found{{std::move(*left), std::move(*right)}, {}, {}};
-    const std::array<std::vector<Dated>, 2> sides{dated(found.recordings[0]), dated(found.recordings[1])};
-    found.moments = common(sides[0], sides[1]);
+    found.moments = common(found.recordings[0].frames, found.recordings[1].frames);
     if (found.moments.empty())
         return Problem{.file = runs[1].string(),
                        .what = "no frame of it is of the same time as one of " + runs[0].string(),
@@ -94,7 +80,7 @@ Result<Comparison> compare(const std::array<fs::path, 2>& runs, const BesideOpti
     for (std::size_t side = 0; side < 2; ++side) {
         for (const std::string& warning : found.recordings[side].warnings)
             found.warnings.push_back(runs[side].string() + ": " + warning);
-        if (const std::size_t alone = sides[side].size() - found.moments.size(); alone > 0)
+        if (const std::size_t alone = found.recordings[side].frames.size() - found.moments.size(); alone > 0)
             found.warnings.push_back(
                 fmt::format("{}: {} of its frames have none beside them", runs[side].string(), alone));
     }

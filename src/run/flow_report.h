@@ -4,6 +4,7 @@
 #include "observe/cycle.h"
 #include "observe/flow_field.h"
 #include "run/replay.h"
+#include "sheet/canvas.h"
 
 #include <filesystem>
 #include <optional>
@@ -42,13 +43,18 @@ struct FlowReport {
 /// Problems: as open_recording; a run of two dimensions; a name that no body has.
 Result<FlowReport> read_flow(const std::filesystem::path& run, const FlowOptions& options, const TellFrames& tell);
 
+/// What write_flow makes in the folder where these bodies are followed.
+std::vector<std::filesystem::path> flow_files(const std::filesystem::path& folder,
+                                              const std::vector<std::string>& bodies);
+
 /// flow_field.csv (a row a cell), flow_layers.csv, flow_surface.csv and tracer_NAME.csv in the folder. Problems: the
 /// system's reason.
 Result<std::vector<std::filesystem::path>> write_flow(const FlowReport& report, const std::filesystem::path& folder);
 
 /// The mean field in the plane of radius and height: coloured by the tangential velocity, arrows of radial and vertical
-/// velocity, the surface as a line; PNG or SVG by the file's name, through gnuplot. Problems: gnuplot is missing or
-/// failed.
-Result<Done> draw_flow(const FlowReport& report, const std::filesystem::path& file);
+/// velocity, the surface as a line; through gnuplot, of the kind that the file's name says (sheet/canvas.h).
+/// Problems: gnuplot is missing or failed.
+Result<Done> draw_flow(const FlowReport& report, const std::filesystem::path& file,
+                       const sheet::Canvas& canvas = {.width_mm = 238, .height_mm = 169});
 
 } // namespace tumble::run

@@ -6,7 +6,21 @@ foreach(file index.html view.css view.js icon.svg)
 endforeach()
 configure_file(${TUMBLE_PAGE_FOLDER}/page.cpp.in ${CMAKE_BINARY_DIR}/view_page.cpp @ONLY)
 target_sources(tumble_view PRIVATE ${CMAKE_BINARY_DIR}/view_page.cpp)
-
-# Beast is compiled in one file, by itself.
-set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/src/view/server.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 target_include_directories(tumble_view SYSTEM PRIVATE ${TUMBLE_IMGUI_INCLUDE})
+
+# Beast takes long to parse: what speaks it is compiled at once, and apart from the others, which go by eights as in
+# every folder.
+if(TUMBLE_UNITY_BUILD)
+  set_target_properties(tumble_view PROPERTIES UNITY_BUILD_MODE GROUP)
+  set(number 0)
+  foreach(source IN LISTS sources)
+    cmake_path(GET source STEM stem)
+    if(stem MATCHES "^(request|response|server|visitor|watcher)$")
+      set(group beast)
+    else()
+      math(EXPR group "${number} / 8")
+      math(EXPR number "${number} + 1")
+    endif()
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+  endforeach()
+endif()

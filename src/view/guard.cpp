@@ -13,10 +13,7 @@ namespace tumble::view {
 namespace {
 
 constexpr std::size_t longest_target = 256;
-
-Answer refused(int status, std::string explanation) {
-    return {.status = status, .file = {}, .set_cookie = {}, .explanation = std::move(explanation)};
-}
+constexpr int usual_port = 80; // of HTTP
 
 bool is_plain_target(std::string_view target) {
     return target.starts_with('/') && target.size() <= longest_target &&
@@ -24,6 +21,10 @@ bool is_plain_target(std::string_view target) {
 }
 
 } // namespace
+
+Answer refusal(int status, std::string explanation) {
+    return {.status = status, .file = {}, .set_cookie = {}, .explanation = std::move(explanation)};
+}
 
 std::string random_token() {
     std::random_device system; // libstdc++: getrandom or the processor's own, never a seeded generator
@@ -48,7 +49,10 @@ std::string Guard::link() const {
     return fmt::format("http://127.0.0.1:{}/?token={}", port_, token_);
 }
 
+/// Browsers leave the port away where it is HTTP's own.
 bool Guard::is_ours(std::string_view host) const {
+    if (port_ == usual_port && (host == "127.0.0.1" || host == "localhost"))
+        return true;
     return host == fmt::format("127.0.0.1:{}", port_) || host == fmt::format("localhost:{}", port_);
 }
 
@@ -66,7 +70,7 @@ bool Guard::has_cookie(std::string_view cookies) const {
 /// The page comes with the cookie: a redirect that began at a link in another page would not carry a strict cookie.
 Answer Guard::admit(std::string_view token) {
     if (!equal_in_constant_time(token, token_))
-        return refused(403, "this link has been used, or was never right: take the newest that the program printed");
+        return refusal(403, "this link has been used, or was never right: take the newest that the program printed");
     token_ = random_token();
     ++admitted_;
     Answer answer{.status = 200, .file = "/", .set_cookie = {}, .explanation = {}};
@@ -76,14 +80,14 @@ Answer Guard::admit(std::string_view token) {
 
 Answer Guard::judge(const Asked& asked) {
     if (asked.method != "GET")
-        return refused(405, "only GET is answered here");
+        return refusal(405, "only GET is answered here");
     if (asked.host.empty() || !is_plain_target(asked.target) || asked.body)
-        return refused(400, "this request is not one that a browser would send");
+        return refusal(400, "this request is not one that a browser would send");
     if (!is_ours(asked.host))
-        return refused(403, "this address is not the one that the program printed");
+        return refusal(403, "this address is not the one that the program printed");
     const bool origin_is_ours = asked.origin.starts_with("http://") && is_ours(asked.origin.substr(7));
     if (!asked.origin.empty() && !origin_is_ours)
-        return refused(403, "other pages have no say here");
+        return refusal(403, "other pages have no say here");
     const std::string_view target = asked.target;
     const std::string_view path = target.substr(0, target.find('?'));
     constexpr std::string_view with_token = "/?token=";
@@ -91,18 +95,18 @@ Answer Guard::judge(const Asked& asked) {
     if (!asked.upgrade && target.starts_with(with_token) && !is_known)
         return admit(target.substr(with_token.size()));
     if (!is_known)
-        return refused(403, "open the link that the program printed");
+        return refusal(403, "open the link that the program printed");
     if (path == socket_path) {
         if (!asked.upgrade)
-            return refused(426, "this is the way of frames, not a page");
+            return refusal(426, "this is the way of frames, not a page");
         if (!origin_is_ours)
-            return refused(403, "a page has to say where it comes from");
+            return refusal(403, "a page has to say where it comes from");
         return {.status = 101, .file = {}, .set_cookie = {}, .explanation = {}};
     }
     if (asked.upgrade)
-        return refused(400, "frames do not come from there");
+        return refusal(400, "frames do not come from there");
     if (!find_page_file(path))
-        return refused(404, "there is no such file");
+        return refusal(404, "there is no such file");
     return {.status = 200, .file = std::string(path), .set_cookie = {}, .explanation = {}};
 }
 

@@ -26,6 +26,9 @@ struct Answer {
     std::string explanation; // for other statuses, a sentence
 };
 
+/// An answer that lets nobody in, with the reason as a sentence.
+Answer refusal(int status, std::string explanation);
+
 /// Lets in whoever brings the token of the link, which is good for one browser and then replaced, and later its cookie.
 class Guard {
 public:

@@ -2,6 +2,8 @@
 
 #include "observe/series.h"
 #include "run/run_folder.h"
+#include "run/series_plot.h"
+#include "run/tracers.h"
 
 #include <algorithm>
 
@@ -13,15 +15,10 @@ namespace {
 constexpr std::size_t most_points = 4000;
 constexpr std::size_t height_column = 1; // of TracerReader: y
 
-const std::vector<std::string> plotted{"kinetic_energy", "circulation", "surface_slope", "lost_energy"};
-
 /// Name of the first body that the scene traces; empty where it traces none.
 std::string first_tracer(const scene::Scene& scene) {
-    const std::string prefix = "tracer:";
-    for (const std::string& measure : scene.observe.measures)
-        if (measure.starts_with(prefix))
-            return measure.substr(prefix.size());
-    return "";
+    const std::vector<std::string> traced = run::traced_bodies(scene.observe.measures);
+    return traced.empty() ? "" : traced.front();
 }
 
 render::PlotLine line_of(const observe::Measure& measure, double until) {
@@ -41,7 +38,7 @@ render::PlotLine height_line(const std::string& tracer, double until) {
 }
 
 std::vector<observe::Measure> measures_of_plots() {
-    auto measures = observe::choose_measures(plotted);
+    auto measures = observe::choose_measures(run::main_measures());
     return measures ? std::move(*measures) : std::vector<observe::Measure>{};
 }
 

@@ -4,6 +4,7 @@
 #include "observe/frame_file.h"
 #include "run/redraw.h"
 #include "run/replay.h"
+#include "run/tracers.h"
 
 #include <algorithm>
 #include <atomic>
@@ -42,7 +43,7 @@ public:
         if (moment_ && wanted == shown_)
             return moment_;
         shown_ = wanted;
-        Result<observe::Frame> frame = observe::read_frame(recording_.frames[wanted], recording_.layout);
+        Result<observe::Frame> frame = observe::read_frame(recording_.frames[wanted].file, recording_.layout);
         trouble_ = frame ? "" : "this frame cannot be read: " + to_string(frame.problems().front());
         if (frame) {
             auto moment = std::make_shared<Moment>();
@@ -187,20 +188,14 @@ Result<std::unique_ptr<Source>> open_recorded(const std::filesystem::path& folde
     words.title = scene.title;
     for (const scene::Wall& wall : scene.walls)
         words.wall_opacity.push_back(wall.opacity);
+    words.traced = run::traced_bodies(scene.observe.measures);
     recording->layout = run::restyled_layout(*recording->layout, words);
-    std::vector<std::filesystem::path> readable;
     std::vector<double> times;
     bool contacts = false;
-    for (const std::filesystem::path& file : recording->frames)
-        if (const Result<observe::Frame> frame = observe::read_frame(file, recording->layout)) {
-            readable.push_back(file);
-            times.push_back(frame->time);
-            contacts = contacts || frame->contacts;
-        }
-    if (times.empty())
-        return Problem{
-            .file = folder.string(), .what = "no frame of this run can be read", .fix = "run the scene again"};
-    recording->frames = std::move(readable);
+    for (const run::RecordedFrame& frame : recording->frames) {
+        times.push_back(frame.time);
+        contacts = contacts || frame.contacts;
+    }
     return std::unique_ptr<Source>(std::make_unique<RecordedSource>(folder, std::move(*recording), std::move(words),
                                                                     std::move(times), contacts, std::move(news)));
 }

@@ -1,48 +1,12 @@
 #include "process.h"
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 namespace test_pictures {
 
 using namespace tumble::test;
 namespace fs = std::filesystem;
-
-namespace {
-
-/// One disc on a floor, quick to run for a second.
-const std::string lying_disc = R"(
-title = "A disc"
-claim = "none"
-dimension = 2
-depth_m = 0.01
-duration_s = 0.1
-time_step_s = 1e-4
-[domain]
-lo_m = [-0.1, -0.1]
-hi_m = [0.1, 0.1]
-[material.glass]
-density_kg_m3 = 2500
-[pair.glass-glass]
-restitution = 0.5
-friction = 0.4
-normal_stiffness_N_per_m = 1e3
-stiffness_ratio = 0.7
-[body.disc]
-radius_mm = 10
-material = "glass"
-[[fill]]
-body = "disc"
-count = 1
-position_m = [0.0, 0.02]
-[[wall]]
-name = "floor"
-shape = "segment"
-from_m = [-0.09, 0.0]
-to_m = [0.09, 0.0]
-material = "glass"
-)";
-
-} // namespace
 
 TEST_CASE("render puts instants or sections into one picture, and says what does not go with that") {
     const Folder folder;
@@ -56,11 +20,17 @@ TEST_CASE("render puts instants or sections into one picture, and says what does
                                                 "85x60", "--out", "cuts", "--quiet"});
     CHECK_MESSAGE(sections.code == 0, sections.err);
     CHECK(fs::exists(folder.path / "cuts/section_2.png"));
+    const Outcome places = tumble_in(folder, {"render", "a", "--sections=-0.01,0,0.02", "--clip-lo=-0.1,-0.1,-0.1",
+                                              "--clip-hi=0.1,0.5,0.1", "--quiet"});
+    CHECK_MESSAGE(places.code == 0, places.err);
+    CHECK(fs::exists(folder.path / "a/redrawn/front_speed_sections_3.png"));
     for (const auto& [flags, words] :
          {std::pair{std::vector<std::string>{"--strip", "six"}, "write --strip 6"},
           {{"--strip", "3", "--sections", "3"}, "leave one of them away"},
           {{"--strip", "3", "--video", "a.mp4"}, "leave --beside, --video and --frames away"},
-          {{"--sections", "0"}, "--sections"},
+          {{"--sections", "0"}, "write --sections 6"},
+          {{"--sections", "0,x"}, "places in m"},
+          {{"--sections", "0,27"}, "cuts no bodies"},
           {{"--strip", "90"}, "ask for fewer"},
           {{"--size-mm", "85x60", "--size", "640x480"}, "write width_mm, height_mm and dpi in its place"},
           {{"--force-chains"}, "write contacts = true in [observe]"}}) {
@@ -103,37 +73,46 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("the gallery makes what it can, names what failed, and leaves no runs behind") {
+TEST_CASE("plot draws what runs measured, in a size for print, and says what it cannot" *
+          doctest::skip(std::system("gnuplot --version >/dev/null 2>&1") != 0)) {
     const Folder folder;
-    fs::create_directory(folder.path / "scenes");
-    put(folder.path / "scenes/drum-2d.toml", lying_disc); // and no other scene
-    const Outcome made = tumble_in(folder, {"gallery", "--out", "pictures", "arrows.png", "sections.png"});
-    CHECK(made.code == 1);
-    CHECK_MESSAGE(contains(made.out, "1 picture in pictures; failed: sections.png"), (made.out + made.err));
-    CHECK(contains(made.err, "arrows.png: done after"));
-    CHECK(fs::exists(folder.path / "pictures/arrows.png"));
-    CHECK(!fs::exists(folder.path / "pictures/.runs"));
-    CHECK(tumble_in(folder, {"gallery", "--out", "pictures", "nothing.png"}).code == 2);
-    CHECK(contains(tumble_in(folder, {"gallery"}).err, "write --out docs/gallery"));
-}
-
-TEST_CASE("docs/gallery.md shows each picture of the gallery with the two commands that make it") {
-    const Folder folder;
-    const Outcome listed = tumble_in(folder, {"gallery", "--list", "--json"});
-    REQUIRE(listed.code == 0);
-    const std::string page = content_of(fs::path(TUMBLE_ROOT) / "docs/gallery.md");
-    const auto pictures = nlohmann::json::parse(listed.out);
-    CHECK(pictures.size() >= 8);
-    for (const auto& picture : pictures) {
-        const std::string file = picture["file"];
-        CAPTURE(file);
-        CHECK(contains(page, "](gallery/" + file + ")"));
-        CHECK(contains(page, "tumble " + picture["run"].get<std::string>() + "\n"));
-        CHECK(contains(page, "tumble " + picture["render"].get<std::string>() + "\n"));
-        const fs::path made = fs::path(TUMBLE_ROOT) / "docs/gallery" / file;
-        REQUIRE(fs::exists(made));
-        CHECK(fs::file_size(made) < 300000);
+    put(folder.path / "ball.toml", bouncing_ball(0.02));
+    for (const char* run : {"a", "b"})
+        REQUIRE(tumble_in(folder, {"run", "ball.toml", "--out", run, "--quiet"}).code == 0);
+    const Outcome drawn = tumble_in(folder, {"plot", "a", "--measure", "kinetic_energy,centre_of_mass_y", "--json"});
+    REQUIRE_MESSAGE(drawn.code == 0, drawn.err);
+    const auto json = nlohmann::json::parse(drawn.out);
+    CHECK(json["file"] == "a/redrawn/plot.png");
+    CHECK(json["panels"].size() == 2);
+    CHECK(json["panels"][0]["columns"][0] == "kinetic_energy_J");
+    CHECK(content_of(folder.path / "a/redrawn/plot.png").starts_with("\x89PNG"));
+    const Outcome both = tumble_in(
+        folder, {"plot", "a", "b", "--labels", "first,second", "--size-mm", "85x80", "--out", "both.svg", "--quiet"});
+    CHECK_MESSAGE(both.code == 0, both.err);
+    const std::string svg = content_of(folder.path / "both.svg");
+    CHECK(contains(svg, "width=\"321\"")); // 85 mm at 96 an inch
+    CHECK(contains(svg, "second"));
+    // A run that is to be made anew in its folder is not hindered by its plot.
+    CHECK(tumble_in(folder, {"run", "ball.toml", "--out", "a", "--quiet", "--force"}).code == 0);
+    for (const auto& [flags, words] :
+         {std::pair{std::vector<std::string>{"a", "--measure", "kinetic_enrgy"}, "did you mean 'kinetic_energy'?"},
+          {{"a", "--out", "a.jpg"}, "plots are drawn as .png, .svg or .pdf"},
+          {{"a", "--size-mm", "85"}, "write width x height"},
+          {{"a", "--size-mm", "85x20"}, "leave no room"},
+          {{"a", "--font-pt", "90"}, "--font-pt"},
+          {{"a", "--size-mm", "600x100", "--dpi", "1200"}, "choose a lower --dpi"},
+          {{"a", "--time", "1:2"}, "has no row in the time asked for"},
+          {{"a", "--labels", "x,y"}, "2 labels are given for 1 runs"},
+          {{"a", "--out", "both.svg"}, "--force replaces it"},
+          {{"nowhere"}, "there is no such folder"}}) {
+        std::vector<std::string> all{"plot"};
+        all.insert(all.end(), flags.begin(), flags.end());
+        const Outcome refused = tumble_in(folder, all);
+        CAPTURE(words);
+        CHECK(refused.code == 2);
+        CHECK_MESSAGE(contains(refused.err, words), refused.err);
     }
+    CHECK(contains(content_of(folder.path / "both.svg"), "second")); // what was refused has changed nothing
 }
 
 } // namespace test_pictures

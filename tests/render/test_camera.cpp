@@ -1,8 +1,12 @@
 #include "about.h"
 #include "fixtures.h"
 #include "render/camera.h"
+#include "scene/load.h"
 
+#include <cmath>
+#include <filesystem>
 #include <numbers>
+#include <variant>
 
 namespace test_camera {
 
@@ -115,6 +119,46 @@ TEST_CASE("clip space and the picture agree, and the depth range holds the box")
     }
 }
 
+TEST_CASE("the bowls' cameras see the bowl, its collar and its lid whole, and fill the picture with them") {
+    for (const auto& entry : std::filesystem::directory_iterator(TUMBLE_ROOT "/scenes")) {
+        const std::string name = entry.path().filename().string();
+        if (entry.path().extension() != ".toml" || !(name.starts_with("bowl") || name.starts_with("specimen")))
+            continue;
+        CAPTURE(name);
+        const scene::Scene scene = scene::load_scene(entry.path()).value();
+        REQUIRE(scene.render.view);
+        const AlignedBox3d seen(scene.render.view->lo, scene.render.view->hi);
+        AlignedBox3d picture; // of what is seen, in halves of the area's height about its middle
+        const auto add_ring = [&](const Camera& camera, const Vector3d& centre, double radius) {
+            for (int k = 0; k < 360; ++k) {
+                const double angle = k * std::numbers::pi / 180;
+                const Vector3d point = centre + radius * Vector3d(std::cos(angle), 0, std::sin(angle));
+                CHECK(seen.contains(point)); // what is not may be cut off in depth
+                const Vector2d at = (camera.to_picture(point) - camera.centre) / (0.5 * area.height());
+                picture.extend(Vector3d(at.x(), at.y(), 0));
+            }
+        };
+        for (const std::string camera : {"free", "side"}) {
+            scene::Render settings = scene.render;
+            settings.camera = camera;
+            const Camera looking = make_camera(settings, seen, area).value();
+            picture.setEmpty();
+            for (const scene::Wall& wall : scene.walls)
+                if (const auto* bowl = std::get_if<scene::BowlShape>(&wall.shape))
+                    add_ring(looking, bowl->base, bowl->radius);
+                else if (const auto* collar = std::get_if<scene::CylinderShape>(&wall.shape))
+                    add_ring(looking, collar->base + collar->length * collar->axis, collar->radius);
+                else if (const auto* lid = std::get_if<scene::DiscShape>(&wall.shape))
+                    add_ring(looking, lid->centre, lid->radius);
+            REQUIRE_FALSE(picture.isEmpty());
+            const double across = picture.max().cwiseMax(-picture.min()).x() * area.height() / area.width();
+            const double along = picture.max().cwiseMax(-picture.min()).y();
+            CHECK(std::max(across, along) < 0.97); // the margin of cameras that fit themselves is 3 %
+            CHECK(std::max(across, along) > 0.85);
+        }
+    }
+}
+
 TEST_CASE("what a camera cannot do is said with the key") {
     const auto key_of = [](auto change) {
         scene::Render settings;
@@ -145,6 +189,30 @@ TEST_CASE("the bounds of a frame hold every sphere and every moved wall, and the
     frame.walls[0].translation = {-4, 0, 0};
     CHECK(bounds_of(frame).min().x() == -4);
     CHECK(bounds_of(frame).max().z() == 3.5);
+}
+
+/// Bodies that are passed over lie within what was seen before: the box is that of each frame merged, to the bit.
+TEST_CASE("the bounds over many frames are those of each frame merged") {
+    auto layout = testing::spheres({0.5});
+    layout->shapes[0].centres = {Vector3d(0.3, 0.1, 0), Vector3d(-0.2, 0, 0.4)};
+    layout->shapes[0].radii = {0.2, 0.1};
+    layout->walls.push_back(testing::pane(1, 1, 0.5));
+    BoundsOver over(layout);
+    Eigen::AlignedBox3d merged;
+    for (int k = 0; k < 200; ++k) {
+        observe::Frame frame = testing::empty_frame(layout);
+        for (int b = 0; b < 5; ++b) {
+            const double t = 0.37 * k + 1.7 * b; // by irregular steps outwards
+            testing::add_body(frame, 0, (1 + 0.01 * k) * Vector3d(std::sin(t), std::sin(2.3 * t), std::cos(1.1 * t)));
+            frame.orientation.back() = Eigen::AngleAxisd(t, Vector3d(1, t, 2).normalized());
+        }
+        frame.walls.assign(1, {});
+        frame.walls[0].translation.x() = k % 3 == 0 ? -0.02 * k : 1;
+        over.take_in(frame);
+        merged.extend(bounds_of(frame));
+    }
+    CHECK(over.box().min() == merged.min());
+    CHECK(over.box().max() == merged.max());
 }
 
 } // namespace test_camera

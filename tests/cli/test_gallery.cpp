@@ -1,0 +1,99 @@
+#include "process.h"
+
+#include <nlohmann/json.hpp>
+
+namespace test_gallery {
+
+using namespace tumble::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+} // namespace
+
+TEST_CASE("the gallery makes what it can, names what failed, and leaves no runs behind") {
+    const Folder folder;
+    fs::create_directory(folder.path / "scenes");
+    put(folder.path / "scenes/drum-2d.toml", lying_disc); // and no other scene
+    const Outcome made = tumble_in(folder, {"gallery", "--out", "pictures", "arrows.png", "sections.png"});
+    CHECK(made.code == 1);
+    CHECK_MESSAGE(made.out == "1 picture in pictures; failed: sections.png\n", (made.out + made.err));
+    CHECK(contains(made.err, "arrows.png: done after"));
+    CHECK(fs::exists(folder.path / "pictures/arrows.png"));
+    CHECK(!fs::exists(folder.path / "pictures/.runs"));
+    CHECK(tumble_in(folder, {"gallery", "--out", "pictures", "--only", "nothing.png"}).code == 2);
+    CHECK(tumble_in(folder, {"gallery", "--out", "pictures", "--quick", "--only", "arrows.png"}).code == 2);
+    CHECK(contains(tumble_in(folder, {"gallery"}).err, "write --out docs/gallery"));
+}
+
+TEST_CASE("a picture that a command leaves in a folder of its own is taken from there") {
+    const Folder folder;
+    fs::create_directory(folder.path / "scenes");
+    put(folder.path / "scenes/drum-2d.toml", lying_disc);
+    const Outcome made = tumble_in(folder, {"gallery", "--out", "pictures", "--only", "pair.png", "drum-2d.png"});
+    CHECK_MESSAGE(made.code == 0, made.err);
+    CHECK(contains(made.err, "run smooth: done after")); // the second run that pair.png needs
+    for (const char* file : {"pair.png", "drum-2d.png"})
+        CHECK(fs::exists(folder.path / "pictures" / file));
+}
+
+TEST_CASE("a gallery that is killed leaves whole pictures, and the same call goes on to the same bits") {
+    const Folder folder;
+    fs::create_directory(folder.path / "scenes");
+    put(folder.path / "scenes/drum-2d.toml", lying_disc);
+    const std::vector<std::string> files{"arrows.png", "chains-2d.png", "paper.png"};
+    const auto words_into = [&](const std::string& out) {
+        std::vector<std::string> words{"gallery", "--out", out, "--only"};
+        words.insert(words.end(), files.begin(), files.end());
+        return words;
+    };
+    REQUIRE(tumble_in(folder, words_into("whole")).code == 0);
+    const auto check_names = [&] { // each picture that is there is the whole one, and nothing else is seen
+        for (const auto& entry : fs::directory_iterator(folder.path / "parts"))
+            if (const std::string name = entry.path().filename(); name != ".runs")
+                CHECK_MESSAGE(content_of(entry.path()) == content_of(folder.path / "whole" / name), name);
+    };
+    const auto kill_once = [&](const char* there) {
+        Process process(folder.path, words_into("parts"));
+        REQUIRE(eventually([&] { return fs::exists(folder.path / "parts" / there); }));
+        process.send(SIGKILL);
+        const int code = process.wait().code;
+        CHECK((code == 137 || code == 0)); // killed, or quicker than that
+        check_names();
+    };
+    kill_once(".runs/drum/frames/frame_000010.tumble"); // in the run
+    kill_once(".runs/drum.over");                       // behind it
+    kill_once("arrows.png");                            // between pictures
+    const bool ran = fs::exists(folder.path / "parts/.runs/drum.over");
+    const Outcome last = tumble_in(folder, words_into("parts"));
+    CHECK_MESSAGE(last.code == 0, last.err);
+    CHECK(contains(last.err, ran ? "run drum: done before" : "run drum: done after"));
+    check_names();
+    for (const std::string& file : files)
+        CHECK(fs::exists(folder.path / "parts" / file));
+    CHECK(!fs::exists(folder.path / "parts/.runs"));
+}
+
+TEST_CASE("docs/gallery.md has the commands that make each picture of the gallery") {
+    const Folder folder;
+    const Outcome listed = tumble_in(folder, {"gallery", "--list", "--json"});
+    REQUIRE(listed.code == 0);
+    const std::string page = content_of(fs::path(TUMBLE_ROOT) / "docs/gallery.md");
+    const auto pictures = nlohmann::json::parse(listed.out);
+    CHECK(pictures.size() >= 19);
+    for (const auto& picture : pictures) {
+        const std::string file = picture["file"], result = picture["result"];
+        CAPTURE(file);
+        std::string commands;
+        for (const auto& command : picture["commands"])
+            commands += command.get<std::string>() + "\n";
+        if (result != file)
+            commands.insert(commands.size() - 1, " # " + result);
+        CHECK(contains(page, commands));
+        const fs::path made = fs::path(TUMBLE_ROOT) / "docs/gallery" / file;
+        REQUIRE(fs::exists(made));
+        CHECK(fs::file_size(made) < (picture["minutes"] == 0 ? 300000 : 800000)); // bytes
+    }
+}
+
+} // namespace test_gallery

@@ -7,10 +7,6 @@ namespace test_gallery {
 using namespace tumble::test;
 namespace fs = std::filesystem;
 
-namespace {
-
-} // namespace
-
 TEST_CASE("the gallery makes what it can, names what failed, and leaves no runs behind") {
     const Folder folder;
     fs::create_directory(folder.path / "scenes");

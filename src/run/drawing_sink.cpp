@@ -38,10 +38,10 @@ Result<std::unique_ptr<FrameSink>> keep_drawing(const scene::Render& settings, c
         return of_run(drafter.problems(), recording.folder.root);
     drafter->fit(recording.bounds);
     if (settings.marks.arrows == "field")
-        for (const fs::path& one : recording.frames)
-            if (const Result<observe::Frame> frame = observe::read_frame(one, recording.layout))
+        for (const RecordedFrame& one : recording.frames)
+            if (const Result<observe::Frame> frame = observe::read_frame(one.file, recording.layout))
                 drafter->foresee(*frame);
-    const std::int64_t last = observe::frame_number(recording.frames.back()).value_or(0);
+    const std::int64_t last = observe::frame_number(recording.frames.back().file).value_or(0);
     return std::unique_ptr<FrameSink>(std::make_unique<DrawingSink>(std::move(*drafter), file, last));
 }
 

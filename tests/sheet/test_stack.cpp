@@ -58,8 +58,8 @@ TEST_CASE("a canvas has the size in print that is asked for, and letters of so m
 
 TEST_CASE("each panel has its label with its unit, the lowest the axis across, and words stand as they are") {
     const std::string script = script_of(two, {});
-    CHECK(contains(script, "set label 1 'energy [mJ]'"));
-    CHECK(contains(script, "set label 1 'height [mm]'"));
+    CHECK(contains(script, "'energy [mJ]'"));
+    CHECK(contains(script, "'height [mm]'"));
     CHECK(contains(script, "'It''s a fall'"));
     CHECK(contains(script, "'kinetic energy'"));
     CHECK(contains(script, "'lost energy'"));

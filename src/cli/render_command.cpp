@@ -9,6 +9,7 @@
 #include "cli/scene_arguments.h"
 #include "cli/stop_flag.h"
 #include "cli/time_range.h"
+#include "render/drawing_file.h"
 #include "run/beside.h"
 #include "run/redraw.h"
 #include "run/run_scene.h"
@@ -44,6 +45,7 @@ struct RenderArguments {
 
 int tell_replayed(const run::Replayed& done, const run::PictureTargets& targets, const scene::Render& settings,
                   const RenderArguments& arguments) {
+    const bool as_lines = !targets.drawing.empty();
     for (const std::string& warning : done.warnings)
         if (!arguments.quiet)
             note("warning: " + warning);
@@ -52,12 +54,15 @@ int tell_replayed(const run::Replayed& done, const run::PictureTargets& targets,
                                         {"first_s", done.first},
                                         {"last_s", done.last},
                                         {"stopped", done.stopped},
-                                        {"pictures", targets.folder.string()},
+                                        {"pictures", (as_lines ? targets.drawing : targets.folder).string()},
                                         {"video", targets.video.string()},
                                         {"warnings", done.warnings}});
     else if (!arguments.quiet)
         say(fmt::format("{}: {} from t = {:.4g} to {:.4g} s{}{}",
-                        targets.folder.empty() ? targets.video.string() : targets.folder.string(),
+                        (as_lines                 ? targets.drawing
+                         : targets.folder.empty() ? targets.video
+                                                  : targets.folder)
+                            .string(),
                         counted(done.frames, "picture", "pictures"), done.first, done.last,
                         done.stopped ? ", where it was stopped before its end" : "",
                         targets.video.empty() ? "" : "; the video " + video_pace(settings.slowdown())));
@@ -66,6 +71,8 @@ int tell_replayed(const run::Replayed& done, const run::PictureTargets& targets,
 
 /// Folder and file that pictures go to; `name` is that of the folder for PNG files where none was given.
 run::PictureTargets targets_of(const RenderArguments& arguments, const std::string& name) {
+    if (render::is_drawing_file(arguments.out))
+        return {.folder = {}, .video = {}, .drawing = arguments.out};
     run::PictureTargets targets{{}, arguments.video};
     if (arguments.frames || arguments.video.empty() || !arguments.out.empty())
         targets.folder = !arguments.out.empty() ? arguments.out : arguments.what / "redrawn" / name;
@@ -104,6 +111,13 @@ int draw_both(const RenderArguments& arguments, const scene::Scene& scene) {
                                        [&](std::int64_t n, std::int64_t all) { line.frames(n, all); });
     line.end();
     return tell_drawn(done, options.targets, options.settings, arguments);
+}
+
+std::optional<Problem> refuse_with_lines(const RenderArguments& arguments) {
+    if (render::is_drawing_file(arguments.out) && (arguments.frames || !arguments.video.empty()))
+        return Problem{.what = fmt::format("{} is one drawing, of the last frame", arguments.out.string()),
+                       .fix = "leave --video and --frames away; --time :B takes another frame"};
+    return std::nullopt;
 }
 
 /// "6", or columns and rows as "3x2"; nothing for other words.
@@ -189,6 +203,8 @@ int redraw_run(RenderArguments& arguments) {
     const Result<scene::Scene> scene = arguments.scene.load();
     if (!scene)
         return refuse(scene.problems(), arguments.json, wrong);
+    if (const auto problem = refuse_with_lines(arguments))
+        return refuse({*problem}, arguments.json, wrong);
     if (!arguments.beside.empty() && arguments.strip.empty() && arguments.sections.empty())
         return draw_both(arguments, *scene);
     if (!arguments.labels.empty())
@@ -229,6 +245,11 @@ int draw_scene(RenderArguments& arguments) {
     if (!arguments.strip.empty() || !arguments.sections.empty())
         return refuse({{.what = "--strip and --sections draw a run that is over, and this is a scene",
                         .fix = "run it first, then give the run's folder"}},
+                      arguments.json, wrong);
+    if (render::is_drawing_file(arguments.out))
+        return refuse({{.file = arguments.out.string(),
+                        .what = "a drawing shows a run that is over, and this is a scene",
+                        .fix = "run it first, then give the run's folder; --out names the run's folder here"}},
                       arguments.json, wrong);
     if (!arguments.time.empty())
         return refuse({{.what = "--time chooses among the frames of a run, and this is a scene",
@@ -278,9 +299,11 @@ void add_render_command(CLI::App& program, Action& action) {
                      "their places along the camera's axis, m, such as 0,0.027,0.054")
         ->type_name("N|M,M,...");
     command
-        ->add_option("--out", arguments->out,
-                     "Folder for the PNG files, or for the run of a scene; of a strip or sections the picture where it "
-                     "ends in .png, else a folder with a picture each")
+        ->add_option(
+            "--out", arguments->out,
+            "Folder for the PNG files, or for the run of a scene; of a strip or sections the picture where it "
+            "ends in .png, else a folder with a picture each. A name that ends in .svg or .pdf: the last frame, "
+            "the two runs or the strip drawn as lines (two dimensions)")
         ->type_name("DIR")
         ->check(refuse_no_place);
     command->add_option("--time", arguments->time, "Only frames from A to B, s; either may be missing")

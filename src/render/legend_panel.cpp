@@ -9,15 +9,7 @@ namespace tumble::render {
 using Eigen::Vector2d;
 
 static void draw_bar(Pen& pen, const Area& bar, const Legend& legend, bool upright) {
-    const auto count = static_cast<int>(legend.map.points.size()) - 1;
-    for (int i = 0; i < count; ++i) {
-        const double from = static_cast<double>(i) / count;
-        const double to = static_cast<double>(i + 1) / count;
-        const Area part =
-            upright ? Area{bar.left, bar.bottom - to * bar.height(), bar.right, bar.bottom - from * bar.height()}
-                    : Area{bar.left + from * bar.width(), bar.top, bar.left + to * bar.width(), bar.bottom};
-        pen.shade(part, legend.map.at(upright ? to : from), legend.map.at(upright ? from : to), upright);
-    }
+    pen.ramp(bar, legend.map, upright);
     // Values beyond an end are seen at a point instead of a straight end.
     const double tip = 0.55 * (upright ? bar.width() : bar.height());
     const Eigen::Vector3d low = legend.map.at(0);
@@ -82,11 +74,11 @@ Area draw_legend(Pen& pen, const Area& area, const Legend& legend, const Theme& 
         const double share = (ticks[i] - span.lo) / (span.hi - span.lo);
         if (upright) {
             const double y = bar.bottom - share * bar.height();
-            pen.line({bar.right + u, y}, {bar.right + 6 * u, y}, 1, theme.faint);
+            pen.line({bar.right + u, y}, {bar.right + 6 * u, y}, pen.hair(), theme.faint);
             pen.text(bar.right + 10 * u, y - 0.5 * line, labels[i], Lettering::small, Align::left, theme.text);
         } else {
             const double x = bar.left + share * bar.width();
-            pen.line({x, bar.bottom + u}, {x, bar.bottom + 5 * u}, 1, theme.faint);
+            pen.line({x, bar.bottom + u}, {x, bar.bottom + 5 * u}, pen.hair(), theme.faint);
             pen.text(x, bar.bottom + 6 * u, labels[i], Lettering::small, Align::middle, theme.text);
         }
     }

@@ -75,16 +75,16 @@ static void draw_axes(Pen& pen, const Area& box, const std::vector<double>& acro
     const auto row = tick_labels(along);
     for (std::size_t i = 0; i < along.size(); ++i) {
         const double y = std::round(box.bottom - (along[i] - values.lo) / (values.hi - values.lo) * box.height()) + 0.5;
-        pen.line({box.left, y}, {box.right, y}, 1, theme.faint, 0.35);
+        pen.line({box.left, y}, {box.right, y}, pen.hair(), theme.faint, 0.35);
         pen.text(box.left - 6 * u, y - 0.5 * line, row[i], Lettering::small, Align::right, theme.text);
     }
     const auto column = tick_labels(across);
     for (std::size_t i = 0; i < across.size(); ++i) {
         const double x = std::round(box.left + (across[i] - times.lo) / (times.hi - times.lo) * box.width()) + 0.5;
-        pen.line({x, box.bottom}, {x, box.bottom + 4 * u}, 1, theme.faint);
+        pen.line({x, box.bottom}, {x, box.bottom + 4 * u}, pen.hair(), theme.faint);
         pen.text(x, box.bottom + 5 * u, column[i], Lettering::small, Align::middle, theme.text);
     }
-    pen.line({box.left, box.bottom + 0.5}, {box.right, box.bottom + 0.5}, 1, theme.faint);
+    pen.line({box.left, box.bottom + 0.5}, {box.right, box.bottom + 0.5}, pen.hair(), theme.faint);
 }
 
 /// The last value up to now; nothing before the first, and where it is not known.

@@ -139,16 +139,16 @@ private:
     }
 
     void lay_out_legend() {
-        int left = 0;
+        int spare = 0;
         for (const Trace& trace : plot_.traces) {
             if (trace.label.empty())
                 continue;
-            if (legend_.empty() || entry_width(trace) > left) {
+            if (legend_.empty() || entry_width(trace) > spare) {
                 legend_.emplace_back();
-                left = inner_width();
+                spare = inner_width();
             }
             legend_.back().push_back(&trace);
-            left -= entry_width(trace);
+            spare -= entry_width(trace);
         }
     }
 

@@ -6,6 +6,8 @@
 #include "render/panels.h"
 #include "render/png_writer.h"
 #include "render/ticks.h"
+#include "run/drawing_sink.h"
+#include "run/picture_files.h"
 #include "run/target.h"
 
 #include <algorithm>
@@ -165,13 +167,14 @@ template <class Painter> void foresee_all(const Recording& recording, const scen
                 painter.foresee(*frame);
 }
 
+template <class Medium>
 Result<Replayed> draw_in_one(const Recording& recording, const std::vector<Part>& parts, const scene::Render& settings,
                              const StripOptions& options, const TellFrames& tell) {
-    auto painter = render::StripPainter::open(
+    auto painter = render::StripPainterOf<Medium>::open(
         settings, recording.layout,
         settings.view ? Eigen::AlignedBox3d(settings.view->lo, settings.view->hi) : recording.bounds, options.plan);
     if (!painter)
-        return painter.problems();
+        return of_run(painter.problems(), recording.folder.root);
     foresee_all(recording, settings, *painter);
     Replayed done;
     done.warnings = recording.warnings;
@@ -184,14 +187,8 @@ Result<Replayed> draw_in_one(const Recording& recording, const std::vector<Part>
             return Done{};
         },
         [&](const observe::Frame& frame) { painter->pass_over(frame); });
-    if (done.reason.empty() && !done.stopped) {
-        render::PngWriter writer;
-        append(done.reason, make_folder(fs::absolute(options.out).parent_path()).problems());
-        if (done.reason.empty())
-            append(done.reason, writer.add(options.out, painter->finish()).problems());
-        if (done.reason.empty())
-            append(done.reason, writer.finish().problems());
-    }
+    if (done.reason.empty() && !done.stopped)
+        done.reason = save(painter->finish(), options.out).problems();
     return done;
 }
 
@@ -237,12 +234,13 @@ Result<Replayed> draw_strip(const fs::path& run, const StripOptions& options, co
     const auto settings = settle_scales(std::array{only(*recording, *parts)}, options.redraw.settings);
     if (!settings)
         return settings.problems();
-    const bool in_one = options.out.extension() == ".png";
+    const bool as_lines = render::is_drawing_file(options.out), in_one = options.out.extension() == ".png";
     Target target(options.out);
     if (const auto problem = target.claim(options.redraw.overwrite, ".png"))
         return *problem;
-    auto done = in_one ? draw_in_one(*recording, *parts, *settings, options, tell)
-                       : draw_apart(*recording, *parts, *settings, options, tell);
+    auto done = as_lines ? draw_in_one<render::Lines>(*recording, *parts, *settings, options, tell)
+                : in_one ? draw_in_one<render::Pixels>(*recording, *parts, *settings, options, tell)
+                         : draw_apart(*recording, *parts, *settings, options, tell);
     if (done && done->reason.empty() && !done->stopped)
         target.keep();
     return done;

@@ -13,7 +13,7 @@ struct StripOptions {
     render::StripPlan plan;
     bool sections = false;        // through the last frame; else instants from the first to the last, evenly spaced
     std::vector<double> places{}; // m, of the sections, as many as the plan has cells; empty: evenly
-    std::filesystem::path out;    // one picture where it ends in .png; else a folder with a picture each
+    std::filesystem::path out;    // one picture where it ends in .png, .svg or .pdf; else a folder with a picture each
 };
 
 /// Several pictures of a run in one call. Instants: frames as evenly spaced as there are. Sections: cuts across the

@@ -219,7 +219,7 @@ void show_controls(Desk& desk) {
 }
 
 void show_plots(Desk& desk, const render::PanelCanvas& canvas, const render::Theme& theme) {
-    render::Pen pen(*ImGui::GetWindowDrawList(), canvas.fonts(), canvas.unit());
+    render::ScreenPen pen(*ImGui::GetWindowDrawList(), canvas.fonts(), canvas.unit());
     const double width = ImGui::GetContentRegionAvail().x;
     const double height = plot_height * canvas.unit();
     for (const render::PlotLine& line : desk.plots.lines()) {

@@ -44,6 +44,35 @@ TEST_CASE("render puts instants or sections into one picture, and says what does
     CHECK(tumble_in(folder, {"render", "ball.toml", "--strip", "2"}).code == 2);
 }
 
+TEST_CASE(
+    "render draws a run of two dimensions as lines where the name ends in .svg or .pdf, and says where it cannot") {
+    const Folder folder;
+    put(folder.path / "disc.toml", lying_disc);
+    put(folder.path / "ball.toml", bouncing_ball(0.02));
+    for (const char* scene : {"disc", "ball"})
+        REQUIRE(tumble_in(folder, {"run", std::string(scene) + ".toml", "--out", scene, "--quiet"}).code == 0);
+    const Outcome svg = tumble_in(folder, {"render", "disc", "--size-mm", "85x60", "--out", "a.svg"});
+    CHECK_MESSAGE(svg.code == 0, svg.err);
+    CHECK(contains(svg.out, "a.svg: 1 picture from t = "));
+    CHECK(contains(content_of(folder.path / "a.svg"), "width=\"85mm\" height=\"60mm\""));
+    const Outcome pdf = tumble_in(folder, {"render", "disc", "--out", "new/a.pdf", "--json"});
+    CHECK_MESSAGE(pdf.code == 0, pdf.err);
+    CHECK(nlohmann::json::parse(pdf.out)["pictures"] == "new/a.pdf");
+    for (const auto& [flags, words] :
+         {std::pair{std::vector<std::string>{"disc", "--out", "a.svg"}, "--force replaces it"},
+          {{"disc", "--out", "b.svg", "--video", "b.mp4"}, "leave --video and --frames away"},
+          {{"ball", "--out", "b.svg"}, "SVG and PDF are for scenes in two dimensions"},
+          {{"disc.toml", "--out", "b.pdf"}, "run it first"}}) {
+        std::vector<std::string> all{"render"};
+        all.insert(all.end(), flags.begin(), flags.end());
+        const Outcome refused = tumble_in(folder, all);
+        CAPTURE(words);
+        CHECK(refused.code == 2);
+        CHECK_MESSAGE(contains(refused.err, words), refused.err);
+        CHECK(!fs::exists(folder.path / "b.svg"));
+    }
+}
+
 TEST_CASE("plot draws what runs measured, in a size for print, and says what it cannot" *
           doctest::skip(std::system("gnuplot --version >/dev/null 2>&1") != 0)) {
     const Folder folder;

@@ -224,10 +224,10 @@ std::optional<Problem> name_runs(std::vector<RunSeries>& runs, const std::vector
         return Problem{.what = fmt::format("{} labels are given for {} runs", labels.size(), runs.size()),
                        .fix = "give one for each, with commas between"};
     for (std::size_t r = 0; r < runs.size(); ++r) {
-        const auto same = [&](const RunSeries& other) { return other.label == runs[r].label; };
+        const auto same = [&](const fs::path& root) { return folder_name(root) == folder_name(roots[r]); };
         if (!labels.empty())
             runs[r].label = labels[r];
-        else if (std::count_if(runs.begin(), runs.end(), same) > 1)
+        else if (std::count_if(roots.begin(), roots.end(), same) > 1)
             runs[r].label = roots[r].string();
     }
     return std::nullopt;

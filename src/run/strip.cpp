@@ -72,7 +72,7 @@ Eigen::AlignedBox3d reach_of(const observe::Frame& frame, const scene::Render& s
 Result<std::vector<double>> cuts_between(double near, double far, const StripOptions& options, char axis) {
     std::vector<double> cuts = options.places;
     const int count = options.plan.cells;
-    for (int k = 1; cuts.empty() && k <= count; ++k)
+    for (int k = 1; options.places.empty() && k <= count; ++k)
         cuts.push_back(near + static_cast<double>(k) / (count + 1) * (far - near));
     const auto [lo, hi] = std::minmax(near, far);
     for (const double cut : options.places)

@@ -66,14 +66,25 @@ double span_of(const Figure& figure, const Axis& axis, std::vector<double> Curve
     return hi - lo;
 }
 
-/// Names above the plot, slanted so that neighbours leave each other room.
-std::string names_of(const std::vector<std::pair<double, std::string>>& places) {
-    if (places.empty())
+/// Names above the plot, slanted so that neighbours leave each other room, and a margin for what leans beyond its end.
+std::string names_of(const Figure& figure) {
+    if (figure.places.empty())
         return "";
+    constexpr double lean = 0.87; // cosine of 30 degrees
+    constexpr double wide = 85;   // letters that a plot of this size is wide, about
+    const double span = span_of(figure, figure.x, &Curve::x);
+    double last = figure.places.front().first;
+    for (const Curve& curve : figure.curves)
+        for (const double x : curve.x)
+            last = std::max(last, x);
     std::string ticks;
-    for (const auto& [x, name] : places)
+    double beyond = 2; // letters
+    for (const auto& [x, name] : figure.places) {
         ticks += fmt::format("{}{} {:.9g}", ticks.empty() ? "" : ", ", in_gnuplots_quotes(name), x);
-    return fmt::format("set link x2\nset xtics nomirror\nset x2tics ({}) rotate by 30 left\n", ticks);
+        beyond = std::max(beyond, lean * static_cast<double>(letters(name)) - wide * (last - x) / span);
+    }
+    return fmt::format("set link x2\nset xtics nomirror\nset x2tics ({}) rotate by 30 left\nset rmargin {:.0f}\n",
+                       ticks, beyond);
 }
 
 /// A drawing of bound scales that is low for its width gets a canvas as low, and ticks that leave each other room.
@@ -114,7 +125,7 @@ std::string gnuplot_script(const Figure& figure, const std::filesystem::path& fi
     script += "set grid lc rgb '#cccccc'\nset key below height 1\nset autoscale noextend\nset offsets graph 0.02, "
               "graph 0.02, "
               "graph 0.05, graph 0.05\n";
-    script += axis('x', figure.x) + axis('y', figure.y) + names_of(figure.places);
+    script += axis('x', figure.x) + axis('y', figure.y) + names_of(figure);
     std::string plots;
     for (std::size_t k = 0; k < figure.curves.size(); ++k) {
         script += data_of(figure.curves[k], k);

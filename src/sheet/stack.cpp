@@ -81,12 +81,15 @@ double step_of(const Range& range, int most) {
         }
 }
 
+int digits_behind(double step) {
+    return std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+}
+
 /// Ems that the longest number at an axis of that step takes.
 double numbers_width(const Range& range, double step) {
     const double digits_before = std::floor(std::log10(std::max({std::abs(range.lo), std::abs(range.hi), 1.0}))) + 1;
-    const double digits_behind = std::max(0.0, -std::floor(std::log10(step) + 1e-9));
-    const double signs = (range.lo < 0 ? 1 : 0) + (digits_behind > 0 ? 1 : 0);
-    return 0.64 * (digits_before + digits_behind + signs);
+    const int behind = digits_behind(step), signs = (range.lo < 0 ? 1 : 0) + (behind > 0 ? 1 : 0);
+    return 0.64 * (digits_before + behind + signs);
 }
 
 /// A legend in columns.
@@ -295,11 +298,12 @@ std::string draw_panel(const Stack& stack, std::size_t index, Words& words, cons
                  head.beside ? top : top + line_height);
     const Range range = range_of(panel);
     const double ceiling = top + head.height();
+    const double step = step_of(range, std::clamp(static_cast<int>(height / tick_room), 2, most_ticks));
     std::string script = words.take();
-    script += fmt::format("set tmargin at screen {:.5g}\nset bmargin at screen {:.5g}\nset yrange [{:.9g}:{:.9g}]\n"
-                          "set ytics {:.9g}\n",
-                          1 - page.up(ceiling), 1 - page.up(ceiling + height), range.lo, range.hi,
-                          step_of(range, std::clamp(static_cast<int>(height / tick_room), 2, most_ticks)));
+    script +=
+        fmt::format("set tmargin at screen {:.5g}\nset bmargin at screen {:.5g}\nset yrange [{:.9g}:{:.9g}]\n"
+                    "set ytics {:.9g}\nset format y '%.{}f'\n",
+                    1 - page.up(ceiling), 1 - page.up(ceiling + height), range.lo, range.hi, step, digits_behind(step));
     if (index + 1 == stack.panels.size()) // numbers across at the lowest
         script += "set format x '%g'\n";
     std::string plots;

@@ -21,7 +21,7 @@ TEST_CASE("render puts instants or sections into one picture, and says what does
     CHECK_MESSAGE(sections.code == 0, sections.err);
     CHECK(fs::exists(folder.path / "cuts/section_2.png"));
     const Outcome places = tumble_in(folder, {"render", "a", "--sections=-0.01,0,0.02", "--clip-lo=-0.1,-0.1,-0.1",
-                                              "--clip-hi=0.1,0.5,0.1", "--quiet"});
+                                              "--clip-hi=0.1,0.5,0.1", "--size", "640x480", "--quiet"});
     CHECK_MESSAGE(places.code == 0, places.err);
     CHECK(fs::exists(folder.path / "a/redrawn/front_speed_sections_3.png"));
     for (const auto& [flags, words] :

@@ -80,7 +80,7 @@ TEST_CASE("without measures the main ones are plotted that the run has, and all 
     const Folder folder;
     const fs::path usual = fallen(folder.path / "usual", {"observe.measures=[\"mean_speed\", \"kinetic_energy\"]"});
     CHECK(plotted({usual}, {}).columns == std::vector<Heads>{{"kinetic_energy_J"}});
-    const fs::path traced = fallen(folder.path / "traced", {"observe.measures=[\"tracer:ball\"]"});
+    const fs::path traced = fallen(folder.path / "traced", {"observe.measures=[\"mean_speed\", \"tracer:ball\"]"});
     CHECK(plotted({traced}, {}).columns == std::vector<Heads>{{"tracer:ball_y_m"}});
     CHECK(plotted({traced}, {}).stack.panels[0].y.label == "ball y");
     const fs::path other = fallen(folder.path / "other", {"observe.measures=[\"mean_speed\"]"});

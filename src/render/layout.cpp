@@ -42,8 +42,7 @@ static Layout in_strip(double width, double height, double unit, bool with_plot)
     const double clock = 150 * unit;
     layout.title = {pad, pad, width - 2 * pad - clock, top};
     layout.time = {width - pad - clock, pad, width - pad, top};
-    // Large letters on a small page take more than their share, or the bar's length would be cut off.
-    const double bar_width = std::max(std::min(240 * unit, 0.27 * width), std::min(130 * unit, 0.4 * width));
+    const double bar_width = std::min(240 * unit, 0.27 * width);
     layout.scale_bar = {pad, height - pad - bar_height * unit, pad + bar_width, height - pad};
     const double plot_width = with_plot ? std::min(0.36 * width, 440 * unit) : 0;
     const double legend_left = layout.scale_bar.right + 2 * pad;

@@ -118,10 +118,12 @@ double draw_scale_bar(Pen& pen, const Area& area, double pixels_per_metre, const
                       const std::array<Vector2d, 3>& axes, const Theme& theme) {
     const double u = pen.unit();
     const double line = pen.height(Lettering::small);
-    draw_axes(pen, {area.right - 1.15 * area.height(), area.top, area.right, area.bottom}, axes, theme);
+    const auto draw_axes_from = [&](double x) { draw_axes(pen, {x, area.top, area.right, area.bottom}, axes, theme); };
+    const double axes_begin = area.right - 1.15 * area.height();
     const double left = std::round(area.left);
     const double room = area.width() - 1.45 * area.height();
     if (!(pixels_per_metre > 0) || !std::isfinite(pixels_per_metre) || room <= 4 * u) {
+        draw_axes_from(axes_begin);
         return 0;
     }
     const double length = round_down(room / pixels_per_metre);
@@ -136,9 +138,13 @@ double draw_scale_bar(Pen& pen, const Area& area, double pixels_per_metre, const
     }
     // Where there is no room for the note a sign says that the length does not hold everywhere.
     const std::string plain = fmt::format("{:.12g} {}", length * shown.factor, shown.unit);
-    const double text_room = area.width() - 1.2 * area.height(); // up to the axes, whatever the bar leaves
+    double text_room = area.width() - 1.2 * area.height(); // up to the axes, whatever the bar leaves
     const bool fits = pen.width(plain + note, Lettering::small) <= room;
     const std::string words = note.empty() || fits ? plain + note : "\u2248 " + plain;
+    // Of a length that would be cut off the axes give away some of their room.
+    const double more = std::clamp(pen.width(words, Lettering::small) - text_room, 0.0, 0.45 * area.height());
+    draw_axes_from(axes_begin + more);
+    text_room += more;
     pen.text(left, bar.top - 6 * u - line, pen.shortened(words, Lettering::small, text_room), Lettering::small,
              Align::left, theme.text);
     return length;

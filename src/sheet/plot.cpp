@@ -71,7 +71,7 @@ std::string names_of(const Figure& figure) {
     if (figure.places.empty())
         return "";
     constexpr double lean = 0.5; // cosine of 60 degrees
-    constexpr double wide = 85;   // letters that a plot of this size is wide, about
+    constexpr double wide = 85;  // letters that a plot of this size is wide, about
     const double span = span_of(figure, figure.x, &Curve::x);
     double last = figure.places.front().first;
     for (const Curve& curve : figure.curves)

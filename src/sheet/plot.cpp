@@ -70,8 +70,8 @@ double span_of(const Figure& figure, const Axis& axis, std::vector<double> Curve
 std::string names_of(const Figure& figure) {
     if (figure.places.empty())
         return "";
-    constexpr double lean = 0.87; // cosine of 30 degrees
-    constexpr double wide = 85;   // letters that a plot of this size is wide, about
+    constexpr double lean = 0.5; // cosine of 60 degrees
+    constexpr double wide = 85;  // letters that a plot of this size is wide, about
     const double span = span_of(figure, figure.x, &Curve::x);
     double last = figure.places.front().first;
     for (const Curve& curve : figure.curves)
@@ -83,7 +83,7 @@ std::string names_of(const Figure& figure) {
         ticks += fmt::format("{}{} {:.9g}", ticks.empty() ? "" : ", ", in_gnuplots_quotes(name), x);
         beyond = std::max(beyond, lean * static_cast<double>(letters(name)) - wide * (last - x) / span);
     }
-    return fmt::format("set link x2\nset xtics nomirror\nset x2tics ({}) rotate by 30 left\nset rmargin {:.0f}\n",
+    return fmt::format("set link x2\nset xtics nomirror\nset x2tics ({}) rotate by 60 left\nset rmargin {:.0f}\n",
                        ticks, beyond);
 }
 

@@ -16,7 +16,7 @@ Words run_of(const std::string& scene, const Words& sets) {
     return words;
 }
 
-/// Several frames in one picture, or one without what stands beside a frame.
+/// Several frames in one picture, or one without what stands beside a frame; or a drawing of the last.
 Words strip_of(const std::string& run, const Words& flags) {
     Words words{"render", "{" + run + "}"};
     words.insert(words.end(), flags.begin(), flags.end());
@@ -84,6 +84,7 @@ const std::vector<GalleryPicture>& gallery_pictures() {
           "8", "--picture", "{file}"}},
         {"paper.png", "a picture for print, 85 mm wide",
          strip_of("drum", {"--strip=1", "--size-mm=85x85", "--dpi=200", "--font-pt=8"})},
+        {"lines.svg", "the same as lines", strip_of("drum", {"--size-mm=85x85", "--font-pt=8"})},
         {"trough-quick.png", "cones in a vibrating trough", frames_of("trough", {"--time=2.195:", "--size=880x495"}),
          "{folder}/frame_000220.png"},
         {"drum-2d.png", "discs in a turning drum", frames_of("drum", {"--time=2.99:"}), "{folder}/frame_000150.png"},

@@ -70,11 +70,8 @@ Eigen::Vector4d shares_at(const HexMesh& mesh, int facet, const Vector3d& point)
     // Gauss-Newton on the distance; a facet that is a parallelogram needs one step.
     Eigen::Vector2d at = Eigen::Vector2d::Zero();
     for (int round = 0; round < 20; ++round) {
-        const double r = at.x(), s = at.y();
-        Eigen::Matrix<double, 4, 2> slopes;
-        slopes << -(1 - s), -(1 - r), 1 - s, -(1 + r), 1 + s, 1 + r, -(1 + s), 1 - r;
-        const Eigen::Matrix<double, 3, 2> tangents = 0.25 * corners * slopes;
-        const Vector3d off = point - corners * facet_shape_at(r, s);
+        const Eigen::Matrix<double, 3, 2> tangents = corners * facet_slopes_at(at.x(), at.y());
+        const Vector3d off = point - corners * facet_shape_at(at.x(), at.y());
         const Eigen::Vector2d move = (tangents.transpose() * tangents).inverse() * (tangents.transpose() * off);
         at += move;
         if (move.cwiseAbs().maxCoeff() < 1e-15)

@@ -18,6 +18,13 @@ struct Push {
     Eigen::Vector3d force = Eigen::Vector3d::Zero();
 };
 
+/// Derivatives of facet_shape_at by r and s, a row a corner.
+inline Eigen::Matrix<double, 4, 2> facet_slopes_at(double r, double s) {
+    Eigen::Matrix<double, 4, 2> slopes;
+    slopes << -(1 - s), -(1 - r), 1 - s, -(1 + r), 1 + s, 1 + r, -(1 + s), 1 - r;
+    return 0.25 * slopes;
+}
+
 /// Shares of a facet's corners in a force at the facet's point nearest to `point`: the values of their shape functions
 /// there, so that the force does the same work on the brick's displacements. They add up to 1; inside a flat facet
 /// they bear the same moment.

@@ -24,7 +24,8 @@ constexpr double facing = 0.5; // cosine between a facet's normal and the push's
 // Times the radius: what is further above or below is another place of the part, for 60 degrees rise by 1.73 in 1.
 constexpr double steepest = 2;
 constexpr double rounding = 1e-12; // of the radius, or of half a facet's side
-constexpr int most_rounds = 16;
+constexpr int most_turns = 8;
+constexpr double nearly_middle = 1.0 / 64; // of the radius
 
 /// A point of the unit circle and the share of Hertz' force that it bears; its opposite bears the same.
 struct Sample {
@@ -92,14 +93,21 @@ public:
         return std::clamp(static_cast<int>(std::ceil(points_a_facet * radius_ / finest_)), fewest_rings, most_rings);
     }
 
-    /// The places at `at` and opposite to it: both drawn towards the middle, in turn, until both are there.
+    /// Places opposite to each other: `wanted` and its opposite where the surface has both; else both are drawn towards
+    /// the middle, in turn, until both are there.
     [[nodiscard]] std::pair<Foot, Foot> opposite(const Vector2d& wanted) const {
         Vector2d at = wanted;
-        for (int round = 0; round < most_rounds; ++round) {
+        for (int turn = 0; turn < most_turns; ++turn) {
             const Foot one = nearest(at), two = nearest(-one.at);
             if ((one.at + two.at).norm() <= rounding * radius_)
                 return {one, two};
             at = -two.at;
+        }
+        // Turns at a curved edge may go on without end: straight to the middle, then.
+        for (at = wanted / 2; at.norm() > nearly_middle * radius_; at /= 2) {
+            const Foot one = nearest(at), two = nearest(-at);
+            if (one.at == at && two.at == -at)
+                return {one, two};
         }
         const Foot middle = nearest(Vector2d::Zero());
         return {middle, middle};

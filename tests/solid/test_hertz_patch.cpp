@@ -181,6 +181,22 @@ TEST_CASE("on a round side a patch follows the surface, lower than its middle by
     CHECK(std::abs(middle.z() - push.point.z()) < 1e-15);
     CHECK(push.point.x() - middle.x() > 0);
     CHECK(push.point.x() - middle.x() < a * a / (2 * 0.015));
+
+    // On the flat end, 0.3 radii inside of the round edge: wide along the edge, not beyond it, and in balance.
+    const Push end = moved_to(mesh, {0, {0.015 - 0.3 * a, 0, 0.0001}, {1, 5, 0}}, -Vector3d::UnitY()).value();
+    const auto at_edge = PatchSpreader(mesh).spread(end, -Vector3d::UnitY(), a);
+    CHECK((force_of(at_edge) - end.force).norm() < 1e-14);
+    CHECK((moment_of(at_edge) - end.point.cross(end.force)).norm() < 1e-15);
+    double along = 0, across = 0;
+    for (const Push& point : at_edge) {
+        CHECK(point.point.y() == 0);
+        CHECK(point.point.head<3>().norm() < 0.015 + 1e-12);
+        along += point.force.norm() / end.force.norm() * std::pow((point.point.z() - 0.0001) / a, 2);
+        across += point.force.norm() / end.force.norm() * std::pow((point.point.x() - end.point.x()) / a, 2);
+    }
+    CHECK(along < 0.2); // all of Hertz' where the edge is straight
+    CHECK(along > 0.05);
+    CHECK(across < 0.3 * 0.3);
 }
 
 } // namespace test_hertz_patch

@@ -126,8 +126,8 @@ stress::Study solved(const scene::SpecimenShape& specimen, const run::PartLoads&
 
 /// One line a mesh and number of cases; memory is what the program ever had, so meshes grow.
 void grow(int each, double patch, const stress::StudyOptions& options) {
-    fmt::print("{:>10} {:>9} {:>6} {:>12} {:>10} {:>12} {:>9} {:>9} {:>8}\n", "hexahedra", "unknowns", "cases", "entries",
-               "Gflop", "factorise_s", "load_s", "solve_s", "peak_MB");
+    fmt::print("{:>10} {:>9} {:>6} {:>12} {:>10} {:>12} {:>9} {:>9} {:>8}\n", "hexahedra", "unknowns", "cases",
+               "entries", "Gflop", "factorise_s", "load_s", "solve_s", "peak_MB");
     for (const double finer : {0.5, 0.75, 1.0, 1.5, 2.0}) {
         const scene::SpecimenShape specimen = cylinder(finer);
         for (const int cases : finer == 1 ? std::vector{27, 54, 108, 216, 432} : std::vector{54}) {

@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double rounding = 1e-9; // of the part's length
+constexpr double rounding = 1e-9;   // of the part's length
 constexpr double across_axis = 0.9; // cosine between a facet's normal and the axis from which on it is an end's
 
 /// Of a side at one of its nodes.

@@ -19,7 +19,7 @@ struct SlicePoint {
     double area = 0;                                 // m2, the node's share of the facets that meet there
     Eigen::Vector3d place = Eigen::Vector3d::Zero(); // m
     solid::Inside inside;
-    Directions directions; // normal: the mean of those facets'
+    Directions directions;                                 // normal: the mean of those facets'
     double edge = std::numeric_limits<double>::infinity(); // m, from the node to where the side ends
     double height = 0;                                     // along the axis, 0 at the part's lower end, 1 at its upper
 };

@@ -9,9 +9,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int most_halvings = 6;       // what touches lightly has a small patch, and counts little
+constexpr int most_halvings = 6;        // what touches lightly has a small patch, and counts little
 constexpr double lattice_a_patch = 0.5; // of its radius
-constexpr double rounding = 1e-12;     // of a lattice's side
+constexpr double rounding = 1e-12;      // of a lattice's side
 
 /// How often a triangle's sides are halved for such a patch.
 int halvings_of(const FlatTriangle& triangle, double patch) {
@@ -52,7 +52,8 @@ void MeanPushes::take(const std::vector<WallPush>& pushes) {
         const auto at = [&](int along, int across, double share) {
             add({push.triangle, halvings, v.line + along, w.line + across}, share, push);
         };
-        if (v.rest + w.rest <= 1 || v.line + w.line + 1 >= lines) { // the cell's half next to a; at bc there is no other
+        if (v.rest + w.rest <= 1 ||
+            v.line + w.line + 1 >= lines) { // the cell's half next to a; at bc there is no other
             at(0, 0, 1 - v.rest - w.rest);
             at(1, 0, v.rest);
             at(0, 1, w.rest);

@@ -11,7 +11,8 @@ namespace tumble::observe {
 
 /// The mean of the pushes of many steps, at few places. Bodies roll and slide, so that no two steps push at the same
 /// foot; each triangle has a lattice, and a push counts at the three points of it about its foot, with shares that keep
-/// force and moment. A lattice is no wider than half the push's patch, which widens the mean's patch by a tenth at most.
+/// force and moment. A lattice is no wider than half the push's patch, which widens the mean's patch by a tenth at
+/// most.
 class MeanPushes {
 public:
     explicit MeanPushes(const std::vector<std::array<Eigen::Vector3d, 3>>& triangles);

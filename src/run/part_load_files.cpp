@@ -134,8 +134,8 @@ Result<std::vector<std::vector<double>>> columns_of(const Table& table, const st
     std::vector<std::vector<double>> columns;
     Problems problems;
     for (const std::string& head : heads) {
-        auto column = head == since_head ? Result<std::vector<double>>(std::vector<double>(table.rows()))
-                                         : table.numbers(head);
+        auto column =
+            head == since_head ? Result<std::vector<double>>(std::vector<double>(table.rows())) : table.numbers(head);
         for (const Problem& problem : column.problems())
             problems.push_back(problem);
         if (column)
@@ -154,7 +154,7 @@ Result<Table> table_of(const std::filesystem::path& file) {
 }
 
 /// What a reader needs of a table: its columns, and the part that they are of.
-struct Reading {
+struct LoadTable {
     const Table& table;
     const solid::HexMesh& mesh;
     std::vector<std::vector<double>> columns{};
@@ -174,7 +174,7 @@ struct Reading {
     }
 };
 
-std::optional<Problems> read_contacts(const Reading& from, PartLoads& loads) {
+std::optional<Problems> read_contacts(const LoadTable& from, PartLoads& loads) {
     const auto& c = from.columns;
     for (std::size_t r = 0; r < from.table.rows(); ++r) {
         if (loads.instants.empty() || c[0][r] != loads.instants.back().time)
@@ -190,7 +190,7 @@ std::optional<Problems> read_contacts(const Reading& from, PartLoads& loads) {
     return std::nullopt;
 }
 
-std::optional<Problems> read_means(const Reading& from, PartLoads& loads) {
+std::optional<Problems> read_means(const LoadTable& from, PartLoads& loads) {
     const auto& c = from.columns;
     for (std::size_t r = 0; r < from.table.rows(); ++r) {
         if (loads.means.empty() || c[0][r] != loads.means.back().time)
@@ -206,12 +206,11 @@ std::optional<Problems> read_means(const Reading& from, PartLoads& loads) {
 }
 
 /// Of a triangle the file keeps the element; one of its facets stands for it.
-std::optional<Problems> read_touches(const Reading& from, PartLoads& loads) {
+std::optional<Problems> read_touches(const LoadTable& from, PartLoads& loads) {
     const auto& c = from.columns;
     std::unordered_map<double, int> facet_of; // by an element's number
     for (std::size_t f = 0; f < from.mesh.facets.size(); ++f)
-        facet_of.emplace(from.mesh.hex_numbers[static_cast<std::size_t>(from.mesh.facets[f].hex)],
-                         static_cast<int>(f));
+        facet_of.emplace(from.mesh.hex_numbers[static_cast<std::size_t>(from.mesh.facets[f].hex)], static_cast<int>(f));
     for (std::size_t r = 0; r < from.table.rows(); ++r) {
         observe::Touching touch;
         touch.body = static_cast<std::int64_t>(c[0][r]);
@@ -253,10 +252,11 @@ Result<PartLoads> read_loads(const std::filesystem::path& folder, const scene::S
     struct File {
         const char* name;
         const std::vector<std::string>& heads;
-        std::optional<Problems> (*read)(const Reading&, PartLoads&);
+        std::optional<Problems> (*read)(const LoadTable&, PartLoads&);
     };
-    for (const File& file : {File{"contacts.csv", contact_heads, read_contacts},
-                             File{"means.csv", mean_heads, read_means}, File{"touches.csv", touch_heads, read_touches}}) {
+    for (const File& file :
+         {File{"contacts.csv", contact_heads, read_contacts}, File{"means.csv", mean_heads, read_means},
+          File{"touches.csv", touch_heads, read_touches}}) {
         const auto table = table_of(folder / file.name);
         if (!table)
             return table.problems();

@@ -90,7 +90,8 @@ public:
     }
 
     [[nodiscard]] int rings() const {
-        return std::clamp(static_cast<int>(std::ceil(points_a_facet * radius_ / finest_)), fewest_rings, most_rings);
+        return std::clamp(static_cast<int>(std::ceil(points_a_facet * radius_ / finest_ - rounding)), fewest_rings,
+                          most_rings);
     }
 
     /// Places opposite to each other: `wanted` and its opposite where the surface has both; else both are drawn towards
@@ -195,7 +196,7 @@ private:
     }
 
     Vector3d origin_, normal_, along_, across_;
-    double radius_;                                          // m, of the circle
+    double radius_;                                           // m, of the circle
     double finest_ = std::numeric_limits<double>::infinity(); // m, shortest side of a facet
     std::vector<Seen> facets_;
 };

@@ -21,7 +21,7 @@ struct StudyOptions {
     std::vector<double> depths{0.0005, 0.001, 0.0015}; // m, of the slices; the thesis'
     std::vector<std::string> sides;                    // facet sets; empty: all along the axis that face outwards
     bool means = false;                                // solve the means over the windows, else the instants
-    double patch = 1;     // radius of the circles in which bodies touch, times that of the run; 0: forces act at points
+    double patch = 1; // radius of the circles in which bodies touch, times that of the run; 0: forces act at points
     fem::Counting counting{.trivial = 500, .edge = 0.003};
     int threads = 1;
 };

@@ -118,10 +118,10 @@ sheet::Grid edges(const Study& study, sheet::Sheet& sheet) {
                       {"ratio", "", 3}}};
     for (std::size_t s = 0; s < study.slices.size(); ++s) {
         const Slice& slice = study.slices[s];
-        const Mean near = over_cases(study, s, [](const SliceFigures& f) { return f.near_edges; }),
-                   rest = over_cases(study, s, [](const SliceFigures& f) { return f.elsewhere; });
-        grid.rows.push_back({slice.side, 1e3 * slice.depth, near.value, near.error, rest.value, rest.error,
-                             near.value / rest.value});
+        const Mean near = over_cases(study, s, [](const SliceFigures&f) { return f.near_edges; }),
+                   rest = over_cases(study, s, [](const SliceFigures&f) { return f.elsewhere; });
+        grid.rows.push_back(
+            {slice.side, 1e3 * slice.depth, near.value, near.error, rest.value, rest.error, near.value / rest.value});
         sheet.fact(key_of(slice, "near_edges"), near.value, "Pa");
         sheet.fact(key_of(slice, "elsewhere"), rest.value, "Pa");
     }
@@ -287,7 +287,8 @@ sheet::Sheet sheet_of(const Study& study, const StudyOptions& options) {
         "{:.1e} at most.",
         study.cases.size(), options.means ? "mean loads" : "instants", study.hexes,
         options.formulation == fem::Formulation::standard ? "standard" : "incompatible", study.nodes, study.unknowns,
-        study.prepare_s, study.load_s, study.solve_s, largest(study, &Case::residual), largest(study, &Case::unbalance)));
+        study.prepare_s, study.load_s, study.solve_s, largest(study, &Case::residual),
+        largest(study, &Case::unbalance)));
     for (const std::string& warning : study.warnings)
         sheet.say("Warning: " + warning + ".");
     sheet.fact("cases", static_cast<double>(study.cases.size()));
@@ -315,9 +316,10 @@ sheet::Sheet sheet_of(const Study& study, const StudyOptions& options) {
                     options.counting.trivial));
     sheet.parts.emplace_back(signs(study, sheet));
     sheet.head("Near the edges and elsewhere");
-    sheet.say(fmt::format("Means over the cases of the normal stress' size, over the area of a slice within {:.3g} mm of "
-                          "where its side ends, and over the rest.",
-                          1e3 * options.counting.edge));
+    sheet.say(
+        fmt::format("Means over the cases of the normal stress' size, over the area of a slice within {:.3g} mm of "
+                    "where its side ends, and over the rest.",
+                    1e3 * options.counting.edge));
     sheet.parts.emplace_back(edges(study, sheet));
     sheet.parts.emplace_back(over_time(study));
     if (!options.means) // what touches is known of instants

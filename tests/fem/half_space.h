@@ -16,8 +16,8 @@ inline Eigen::Vector3d boussinesq(const Eigen::Vector3d& at, double force, const
     const double nu = material.poisson_ratio, R = at.norm(), z = at.z();
     const double scale = force * (1 + nu) / (2 * std::numbers::pi * material.youngs_modulus * R);
     const Eigen::Vector3d across(at.x(), at.y(), 0);
-    return scale * (across * (z / (R * R) - (1 - 2 * nu) / (R + z)) +
-                    Eigen::Vector3d(0, 0, 2 * (1 - nu) + z * z / (R * R)));
+    return scale *
+           (across * (z / (R * R) - (1 - 2 * nu) / (R + z)) + Eigen::Vector3d(0, 0, 2 * (1 - nu) + z * z / (R * R)));
 }
 
 /// A block about the circle of radius a at the origin: bricks of a / `finer` as far as the circle reaches and as deep,
@@ -65,8 +65,7 @@ private:
             for (int j = 0; j + 1 < n; ++j)
                 for (int i = 0; i + 1 < n; ++i) {
                     const int low = i + n * (j + n * k), high = low + n * n;
-                    block.hexes.push_back(
-                        {low, low + 1, low + n + 1, low + n, high, high + 1, high + n + 1, high + n});
+                    block.hexes.push_back({low, low + 1, low + n + 1, low + n, high, high + 1, high + n + 1, high + n});
                 }
         return std::make_shared<const solid::HexMesh>(solid::finished(std::move(block)).value());
     }

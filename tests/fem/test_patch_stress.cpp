@@ -12,18 +12,19 @@ using tumble::test::GradedBlock;
 
 namespace {
 
-constexpr double force = 100, a = 0.0025;                              // N, m
+constexpr double force = 100, a = 0.0025;                           // N, m
 constexpr double peak = 3 * force / (2 * std::numbers::pi * a * a); // Pa, in the middle of the patch
 
 /// The stress on the axis of a patch that is so many bricks in radius.
 class UnderPatch {
 public:
     explicit UnderPatch(int finer) : finer_(finer), block_(a, finer, force, test::steel) {
-        const auto push = solid::moved_to(*block_.mesh, {0, Vector3d::Zero(), {0, 0, force}}, -Vector3d::UnitZ()).value();
+        const auto push =
+            solid::moved_to(*block_.mesh, {0, Vector3d::Zero(), {0, 0, force}}, -Vector3d::UnitZ()).value();
         const auto points = solid::PatchSpreader(*block_.mesh).spread(push, -Vector3d::UnitZ(), a);
         const Eigen::Matrix3Xd loads = solid::nodal_loads(*block_.mesh, points).value();
-        solution_ = test::solved(block_.mesh, test::steel, Formulation::incompatible, block_.supports,
-                                 loads.reshaped(), 2);
+        solution_ =
+            test::solved(block_.mesh, test::steel, Formulation::incompatible, block_.supports, loads.reshaped(), 2);
     }
 
     /// At a depth of so many radii, in units of Hertz' largest pressure.

@@ -95,7 +95,8 @@ TEST_CASE("points know how far their side's end is and how high they are, and fi
         const Vector3d& node = mesh.nodes[static_cast<std::size_t>(slice.points[p].node)];
         CHECK(std::abs(slice.points[p].edge - std::min({0.01 - std::abs(node.z()), node.y(), 0.1 - node.y()})) < 1e-15);
         CHECK(slice.points[p].height == about(node.y() / 0.1, 1e-12));
-        parts(0, static_cast<Eigen::Index>(p)) = (slice.points[p].edge < 0.004 ? -300.0 : -100.0) + (node.y() > 0.06 ? 1e6 : 0.0);
+        parts(0, static_cast<Eigen::Index>(p)) =
+            (slice.points[p].edge < 0.004 ? -300.0 : -100.0) + (node.y() > 0.06 ? 1e6 : 0.0);
     }
     // Of the lower half, with 3 mm of edge: its two upright lines and its lower end, at 300 Pa.
     const SliceFigures half = figures_of(slice, parts, {.lower = 0.5, .edge = 0.003});

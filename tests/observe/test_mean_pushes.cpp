@@ -86,7 +86,8 @@ TEST_CASE("a body that rolls along a facet presses on its whole path, hardly wid
         // On the triangle that holds it: z / 2 mm against x / 8 mm.
         const int triangle = 0.001 / 0.002 >= x / 0.008 ? 0 : 1;
         const double w = triangle == 0 ? x / 0.008 : 0.5, v = triangle == 0 ? 0.5 - w : 0.5;
-        const auto place = triangle == 0 ? push_on(0, v, w, {0, -4, 0}, a) : push_on(1, v, x / 0.008 - v, {0, -4, 0}, a);
+        const auto place =
+            triangle == 0 ? push_on(0, v, w, {0, -4, 0}, a) : push_on(1, v, x / 0.008 - v, {0, -4, 0}, a);
         REQUIRE((place.foot - Vector3d(x, 0, 0.001)).norm() < 1e-15);
         means.take({place});
     }

@@ -123,7 +123,7 @@ TEST_CASE("loads are written and read back to the same bits") {
         CHECK(again->means[k].window == loads.means[k].window);
         CHECK(same(again->means[k].pushes, loads.means[k].pushes));
     }
-    CHECK(empty > 0);                                 // while it falls
+    CHECK(empty > 0); // while it falls
     REQUIRE(again->touches.size() == loads.touches.size());
     const observe::Touching &read = again->touches.back(), &wrote = loads.touches.back();
     CHECK(read.body == wrote.body);

@@ -129,8 +129,8 @@ TEST_CASE("a cantilever is warned about from where beam theory has it give way b
         CHECK(study.cases[0].deflection == about(force * 1.056e-4, 0.03));
         REQUIRE(study.warnings.size() == (force > 0.5 ? 1u : 0u));
         if (force > 0.5)
-            CHECK(study.warnings[0].starts_with(fmt::format("the part gives way by {:.3g} m, 0.021 of the smallest sphere's radius",
-                                                            study.cases[0].deflection)));
+            CHECK(study.warnings[0].starts_with(fmt::format(
+                "the part gives way by {:.3g} m, 0.021 of the smallest sphere's radius", study.cases[0].deflection)));
     }
 }
 
@@ -175,8 +175,8 @@ TEST_CASE("a part of a file with curved facets is run and solved, and its file i
 }
 
 TEST_CASE("the mean of what lies still is its instant: spread over the same patch, with the same stress beneath") {
-    // The ball lies at x = 3 mm, z = 2 mm of the upper end from 0.1 s on. Its mean lies on the lattice's points about its
-    // foot, no more than half a patch of a tenth of a millimetre away, so that beneath the sides, 4 mm and further
+    // The ball lies at x = 3 mm, z = 2 mm of the upper end from 0.1 s on. Its mean lies on the lattice's points about
+    // its foot, no more than half a patch of a tenth of a millimetre away, so that beneath the sides, 4 mm and further
     // off, stresses differ by the square of that over the distance.
     const scene::Scene scene = loaded();
     const run::PartLoads loads = test::recorded(scene, {.every = 0.1});

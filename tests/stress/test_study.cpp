@@ -201,11 +201,12 @@ TEST_CASE("threads change no bit of what is laid on and solved") {
     for (run::LoadInstant& instant : loads.instants)
         for (observe::WallPush& push : instant.pushes)
             push.patch = 0.001;
-    const Study one = studied(scene, loads, {.threads = 1}), two = studied(scene, loads, {.threads = 2});
+    const Study one = studied(scene, loads, {.sides = {"+x"}, .threads = 1}),
+                two = studied(scene, loads, {.sides = {"+x"}, .threads = 2});
     for (std::size_t c = 0; c < 3; ++c) {
         CHECK(one.cases[c].von_mises == two.cases[c].von_mises);
         CHECK(one.cases[c].force == two.cases[c].force);
-        CHECK(one.cases[c].slices[5].normal == two.cases[c].slices[5].normal);
+        CHECK(one.cases[c].slices[1].normal == two.cases[c].slices[1].normal);
     }
 }
 

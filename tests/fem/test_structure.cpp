@@ -200,8 +200,7 @@ TEST_CASE("beneath Hertz' pressure the stress is Hertz', whatever the mesh, wher
         const int deep = static_cast<int>(std::lround(z / HalfSpace::side * space.box.bricks[0]));
         return std::abs(space.beneath(solution, deep) * (1 + z * z / (a * a)) / -peak - 1);
     };
-    // Bricks are a half and a third of the patch's radius: the square of their size says 2.25. (The former rule's points
-    // lay too far out by half a percent of the stress here, and made 7.3 of the coarse mesh's 8.4 percent.)
+    // Bricks are a half and a third of the patch's radius: the square of their size says 2.25.
     CHECK(off(coarse, on_coarse, a) < 0.09);
     CHECK(off(fine, on_fine, a) < off(coarse, on_coarse, a) / 1.8);
     CHECK(off(coarse, on_coarse, 2 * a) < 0.01);

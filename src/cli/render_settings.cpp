@@ -75,6 +75,9 @@ void add_render_settings(CLI::App& command, std::vector<std::string>& sets) {
     add("--target", "X,Y,Z", "What the free camera looks at, m; the same", free_camera("render.target_m"));
     add("--clip-lo", "X,Y,Z", "Lowest corner of a section: bodies outside are not drawn, m", list("render.clip_lo_m"));
     add("--clip-hi", "X,Y,Z", "Highest corner of it, m", list("render.clip_hi_m"));
+    command.add_flag_callback(
+        "--cut", [&sets] { sets.emplace_back("render.clip_cuts=true"); },
+        "The section, or --sections, cut bodies open instead of leaving out whole ones");
     add("--color", "QUANTITY", "What colours the bodies: " + words_of("color"), word("render.color"));
     add("--range", "LO,HI", "Values at the ends of the colour scale, SI", list("render.range"));
     add("--colormap", "NAME", "Colour scale: " + words_of("colormap"), word("render.colormap"));

@@ -48,6 +48,10 @@ KeyTable render() {
                "Lowest corner of a box: bodies whose centres lie outside are not drawn, which shows a section.")
             .in_3d(),
         vector("clip_hi_m", "m", from(-1e4, 1e4), "Highest corner of it.").in_3d(),
+        flag("clip_cuts",
+             "The box, and sections, cut bodies open instead of leaving out whole ones: where a face cuts, a "
+             "body is flat and a little darker.")
+            .in_3d(),
         word("color", {"speed", "vx", "vy", "vz", "spin", "none"},
              "Quantity that colours the bodies; with none they are all alike and pale, for what is drawn over them.")
             .otherwise(std::string("speed")),

@@ -108,6 +108,7 @@ void resolve_render(const View& view, const Resolving& to) {
     } else if (view.written("clip_lo_m") != view.written("clip_hi_m"))
         to.refuse(view, view.written("clip_lo_m") ? "clip_lo_m" : "clip_hi_m", "a clip needs both of its corners",
                   "give clip_lo_m and clip_hi_m");
+    render.clip_cuts = view.flag("clip_cuts");
     const bool has_place = view.written("eye_m") || view.written("target_m");
     if (render.camera == "free" && has_place && render.eye == render.target)
         to.refuse(view, "camera", "a free camera stands where it looks at",

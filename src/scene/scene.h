@@ -228,6 +228,7 @@ struct Render {
     double field_of_view_deg = 35;
     std::optional<Box> view; // m, what must be in the picture; default: walls and bodies
     std::optional<Box> clip; // m, bodies whose centres lie outside are not drawn
+    bool clip_cuts = false;  // the clip's faces cut bodies instead
     Marks marks;
     std::string color = "speed";
     std::optional<std::array<double, 2>> range; // in the quantity's SI unit

@@ -428,6 +428,8 @@ void write_output(const Scene& scene, TomlWriter& to) {
         to.vector("clip_lo_m", render.clip->lo);
         to.vector("clip_hi_m", render.clip->hi);
     }
+    if (render.clip_cuts)
+        to.flag("clip_cuts", true);
     write_marks(render.marks, to);
     to.text("color", render.color);
     if (render.range)

@@ -153,6 +153,9 @@ void show_section(Desk& desk) {
     tell_key(desk, "render.clip_lo_m, render.clip_hi_m");
     if (!desk.look.clip)
         return;
+    desk.wishes.restyle |= ImGui::Checkbox("cut bodies open there", &desk.look.clip_cuts);
+    mark(desk, "cut");
+    tell_key(desk, "render.clip_cuts");
     for (int axis = 0; axis < 3; ++axis) {
         const double lo = desk.layout.domain_lo[axis], hi = desk.layout.domain_hi[axis];
         const char letter = "xyz"[axis];

@@ -5,7 +5,6 @@ a few collisions; what must agree is the bulk, within its scatter from seed to s
 """
 
 from concurrent.futures import ThreadPoolExecutor
-from statistics import mean
 
 import numpy as np
 
@@ -124,18 +123,9 @@ def one_seed(seed, settings, core):
 
 
 def compare(cones=200, seeds=8, cores=(0, 1), dt=1e-5, rest_steps=60000, shake_steps=40000, every=200):
-    """{figure: {"tumble": [per seed], "liggghts": [per seed], "apart": difference of the means in standard errors,
-    "agrees"}}"""
+    """Settings, and a table as of student.table."""
     settings = {"cones": cones, "dt": dt, "rest_steps": rest_steps, "shake_steps": shake_steps, "every": every}
     programs.ours("trough"), programs.need("liggghts")
     with ThreadPoolExecutor(len(cores)) as pool:
         both = list(pool.map(lambda k: one_seed(SEEDS[k], settings, cores[k % len(cores)]), range(seeds)))
-    table = {}
-    for name in both[0][0]:
-        ours, theirs = ([float(pair[side][name]) for pair in both] for side in (0, 1))
-        gap = mean(ours) - mean(theirs)
-        error = student.error(ours, theirs) if seeds > 1 else 0
-        agrees = abs(gap) <= max(student.chance(ours, theirs, len(both[0][0])), SHARE * abs(mean(theirs))) if seeds > 1 else None
-        table[name] = {"tumble": ours, "liggghts": theirs, "apart": gap / error if error > 0 else (0.0 if gap == 0 else None),
-                       "agrees": agrees}
-    return settings, table
+    return settings, student.table(both, SHARE)

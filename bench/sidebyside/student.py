@@ -1,7 +1,7 @@
 """How far the means of two small samples may lie apart by chance: Student's t with Welch's degrees of freedom."""
 
 from math import atan, cos, gamma, pi, sqrt, tan
-from statistics import variance
+from statistics import mean, variance
 
 # Of all calls in which nothing differs, the share that may complain all the same. A call makes many comparisons, so each
 # is held to its part of this (Bonferroni): ten comparisons to 99.5 %.
@@ -40,3 +40,18 @@ def welch(a, b):
 def chance(a, b, comparisons):
     """What of the difference of the means may be chance, where a call makes so many comparisons."""
     return error(a, b) and bound(1 - FALSE_ALARMS / comparisons, welch(a, b)) * error(a, b)
+
+
+def table(both, share):
+    """Of (ours, theirs) per seed, each {figure: value}: {figure: {"tumble": [per seed], "liggghts": [per seed], "apart":
+    difference of the means in standard errors, "agrees": whether it may be chance or is below `share` of theirs}}. One
+    seed tells neither."""
+    rows = {}
+    for name in both[0][0]:
+        ours, theirs = ([float(pair[side][name]) for pair in both] for side in (0, 1))
+        gap = mean(ours) - mean(theirs)
+        off = error(ours, theirs) if len(both) > 1 else 0
+        agrees = abs(gap) <= max(chance(ours, theirs, len(both[0][0])), share * abs(mean(theirs))) if len(both) > 1 else None
+        rows[name] = {"tumble": ours, "liggghts": theirs, "apart": gap / off if off > 0 else (0.0 if gap == 0 else None),
+                      "agrees": agrees}
+    return rows

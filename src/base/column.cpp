@@ -1,6 +1,7 @@
 #include "base/column.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace tumble {
@@ -35,6 +36,17 @@ double median(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
     return *middle;
+}
+
+Spread spread_of(std::span<const double> values) {
+    Spread spread;
+    const auto n = static_cast<double>(values.size());
+    for (const double value : values)
+        spread.mean += value / n;
+    for (const double value : values)
+        spread.deviation += (value - spread.mean) * (value - spread.mean);
+    spread.deviation = values.size() > 1 ? std::sqrt(spread.deviation / (n - 1)) : 0;
+    return spread;
 }
 
 } // namespace tumble

@@ -18,7 +18,13 @@ Stretch longest_at_extreme(std::span<const double> column);
 /// How many different values there are; counting ends above `enough`.
 std::size_t distinct_levels(std::span<const double> column, std::size_t enough);
 
-/// The middle value; 0 for none.
+/// The middle value, of an even number of them the upper of the middle two; 0 for none.
 double median(std::vector<double> values);
+
+struct Spread {
+    double mean = 0;
+    double deviation = 0; // of single values, n - 1; 0 of one
+};
+Spread spread_of(std::span<const double> values);
 
 } // namespace tumble

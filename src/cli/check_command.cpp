@@ -2,6 +2,7 @@
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
+#include "cli/progress_line.h"
 #include "cli/scene_arguments.h"
 #include "run/scene_check.h"
 #include "scene/read_file.h"
@@ -17,6 +18,7 @@ namespace {
 
 struct CheckArguments {
     SceneArguments scene;
+    bool quiet = false;
     bool json = false;
 };
 
@@ -40,6 +42,73 @@ std::string walls_text(const run::SceneCheck& check) {
         for (int k = 0; k < check.dimension; ++k)
             rows.back().push_back(side(wall.size[k]));
     }
+    return table(rows);
+}
+
+std::string contact_words(const run::PairCheck& pair) {
+    if (pair.normal == "box2d")
+        return "impulses of Box2D";
+    std::string words = pair.normal + ", ";
+    if (pair.normal == "hertz")
+        words += "E* " + format_si(pair.taken.E_eff, "Pa", 3);
+    else
+        words += pair.given.contact_time > 0 ? "contacts of " + format_si(pair.given.contact_time, "s", 3)
+                                             : format_si(pair.given.normal_stiffness, "N/m", 3);
+    words += "; " + (pair.tangential == "none" ? "nothing tangential" : pair.tangential);
+    if (pair.tangential == "linear")
+        words += pair.given.stiffness_ratio > 0 ? fmt::format(", {:.3g} of that", pair.given.stiffness_ratio)
+                                                : ", " + format_si(pair.given.tangential_stiffness, "N/m", 3);
+    return words;
+}
+
+std::string restitution_words(const run::PairCheck& pair) {
+    const contact::PairProperties& given = pair.given;
+    if (given.damping_time > 0)
+        return "dashpot of " + format_si(given.damping_time, "s", 3);
+    if (given.restitution_exponent > 0)
+        return fmt::format("{:.3g} at {:.3g} m/s, power -{:.3g}", given.restitution, given.restitution_speed,
+                           given.restitution_exponent);
+    return fmt::format("{:.3g}", given.restitution);
+}
+
+std::string friction_words(const run::PairCheck& pair) {
+    if (pair.taken.sliding_speed > 0)
+        return fmt::format("{:.3g}, in fast sliding {:.3g}", pair.given.friction, pair.given.sliding_friction);
+    return fmt::format("{:.3g}", pair.given.friction);
+}
+
+std::string rolling_words(const run::PairCheck& pair) {
+    switch (pair.taken.rolling) {
+    case contact::RollingLaw::none:
+        return "none";
+    case contact::RollingLaw::cdt:
+        return fmt::format("cdt {:.3g}", pair.given.rolling_friction);
+    case contact::RollingLaw::epsd:
+        return fmt::format("epsd {:.3g}, damping {:.3g}", pair.given.rolling_friction, pair.given.rolling_damping);
+    }
+    return "";
+}
+
+std::string cohesion_words(const run::PairCheck& pair) {
+    const contact::PairProperties& given = pair.given;
+    switch (pair.taken.adhesion) {
+    case contact::AdhesionLaw::none:
+        return given.cohesion > 0 ? format_si(given.cohesion, "N", 3) : "none";
+    case contact::AdhesionLaw::sjkr:
+        return fmt::format("sjkr, {:.3g} J/m3", given.cohesion_energy);
+    case contact::AdhesionLaw::jkr:
+        return fmt::format("jkr, {:.3g} J/m2", given.work_of_adhesion);
+    case contact::AdhesionLaw::dmt:
+        return fmt::format("dmt, {:.3g} J/m2", given.work_of_adhesion);
+    }
+    return "";
+}
+
+std::string pairs_text(const run::SceneCheck& check) {
+    std::vector<std::vector<std::string>> rows{{"pair", "contact", "restitution", "friction", "rolling", "cohesion"}};
+    for (const run::PairCheck& pair : check.pairs)
+        rows.push_back({pair.name, contact_words(pair), restitution_words(pair), friction_words(pair),
+                        rolling_words(pair), cohesion_words(pair)});
     return table(rows);
 }
 
@@ -92,7 +161,10 @@ int check_it(const CheckArguments& arguments) {
     if (!scene)
         return refuse(scene.problems(), arguments.json, wrong);
     const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    const Result<run::SceneCheck> check = run::check_scene(*scene, threads);
+    ProgressLine line(arguments.quiet);
+    const Result<run::SceneCheck> check =
+        run::check_scene(*scene, threads, [&](auto... told) { line.prepares(told...); });
+    line.end();
     if (!check)
         return refuse(check.problems(), arguments.json, wrong);
     if (arguments.json) {
@@ -106,6 +178,8 @@ int check_it(const CheckArguments& arguments) {
                                           counted(check->wanted, "body", "bodies"), check->mass, check->placed));
     if (!check->walls.empty())
         say(walls_text(*check) + "\n");
+    if (!check->pairs.empty())
+        say(pairs_text(*check) + "\n");
     say(step_text(check->time_step) + "\n");
     say(cost_text(*check, scene->render) + warnings_text(*check));
     return fine;
@@ -116,11 +190,12 @@ int check_it(const CheckArguments& arguments) {
 void add_check_command(CLI::App& program, Action& action) {
     CLI::App* command = program.add_subcommand(
         "check", "Example: tumble check scenes/drop.toml\n\n"
-                 "Says what a scene means: masses, counts, sizes, time step against its limits, memory,\n"
+                 "Says what a scene means: masses, counts, sizes, laws, time step against its limits, memory,\n"
                  "disk and time, and warns of what is hardly meant. Takes no step and writes nothing. Exit\n"
                  "code 2 where `run` would refuse the scene.");
     const auto arguments = std::make_shared<CheckArguments>();
     arguments->scene.add_to(*command);
+    command->add_flag("--quiet", arguments->quiet, "No progress on stderr");
     command->add_flag("--json", arguments->json, "Print the result as JSON");
     command->callback([arguments, &action] { action = [arguments] { return check_it(*arguments); }; });
 }

@@ -155,9 +155,6 @@ int diagnose_it(const DiagnoseArguments& arguments) {
     const auto measurement = diagnose::load_measurement(arguments.data);
     if (!measurement)
         return refuse(measurement.problems(), arguments.json, wrong);
-    if (!arguments.report.empty()) // a place that cannot be had is better known before the work than after it
-        if (const auto made = make_folder(arguments.report); !made)
-            return refuse(made.problems(), arguments.json, wrong);
     diagnose::SceneText scene{*text, arguments.scene.file};
     for (const std::string& set : arguments.scene.sets)
         scene.sets.push_back({set});
@@ -174,7 +171,14 @@ int diagnose_it(const DiagnoseArguments& arguments) {
         say("records are simulated as their fits ask for it: nobody knows beforehand how often");
     if (arguments.dry)
         return fine;
+    std::error_code ignored;
+    const bool had_report = arguments.report.empty() || fs::exists(arguments.report, ignored);
+    if (!arguments.report.empty()) // a place that cannot be had is better known before the work than after it
+        if (const auto made = make_folder(arguments.report); !made)
+            return refuse(made.problems(), arguments.json, wrong);
     const auto diagnosis = diagnosis_of(arguments, scene, *measurement);
+    if (!diagnosis && !had_report)
+        fs::remove(arguments.report, ignored); // it is empty
     if (!diagnosis)
         return refuse(diagnosis.problems(), arguments.json, wrong);
     const Problems problems = leave_files(arguments, *diagnosis);

@@ -26,6 +26,7 @@ struct ExportArguments {
     std::string part;
     std::filesystem::path out;
     bool means = false;
+    double patch = 1;
     std::string time;
     bool quiet = false;
     bool json = false;
@@ -36,13 +37,13 @@ int export_model(const ExportArguments& arguments) {
     const auto recorded = stress::read_recorded(arguments.run, arguments.part);
     if (!recorded)
         return refuse(recorded.problems(), arguments.json, wrong);
-    const auto cases = stress::nodal_cases(recorded->specimen(), recorded->loads, arguments.means);
+    const auto cases = stress::nodal_cases(recorded->specimen(), recorded->loads, arguments.means, arguments.patch);
     if (!cases)
         return refuse(cases.problems(), arguments.json, wrong);
     const std::filesystem::path file = arguments.out.empty() ? arguments.run / "part.inp" : arguments.out;
-    if (std::filesystem::exists(file) && !arguments.options.overwrite)
-        return refuse({{.file = file.string(), .what = "is there already", .fix = "--force replaces it"}},
-                      arguments.json, wrong);
+    if (!arguments.options.overwrite)
+        if (const auto problem = refuse_to_overwrite({file}))
+            return refuse({*problem}, arguments.json, wrong);
     const auto formulation =
         arguments.element == "standard" ? fem::Formulation::standard : fem::Formulation::incompatible;
     const std::string text = stress::to_calculix(*recorded, *cases, formulation, arguments.means);
@@ -118,6 +119,12 @@ void add_export_command(CLI::App& program, Action& action) {
         ->type_name("NAME")
         ->check(one_of({"incompatible", "standard"}));
     command->add_flag("--means", arguments->means, "Steps are the means between instants instead of the instants");
+    command
+        ->add_option("--patch", arguments->patch,
+                     "Radius of the circles in which bodies touch, times that of the run: (E/E')^(1/3) for media of "
+                     "modulus E' run with E; 0: forces act at points; 1 without it")
+        ->type_name("X")
+        ->check(number_from(0, 100));
     command->add_option("--part", arguments->part, "The specimen, where the scene has several")->type_name("WALL");
     command->add_option("--time", arguments->time, "Only frames from A to B, s; either may be missing")
         ->type_name("A:B");

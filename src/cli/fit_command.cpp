@@ -2,6 +2,7 @@
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/flag_checks.h"
+#include "cli/progress_line.h"
 #include "cli/scene_arguments.h"
 #include "cli/stop_flag.h"
 #include "fit/report.h"
@@ -30,6 +31,7 @@ struct FitArguments {
     std::filesystem::path compare;
     std::filesystem::path out;
     bool force = false;
+    bool quiet = false;
     bool json = false;
 };
 
@@ -43,6 +45,8 @@ Result<Fitted> fitted(const FitArguments& arguments) {
     const fit::Wanted wanted{arguments.spheres, arguments.smallest_mm * 1e-3};
     Fitted result;
     Problems problems;
+    ProgressLine line(arguments.quiet);
+    const Tally tally = [&](auto... told) { line.prepares(told...); };
     const auto take = [&](Result<std::vector<scene::Sphere>> spheres) {
         problems = spheres.problems();
         if (spheres)
@@ -52,7 +56,7 @@ Result<Fitted> fitted(const FitArguments& arguments) {
         const fit::Cone cone{arguments.cone_mm[0] * 1e-3, arguments.cone_mm[1] * 1e-3};
         result.solid = fit::solid_of(cone);
         if (arguments.compare.empty())
-            take(fit::spheres_in(cone, wanted));
+            take(fit::spheres_in(cone, wanted, tally));
     } else {
         auto faces = scene::read_stl(arguments.mesh);
         if (!faces)
@@ -68,14 +72,15 @@ Result<Fitted> fitted(const FitArguments& arguments) {
             return problems;
         }
         result.solid = std::move(*solid);
-        if (const double volume = result.solid.volume; volume > large_solid)
+        if (const double volume = result.solid.volume; volume > large_solid && !arguments.quiet)
             note(fmt::format("warning: {} holds {:.3g} litres; an STL in millimetres wants --scale 0.001",
                              arguments.mesh.string(), 1e3 * volume));
         if (arguments.compare.empty())
             take(fit::spheres_in(result.solid, wanted,
-                                 std::max(1, static_cast<int>(std::thread::hardware_concurrency())),
-                                 &watch_for_stop()));
+                                 std::max(1, static_cast<int>(std::thread::hardware_concurrency())), &watch_for_stop(),
+                                 tally));
     }
+    line.end();
     if (!arguments.compare.empty())
         take(scene::read_clump(arguments.compare));
     if (!problems.empty())
@@ -122,12 +127,9 @@ int fit_it(const FitArguments& arguments) {
     if (arguments.spheres < 1 && arguments.compare.empty())
         return refuse({{.what = "it is not said how many spheres", .fix = "give --spheres N, or --compare CLUMP.csv"}},
                       arguments.json, wrong);
-    std::error_code error;
-    if (!arguments.out.empty() && !arguments.force && std::filesystem::exists(arguments.out, error))
-        return refuse({{.file = arguments.out.string(),
-                        .what = "is there already, and nothing is overwritten",
-                        .fix = "--force replaces it"}},
-                      arguments.json, wrong);
+    if (!arguments.out.empty() && !arguments.force)
+        if (const auto problem = refuse_to_overwrite({arguments.out}))
+            return refuse({*problem}, arguments.json, wrong);
     auto result = fitted(arguments);
     if (stop_wanted(&watch_for_stop()))
         return stop_code();
@@ -146,7 +148,7 @@ int fit_it(const FitArguments& arguments) {
     else
         for (const std::string& line : fit::sentences(report, result->spheres.size()))
             say(line);
-    if (arguments.compare.empty() && arguments.volume_mm3 == 0)
+    if (arguments.compare.empty() && arguments.volume_mm3 == 0 && !arguments.quiet)
         for (const std::string& line : fit::advice(report))
             note("advice: " + line);
     return fine;
@@ -182,6 +184,7 @@ void add_fit_command(CLI::App& program, Action& action) {
         ->type_name("CLUMP.csv");
     command->add_option("--out", arguments->out, "Clump file to write")->type_name("FILE")->check(refuse_no_place);
     command->add_flag("--force", arguments->force, "Replace what is there");
+    command->add_flag("--quiet", arguments->quiet, "No progress, no advice on stderr");
     command->add_flag("--json", arguments->json, "Print the result as JSON");
     command->callback([arguments, &action] { action = [arguments] { return fit_it(*arguments); }; });
 }

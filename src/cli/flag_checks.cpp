@@ -62,10 +62,31 @@ CLI::Validator one_of(std::vector<std::string> words) {
             mark};
 }
 
+CLI::Validator ends_in(std::vector<std::string> endings) {
+    const std::string mark = fmt::format("*{}", fmt::join(endings, "|*"));
+    return {[endings = std::move(endings)](std::string& text) {
+                const std::string own = std::filesystem::path(text).extension().string();
+                if (std::find(endings.begin(), endings.end(), own) != endings.end())
+                    return std::string();
+                return fmt::format("'{}' does not end in {}", excerpt(text), fmt::join(endings, " or "));
+            },
+            mark};
+}
+
 std::string refuse_no_place(const std::string& name) {
     if (name.empty())
         return "an empty name is not a place to write to: give the name of a file or folder";
     return name == "-" ? "'-' is not a place to write to: give the name of a file or folder" : "";
+}
+
+std::optional<Problem> refuse_to_overwrite(const std::vector<std::filesystem::path>& files) {
+    std::error_code ignored;
+    for (const std::filesystem::path& file : files)
+        if (std::filesystem::exists(file, ignored))
+            return Problem{.file = file.string(),
+                           .what = "is there already, and nothing is overwritten",
+                           .fix = "--force replaces it; or name another place"};
+    return std::nullopt;
 }
 
 } // namespace tumble::cli

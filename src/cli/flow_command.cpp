@@ -28,6 +28,7 @@ struct FlowArguments {
     std::optional<double> radius;
     std::filesystem::path out, picture;
     std::string time;
+    bool force = false;
     bool quiet = false;
     bool json = false;
 };
@@ -123,6 +124,15 @@ void print(const Json& summary) {
     }
 }
 
+std::vector<std::filesystem::path> files_of(const FlowArguments& arguments) {
+    std::vector<std::filesystem::path> files;
+    if (!arguments.out.empty())
+        files = run::flow_files(arguments.out, arguments.options.bodies);
+    if (!arguments.picture.empty())
+        files.push_back(arguments.picture);
+    return files;
+}
+
 int tell_flow(FlowArguments& arguments) {
     run::FlowOptions& options = arguments.options;
     options.grid.axis_x = arguments.axis[0];
@@ -142,6 +152,9 @@ int tell_flow(FlowArguments& arguments) {
     }
     if (const auto problem = read_time_range(arguments.time, options.when.from, options.when.to))
         return refuse({*problem}, arguments.json, wrong);
+    if (!arguments.force)
+        if (const auto problem = refuse_to_overwrite(files_of(arguments)))
+            return refuse({*problem}, arguments.json, wrong);
     options.when.stop = &watch_for_stop();
     ProgressLine progress(arguments.quiet);
     const auto report =
@@ -203,8 +216,10 @@ void add_flow_command(CLI::App& program, Action& action) {
         ->check(whole_number_from(1, 1000));
     command->add_option("--out", arguments->out, "Folder for tables (CSV)")->type_name("DIR")->check(refuse_no_place);
     command->add_option("--picture", arguments->picture, "Picture of the field (needs gnuplot)")
-        ->type_name("F.png|F.svg")
-        ->check(refuse_no_place);
+        ->type_name("FILE")
+        ->check(refuse_no_place)
+        ->check(ends_in({".png", ".svg"}));
+    command->add_flag("--force", arguments->force, "Replace what is there");
     command->add_flag("--quiet", arguments->quiet, "No progress, no warnings on stderr");
     command->add_flag("--json", arguments->json, "Print the result as JSON");
     command->callback([arguments, &action] { action = [arguments] { return tell_flow(*arguments); }; });

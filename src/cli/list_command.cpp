@@ -4,6 +4,8 @@
 #include "cli/flag_checks.h"
 #include "diagnose/cause.h"
 #include "observe/measures.h"
+#include "observe/tracer.h"
+#include "run/tracers.h"
 #include "scene/keys.h"
 #include "scene/load.h"
 
@@ -22,7 +24,7 @@ using Json = nlohmann::ordered_json;
 
 struct ListArguments {
     std::string what;
-    fs::path folder = "scenes";
+    fs::path place;
     bool json = false;
 };
 
@@ -51,13 +53,14 @@ int show(const Json& items, const std::vector<std::string>& members, bool json) 
 }
 
 int list_scenes(const ListArguments& arguments) {
+    const fs::path folder = arguments.place.empty() ? "scenes" : arguments.place;
     std::error_code error;
     std::vector<fs::path> files;
-    for (fs::directory_iterator entry(arguments.folder, error), end; !error && entry != end; entry.increment(error))
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
         if (entry->path().extension() == ".toml")
             files.push_back(entry->path());
     if (error)
-        return refuse({{.file = arguments.folder.string(),
+        return refuse({{.file = folder.string(),
                         .what = "cannot be read: " + error.message(),
                         .fix = "give the folder with scene files: tumble list scenes DIR"}},
                       arguments.json, wrong);
@@ -120,6 +123,11 @@ int list_laws(const ListArguments& arguments) {
     return show(items, {"key", "law", "dimension", "sentence"}, arguments.json);
 }
 
+void add_column(Json& items, const std::string& name, const std::string& unit, const std::string& column,
+                const std::string& sentence) {
+    items.push_back({{"name", name}, {"group", ""}, {"unit", unit}, {"column", column}, {"sentence", sentence}});
+}
+
 int list_measures(const ListArguments& arguments) {
     Json items = Json::array();
     for (const observe::Measure& measure : observe::all_measures())
@@ -128,6 +136,19 @@ int list_measures(const ListArguments& arguments) {
                          {"unit", measure.unit},
                          {"column", measure.column()},
                          {"sentence", measure.sentence}});
+    const fs::path& place = arguments.place;
+    if (place.empty()) {
+        add_column(items, "tracer:BODY", "", "",
+                   "24 columns that follow a body; `tumble list measures SCENE` names those of a scene's");
+    } else {
+        std::error_code ignored;
+        const auto scene = scene::load_scene(fs::is_directory(place, ignored) ? place / "scene.toml" : place);
+        if (!scene)
+            return refuse(scene.problems(), arguments.json, wrong);
+        for (const std::string& body : run::traced_bodies(scene->observe.measures))
+            for (const observe::TracerColumn& column : observe::tracer_columns(body))
+                add_column(items, column.name, column.unit, column.column(), column.sentence);
+    }
     return show(items, {"name", "unit", "group", "sentence"}, arguments.json);
 }
 
@@ -169,7 +190,9 @@ void add_list_command(CLI::App& program, Action& action) {
     command->add_option("WHAT", arguments->what, "scenes, laws, measures, causes or keys")
         ->required()
         ->check(one_of({"scenes", "laws", "measures", "causes", "keys"}));
-    command->add_option("DIR", arguments->folder, "Folder with scenes; scenes/ without it");
+    command->add_option("PLACE", arguments->place,
+                        "scenes: their folder, scenes/ without it. measures: a scene or the folder of a run, whose "
+                        "tracers are listed too");
     command->add_flag("--json", arguments->json, "Print the list as JSON");
     command->callback([arguments, &action] {
         action = [arguments] {

@@ -61,6 +61,11 @@ void ProgressLine::started(const std::filesystem::path& folder, const run::Progr
     note(fmt::format("running {:.4g} s in {} steps into {}{}", now.duration, now.steps, folder.string(), from));
 }
 
+void ProgressLine::prepares(std::string_view what, std::int64_t done, std::int64_t all) {
+    if (!quiet_)
+        show(fmt::format("{} of {} {}", done, all, what), false, share_of(done, all), true);
+}
+
 void ProgressLine::brought_back(std::int64_t done, std::int64_t all) {
     if (!quiet_)
         show(fmt::format("frame {} of {} of before, drawn and written anew", done, all), done >= all,
@@ -90,7 +95,7 @@ void ProgressLine::working(const std::string& text) {
         show(text, false, std::nullopt);
 }
 
-void ProgressLine::show(const std::string& text, bool last, std::optional<double> share) {
+void ProgressLine::show(const std::string& text, bool last, std::optional<double> share, bool passing) {
     const double now = std::chrono::duration<double>(Clock::now() - begun_).count();
     if (now < next_ && !(last && line_open_))
         return;
@@ -106,12 +111,13 @@ void ProgressLine::show(const std::string& text, bool last, std::optional<double
     std::fputs(("\r\033[K" + head + text.substr(0, room > taken ? room - taken : 0)).c_str(), stderr);
     std::fflush(stderr);
     line_open_ = true;
+    passing_ = passing;
     next_ = now + redraw_every;
 }
 
 void ProgressLine::end() {
     if (line_open_)
-        std::fputc('\n', stderr);
+        std::fputs(passing_ ? "\r\033[K" : "\n", stderr);
     line_open_ = false;
 }
 

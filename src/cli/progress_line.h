@@ -14,6 +14,8 @@ class ProgressLine : public run::RunListener {
 public:
     explicit ProgressLine(bool quiet);
 
+    /// On a terminal the line goes away again before anything else is said.
+    void prepares(std::string_view what, std::int64_t done, std::int64_t all) override;
     void started(const std::filesystem::path& folder, const run::Progress& now) override;
     void progressed(const run::Progress& now) override;
     void warned(const std::string& sentence) override;
@@ -29,11 +31,13 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
-    void show(const std::string& text, bool last, std::optional<double> share);
+    /// A passing line leaves nothing behind on a terminal.
+    void show(const std::string& text, bool last, std::optional<double> share, bool passing = false);
 
     bool quiet_;
     bool terminal_;
     bool line_open_ = false;
+    bool passing_ = false;
     Clock::time_point begun_ = Clock::now();
     double next_ = 0; // s after begun_
 };

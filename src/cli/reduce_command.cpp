@@ -9,6 +9,7 @@
 #include "cli/stop_flag.h"
 #include "cli/time_range.h"
 #include "reduce/account.h"
+#include "reduce/given_run.h"
 #include "sheet/show.h"
 
 #include <fmt/format.h>
@@ -41,6 +42,9 @@ public:
         line_.end();
         if (!quiet_)
             note(fmt::format("run {} of {}: {}, seed {}{}", run, of, rung, seed, kept ? ", done before" : ""));
+    }
+    void prepares(std::string_view what, std::int64_t done, std::int64_t all) override {
+        line_.prepares(what, done, all);
     }
     void progressed(const run::Progress& now) override { line_.progressed(now); }
     void end() { line_.end(); }
@@ -106,6 +110,8 @@ Result<Asked> understand(const ReduceArguments& arguments) {
     auto ladder = reduce::ladder(text, *wishes);
     if (!ladder)
         return ladder.problems();
+    if (const auto problem = reduce::unfit_reference(arguments.options.references, ladder->front().scene, *stick))
+        return *problem;
     return Asked{*within, std::move(*ladder), std::move(*stick)};
 }
 

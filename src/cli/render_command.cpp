@@ -13,6 +13,7 @@
 #include "run/redraw.h"
 #include "run/run_scene.h"
 #include "run/strip.h"
+#include "run/tracers.h"
 
 #include <fmt/format.h>
 #include <memory>
@@ -169,6 +170,7 @@ int redraw_run(RenderArguments& arguments) {
     options.title = scene->title;
     for (const scene::Wall& wall : scene->walls)
         options.wall_opacity.push_back(wall.opacity);
+    options.traced = run::traced_bodies(scene->observe.measures);
     options.overwrite = arguments.force;
     options.when.duration = scene->duration;
     options.when.stop = &watch_for_stop();

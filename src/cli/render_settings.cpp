@@ -101,7 +101,8 @@ void add_render_settings(CLI::App& command, std::vector<std::string>& sets) {
             all.push_back("render.trails=[" + names + "]");
         });
     add("--background", "dark|white", "Behind the picture", word("render.background"));
-    add("--plot", "MEASURE", "Measure in the small plot", word("render.plot_measure"));
+    add("--plot", "MEASURE", "Measure in the small plot, or a column of a tracer, as tracer:sensor_y",
+        word("render.plot_measure"));
     const auto for_print = [](std::vector<std::string>& all) {
         const bool chosen = std::any_of(all.begin(), all.end(),
                                         [](const std::string& set) { return set.starts_with("render.style="); });

@@ -1,5 +1,6 @@
 #include "diagnose/noise.h"
 
+#include "base/column.h"
 #include "diagnose/statistics.h"
 
 #include <algorithm>
@@ -13,12 +14,6 @@ constexpr double least_correlation = 0.08;
 constexpr double outlier = 6;    // standard deviations
 constexpr std::size_t reach = 3; // readings to either side that a reading is held against
 constexpr double most_outliers = 0.02;
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 bool follows(const Model& model, std::size_t row) {
     return row > 0 && model.rows()[row].record == model.rows()[row - 1].record &&

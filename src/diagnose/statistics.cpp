@@ -6,7 +6,6 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <unsupported/Eigen/SpecialFunctions>
 #include <vector>
 
 namespace tumble::diagnose {
@@ -34,38 +33,11 @@ double chi_square(Rng& rng, double degrees) {
 
 } // namespace
 
-double chi_square_tail(double x, double degrees) {
-    return x <= 0 || degrees <= 0 ? 1.0 : Eigen::numext::igammac(degrees / 2, x / 2);
-}
-
-double normal_tail(double x) {
-    return 0.5 * std::erfc(x / std::sqrt(2.0));
-}
-
-double normal_quantile(double tail) {
-    return -Eigen::numext::ndtri(tail);
-}
-
-double f_tail(double x, double above, double below) {
-    return x <= 0 ? 1.0 : Eigen::numext::betainc(below / 2, above / 2, below / (below + above * x));
-}
-
 double hotelling_tail(double x, double dimensions, double degrees) {
     if (std::isinf(degrees))
         return chi_square_tail(x, dimensions);
     const double below = degrees - dimensions + 1;
     return dimensions > 0 && below > 0 ? f_tail(x * below / (degrees * dimensions), dimensions, below) : 1.0;
-}
-
-double student_quantile(double tail, double degrees) {
-    if (std::isinf(degrees))
-        return normal_quantile(tail);
-    double lo = 0, hi = 1e6;
-    while (hi - lo > 1e-9 * hi) {
-        const double middle = (lo + hi) / 2;
-        (f_tail(middle * middle, 1, degrees) > 2 * tail ? lo : hi) = middle;
-    }
-    return hi;
 }
 
 double quantile_of_largest(const MatrixXd& correlation, double alpha, std::uint64_t seed, double degrees) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/distributions.h"
+
 #include <Eigen/Core>
 #include <cstdint>
 #include <limits>
@@ -9,14 +11,6 @@ namespace tumble::diagnose {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// P(chi-square with so many degrees of freedom > x).
-double chi_square_tail(double x, double degrees);
-/// P(standard normal > x), and the x that this tail belongs to.
-double normal_tail(double x);
-double normal_quantile(double tail);
-/// P(F with these degrees of freedom > x).
-double f_tail(double x, double above, double below);
-
 /// Degrees of freedom of a covariance that is known, not estimated.
 constexpr double covariance_known = std::numeric_limits<double>::infinity();
 
@@ -24,8 +18,6 @@ constexpr double covariance_known = std::numeric_limits<double>::infinity();
 /// (Mardia, Kent and Bibby 1979, theorem 3.5.2); chi-square where it is known. 1 where the degrees do not suffice to
 /// judge.
 double hotelling_tail(double x, double dimensions, double degrees);
-/// The x that Student's t with so many degrees of freedom exceeds with this probability, below one half.
-double student_quantile(double tail, double degrees);
 
 /// The value that the largest of |z_j| squared stays below with probability 1 - alpha, z standard normal with this
 /// correlation: what the best of a library of causes reaches where there is none. Student's t in place of the normal

@@ -92,8 +92,8 @@ bool on_their_sides(const std::vector<Side>& sides, const Eigen::Vector2d& posit
 class Placer {
 public:
     /// `discs`: how many may come.
-    Placer(const Site& site, std::int64_t discs)
-        : site_(site), crowd_(site.scene.domain, site.shapes, site.bodies, discs) {}
+    Placer(const Site& site, std::int64_t discs, solver::PlacedCount count)
+        : site_(site), crowd_(site.scene.domain, site.shapes, site.bodies, discs), count_(count) {}
 
     /// `key`: of the fill in its scene, for problems.
     std::optional<Problem> place(FillState& fill, const std::string& key) {
@@ -159,10 +159,12 @@ private:
     void keep(const FillState& fill, const Placement& body, const std::vector<Disc>& discs) {
         crowd_.add(discs);
         placed_.push_back(state_of(fill.fill, body));
+        count_.one_more();
     }
 
     const Site& site_;
     Crowd crowd_;
+    solver::PlacedCount count_;
     std::vector<BodyState> placed_;
 };
 
@@ -176,7 +178,7 @@ Result<std::vector<BodyState>> place_due(std::vector<FillState>& fills, const Si
             discs +=
                 (fill.fill.position ? 1 : fill.asked - fill.placed) *
                 static_cast<std::int64_t>(site.shapes[static_cast<std::size_t>(fill.fill.body)].exposed.size() / 3);
-    Placer placer(site, discs);
+    Placer placer(site, discs, {fills, site.step, site.tally});
     for (std::size_t k = 0; k < fills.size(); ++k)
         if (due(fills[k]))
             if (auto problem = placer.place(fills[k], fmt::format("fill.{}", k)))

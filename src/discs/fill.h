@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/stop.h"
+#include "base/tally.h"
 #include "discs/placement.h"
 #include "solver/fill_state.h"
 
@@ -22,6 +23,7 @@ struct Site {
     std::int64_t step = 0;
     double dt = 0; // s
     StopFlag stop = nullptr;
+    Tally tally{}; // hears of each body that found its place
 };
 
 /// What the fills that are due at the site's step put in: bodies at random, wholly inside their region, touching no

@@ -46,8 +46,23 @@ std::vector<int> divided(int all, const std::vector<double>& shares) {
     return parts;
 }
 
-/// `rings` rings, each turned by half a pitch against the one before, and the rest on the axis.
-std::vector<Sphere> arranged(const MedialAxis& axis, int on_axis, int rings, const Wanted& wanted) {
+struct Arrangement {
+    int rings = 0;
+    int on_axis = 0;
+};
+
+/// All that leave each ring its three spheres.
+std::vector<Arrangement> arrangements_of(int spheres) {
+    std::vector<Arrangement> all;
+    for (int rings = 1; rings <= 6; ++rings)
+        for (int on_axis = 2; on_axis <= 8 && spheres - on_axis >= 3 * rings; ++on_axis)
+            all.push_back({rings, on_axis});
+    return all;
+}
+
+/// Rings each turned by half a pitch against the one before, and the rest on the axis.
+std::vector<Sphere> arranged(const MedialAxis& axis, const Arrangement& so, const Wanted& wanted) {
+    const auto [rings, on_axis] = so;
     std::vector<Sphere> spheres;
     const double fall = wanted.smallest / axis.inscribed;
     for (int i = 0; i < on_axis; ++i) {
@@ -71,11 +86,11 @@ std::vector<Sphere> arranged(const MedialAxis& axis, int on_axis, int rings, con
 
 } // namespace
 
-Result<std::vector<Sphere>> spheres_in(const Cone& cone, const Wanted& wanted) {
+Result<std::vector<Sphere>> spheres_in(const Cone& cone, const Wanted& wanted, const Tally& tally) {
     const MedialAxis axis(cone);
-    if (wanted.spheres < 8)
+    if (wanted.spheres < fewest_in_a_cone)
         return Problem{.what = fmt::format("{} spheres are too few for a cone", wanted.spheres),
-                       .fix = "take 8 at least: an axis and a ring"};
+                       .fix = fmt::format("take {} at least: an axis and a ring", fewest_in_a_cone)};
     if (!(wanted.smallest > 0 && wanted.smallest < axis.inscribed))
         return Problem{.what = fmt::format("the smallest sphere, {:.4g} mm, is not smaller than the largest that fits, "
                                            "{:.4g} mm",
@@ -85,15 +100,17 @@ Result<std::vector<Sphere>> spheres_in(const Cone& cone, const Wanted& wanted) {
                                           1e3 * axis.inscribed / 4)};
     std::vector<Sphere> fullest;
     double most = 0;
-    for (int rings = 1; rings <= 6; ++rings)
-        for (int on_axis = 2; on_axis <= 8 && wanted.spheres - on_axis >= 3 * rings; ++on_axis) {
-            std::vector<Sphere> tried = arranged(axis, on_axis, rings, wanted);
-            const double volume = union_moments(tried, 1e-4).volume;
-            if (volume > most) {
-                most = volume;
-                fullest = std::move(tried);
-            }
+    const std::vector<Arrangement> arrangements = arrangements_of(wanted.spheres);
+    for (std::size_t k = 0; k < arrangements.size(); ++k) {
+        std::vector<Sphere> tried = arranged(axis, arrangements[k], wanted);
+        const double volume = union_moments(tried, 1e-4).volume;
+        if (volume > most) {
+            most = volume;
+            fullest = std::move(tried);
         }
+        tell_tally(tally, "arrangements tried", static_cast<std::int64_t>(k) + 1,
+                   static_cast<std::int64_t>(arrangements.size()));
+    }
     return fullest;
 }
 

@@ -19,7 +19,7 @@ constexpr int points_along = 40;
 /// The points of a cubic grid around the solid; how deep each lies in it, and whether a chosen sphere holds it.
 class Grid {
 public:
-    Grid(const Solid& solid, Crew& crew, StopFlag stop) {
+    Grid(const Solid& solid, Crew& crew, StopFlag stop, const Tally& tally) {
         Eigen::AlignedBox3d box;
         for (const Triangle& face : solid.faces)
             for (const Vector3d& corner : face)
@@ -33,11 +33,14 @@ public:
         depth_.resize(static_cast<std::size_t>(count_[0] * count_[1] * count_[2]));
         free_.assign(depth_.size(), 0);
         const Depths depths(solid);
-        crew.share(count_[1] * count_[2], [&](int row) {
-            if (!stop_wanted(stop))
-                find_distances(depths, row);
-        });
-        find_insides(depths, stop);
+        for (int layer = 0; layer < count_[2]; ++layer) {
+            crew.share(count_[1], [&](int row) {
+                if (!stop_wanted(stop))
+                    find_distances(depths, layer * count_[1] + row);
+            });
+            tell_tally(tally, "layers of the grid measured", layer + 1, count_[2]);
+        }
+        find_insides(depths, stop, tally);
         for (std::size_t i = 0; i < depth_.size(); ++i)
             free_[i] = depth_[i] > 0 ? 1 : 0;
     }
@@ -74,15 +77,17 @@ private:
 
     /// Gives those outside a minus. No surface comes nearer to a point than its distance, so all points nearer than
     /// that lie on its side: few have to be asked.
-    void find_insides(const Depths& depths, StopFlag stop) {
+    void find_insides(const Depths& depths, StopFlag stop, const Tally& tally) {
         std::vector<int> farthest_first(depth_.size());
         std::iota(farthest_first.begin(), farthest_first.end(), 0);
         std::stable_sort(farthest_first.begin(), farthest_first.end(),
                          [&](int a, int b) { return depth(a) > depth(b); });
         std::vector<char> sign(depth_.size(), 0);
+        std::int64_t seen = 0;
         for (const int i : farthest_first) {
             if (stop_wanted(stop))
                 return;
+            tell_tally(tally, "points of the grid told inside from outside", ++seen, points());
             if (sign[static_cast<std::size_t>(i)] != 0)
                 continue;
             const char side = depths.inside(place(i)) ? 1 : -1;
@@ -114,16 +119,19 @@ private:
 
 } // namespace
 
-Result<std::vector<Sphere>> spheres_in(const Solid& solid, const Wanted& wanted, int threads, StopFlag stop) {
+Result<std::vector<Sphere>> spheres_in(const Solid& solid, const Wanted& wanted, int threads, StopFlag stop,
+                                       const Tally& tally) {
     Crew crew(threads);
-    Grid grid(solid, crew, stop);
+    Grid grid(solid, crew, stop, tally);
     // A sphere's gain can only fall as others are chosen, so that an old gain is a bound: only those at the top of the
     // queue are counted anew. At equal gains the earlier point wins.
     using Entry = std::pair<int, int>; // gain, -point
     std::priority_queue<Entry> queue;
-    for (int i = 0; i < grid.points() && !stop_wanted(stop); ++i)
+    for (int i = 0; i < grid.points() && !stop_wanted(stop); ++i) {
         if (grid.depth(i) >= wanted.smallest && grid.depth(i) > 0)
             queue.emplace(grid.gain(i), -i);
+        tell_tally(tally, "points of the grid tried", i + 1, grid.points());
+    }
     if (stop_wanted(stop))
         return Problem{.what = "stopped before the spheres were found"};
     if (static_cast<int>(queue.size()) < wanted.spheres)
@@ -143,6 +151,7 @@ Result<std::vector<Sphere>> spheres_in(const Solid& solid, const Wanted& wanted,
         }
         grid.take(-negative);
         chosen.push_back({grid.place(-negative), grid.depth(-negative)});
+        tell_tally(tally, "spheres chosen", static_cast<std::int64_t>(chosen.size()), wanted.spheres);
     }
     return chosen;
 }

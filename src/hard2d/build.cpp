@@ -50,8 +50,8 @@ Problems check_walls(const World& world) {
     return {};
 }
 
-discs::Site site_of(const World& world) {
-    discs::Site site{world.scene, world.shapes, {}, {}, world.step, world.dt, world.stop};
+discs::Site site_of(const World& world, const Tally& tally) {
+    discs::Site site{world.scene, world.shapes, {}, {}, world.step, world.dt, world.stop, tally};
     for (const Wall& wall : world.walls)
         site.walls.push_back({&wall.line(), discs::WallFrame(scene::pose_at(wall.motion(), world.time()))});
     for (const BodyState& body : bodies_of(world))
@@ -95,15 +95,15 @@ void WorldDeleter::operator()(World* world) const {
     delete world;
 }
 
-std::optional<Problem> insert_due_fills(World& world) {
-    const Result<std::vector<BodyState>> placed = discs::place_due(world.fills, site_of(world));
+std::optional<Problem> insert_due_fills(World& world, const Tally& tally) {
+    const Result<std::vector<BodyState>> placed = discs::place_due(world.fills, site_of(world, tally));
     if (!placed)
         return placed.problems().front();
     world.next_fill_step = solver::next_due(world.fills);
     return insert(world, *placed);
 }
 
-Result<WorldPtr> build_world(const scene::Scene& scene, StopFlag stop) {
+Result<WorldPtr> build_world(const scene::Scene& scene, StopFlag stop, const Tally& tally) {
     if (Problems problems = check_sides(scene); !problems.empty())
         return problems;
     WorldPtr world(new World);
@@ -127,7 +127,7 @@ Result<WorldPtr> build_world(const scene::Scene& scene, StopFlag stop) {
     if (!fills)
         return fills.problems();
     world->fills = std::move(*fills);
-    if (auto problem = insert_due_fills(*world))
+    if (auto problem = insert_due_fills(*world, tally))
         return *problem;
     if (stop_wanted(stop))
         return stopped_before_it_began();

@@ -4,6 +4,7 @@
 #include "base/phases.h"
 #include "base/problem.h"
 #include "base/stop.h"
+#include "base/tally.h"
 #include "discs/bodies.h"
 #include "scene/motion.h"
 #include "scene/scene.h"
@@ -33,8 +34,9 @@ struct WorldDeleter {
 using WorldPtr = std::unique_ptr<World, WorldDeleter>;
 
 /// Ready to step at t = 0, fills that are due at 0 inserted; takes steps of scene.box2d.time_step on one thread.
-/// Problems: a fill that cannot fit at once, periodic sides, a wall too fast for its steps.
-Result<WorldPtr> build_world(const scene::Scene& scene, StopFlag stop = nullptr);
+/// `tally` hears of each body that found its place. Problems: a fill that cannot fit at once, periodic sides, a wall
+/// too fast for its steps.
+Result<WorldPtr> build_world(const scene::Scene& scene, StopFlag stop = nullptr, const Tally& tally = {});
 
 /// Takes `steps` steps, inserting fills when they are due. A state that stopped being sane ends it early with a
 /// problem. A stop that is wanted ends a search for room as if it had not begun.

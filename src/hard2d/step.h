@@ -18,7 +18,7 @@ void book_energy(World& world);
 Books account_of(const World& world);
 
 /// Places what fills have due at the world's step.
-std::optional<Problem> insert_due_fills(World& world);
+std::optional<Problem> insert_due_fills(World& world, const Tally& tally = {});
 
 /// What is not sane about the state after a step, if anything: a number that is not finite, a body faster than Box2D
 /// moves any, one that left the domain, discs that overlap by more than a radius.

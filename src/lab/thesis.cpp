@@ -1,3 +1,4 @@
+#include "base/column.h"
 #include "lab/bench.h"
 #include "lab/each.h"
 
@@ -35,19 +36,6 @@ const std::array<Surface, 3> surfaces{{{"media",
                                         0.795,
                                         0.13}}};
 
-struct Spread {
-    double mean = 0, sd = 0;
-};
-Spread spread_of(const std::vector<double>& values) {
-    Spread spread;
-    for (const double value : values)
-        spread.mean += value / static_cast<double>(values.size());
-    for (const double value : values)
-        spread.sd += std::pow(value - spread.mean, 2);
-    spread.sd = std::sqrt(spread.sd / static_cast<double>(values.size() - 1));
-    return spread;
-}
-
 /// Would our number, rounded as the print is, be printed as it is?
 std::string verdict(double ours, double printed, double unit) {
     return std::abs(ours - printed) <= 0.5 * unit * (1 + 1e-9) ? "as printed" : "differs";
@@ -78,10 +66,11 @@ void restitutions(Outcome& outcome) {
         const Spread spread = spread_of(e);
         const double digit = surface.sd > 0.1 ? 1e-2 : 1e-3;
         grid.rows.push_back({surface.name, fmt::format("{} of {}", same, e.size()), spread.mean,
-                             fmt::format("{:.3f}", surface.mean), verdict(spread.mean, surface.mean, 1e-3), spread.sd,
-                             fmt::format("{:g}", surface.sd), verdict(spread.sd, surface.sd, digit)});
+                             fmt::format("{:.3f}", surface.mean), verdict(spread.mean, surface.mean, 1e-3),
+                             spread.deviation, fmt::format("{:g}", surface.sd),
+                             verdict(spread.deviation, surface.sd, digit)});
         sheet.fact(fmt::format("mean_{}", s), spread.mean);
-        sheet.fact(fmt::format("sd_{}", s), spread.sd);
+        sheet.fact(fmt::format("sd_{}", s), spread.deviation);
         sheet.fact(fmt::format("same_{}", s), same);
     }
     sheet.parts.emplace_back(grid);

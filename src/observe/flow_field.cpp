@@ -105,6 +105,21 @@ double vortex_depth(const FlowField& field) {
     return *std::max_element(heights.begin(), heights.end()) - heights.front();
 }
 
+namespace {
+
+// Of a layer's height: a body that trembles at a face neither leaves nor enters.
+constexpr double beyond_a_face = 0.25;
+
+/// Whether a body at that height has left the layer; `now`: the one that it is in.
+bool has_left(const FlowGrid& grid, int layer, double y, int now) {
+    if (layer < 0)
+        return now >= 0;
+    const double height = (y - grid.lo) / grid.layer_height() - layer; // 0 to 1 within
+    return height < -beyond_a_face || height > 1 + beyond_a_face;
+}
+
+} // namespace
+
 Residence::Residence(const FlowGrid& grid)
     : grid_(grid), stays_(static_cast<std::size_t>(grid.layers)), seconds_(static_cast<std::size_t>(grid.layers)) {}
 
@@ -115,7 +130,7 @@ void Residence::add(const Frame& frame) {
         if (id >= bodies_.size())
             bodies_.resize(id + 1);
         Body& body = bodies_[id];
-        if (layer == body.layer)
+        if (body.layer == layer || (body.layer != -2 && !has_left(grid_, body.layer, frame.position[i].y(), layer)))
             continue;
         if (body.entered && body.layer >= 0) {
             ++stays_[static_cast<std::size_t>(body.layer)];

@@ -64,7 +64,8 @@ private:
 /// How much lower the surface lies at the axis than where it is highest, m: its highest ring less its innermost.
 double vortex_depth(const FlowField& field);
 
-/// How long bodies stay within one layer of a grid (all rings together) before they leave it.
+/// How long bodies stay within one layer of a grid (all rings together) before they leave it by more than a quarter of
+/// its height.
 class Residence {
 public:
     explicit Residence(const FlowGrid& grid);

@@ -152,7 +152,8 @@ std::string spelled_name(std::string name) {
 }
 
 std::string spelled_unit(const std::string& unit) {
-    return unit.ends_with("_s") ? unit.substr(0, unit.size() - 2) + "/s" : unit;
+    const std::size_t per = unit.find("_s");
+    return per == std::string::npos ? unit : unit.substr(0, per) + "/" + unit.substr(per + 1);
 }
 
 const std::vector<Measure>& all_measures() {

@@ -35,7 +35,7 @@ struct Measure {
 
 /// "kinetic energy" for "kinetic_energy": names as people read them.
 std::string spelled_name(std::string name);
-/// "rad/s" for "rad_s", "m/s" for "m_s"; other units as they are.
+/// "rad/s" for "rad_s", "m/s2" for "m_s2"; other units as they are.
 std::string spelled_unit(const std::string& unit);
 
 /// Every measure there is, in the order of `tumble list measures`.

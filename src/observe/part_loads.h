@@ -19,6 +19,7 @@ struct WallPush {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();   // unit, towards the body
     Eigen::Vector3d force = Eigen::Vector3d::Zero();    // N, on the wall
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); // m/s, of the body's centre past the wall
+    double patch = 0;                                   // m, radius of the circle in which they touch; 0: a point
 
     /// N, above 0: pressed.
     [[nodiscard]] double pressing() const { return -force.dot(normal); }
@@ -43,8 +44,8 @@ struct Touching {
 };
 
 template <class Archive, As<WallPush> P> void carry(Archive& archive, P& push) {
-    auto& [body, triangle, foot, normal, force, velocity] = push;
-    archive(body, triangle, foot, normal, force, velocity);
+    auto& [body, triangle, foot, normal, force, velocity, patch] = push;
+    archive(body, triangle, foot, normal, force, velocity, patch);
 }
 
 template <class Archive, As<Touching> T> void carry(Archive& archive, T& touch) {

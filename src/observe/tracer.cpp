@@ -1,5 +1,6 @@
 #include "observe/tracer.h"
 
+#include <fmt/format.h>
 #include <limits>
 
 namespace tumble::observe {
@@ -19,25 +20,35 @@ std::optional<std::size_t> first_of(const Frame& frame, int shape) {
 struct Quantity {
     const char* name;
     const char* unit;
+    const char* sentence; // of an axis
 };
 
 /// Three columns each.
-constexpr std::array<Quantity, 8> quantities{{{"", "m"},
-                                              {"v", "m_s"},
-                                              {"a", "m_s2"},
-                                              {"point_", "m"},
-                                              {"point_v", "m_s"},
-                                              {"point_a", "m_s2"},
-                                              {"spin_", "rad_s"},
-                                              {"felt_", "m_s2"}}};
+constexpr std::array<Quantity, 8> quantities{
+    {{"", "m", "{} of its centre of mass"},
+     {"v", "m_s", "{} of that centre's velocity"},
+     {"a", "m_s2", "{} of that centre's acceleration, the mean since the row before"},
+     {"point_", "m", "{} of the point where the sensor sits (tracer_point_m)"},
+     {"point_v", "m_s", "{} of that point's velocity"},
+     {"point_a", "m_s2", "{} of that point's acceleration, the mean since the row before"},
+     {"spin_", "rad_s", "angular velocity about the sensor's own {}"},
+     {"felt_", "m_s2", "what an accelerometer at that point reads along its own {}, the mean since the row before"}}};
 
 } // namespace
 
-std::vector<std::string> TracerReader::columns() const {
-    std::vector<std::string> heads;
+std::vector<TracerColumn> tracer_columns(const std::string& body) {
+    std::vector<TracerColumn> columns;
     for (const Quantity& quantity : quantities)
         for (const char* axis : {"x", "y", "z"})
-            heads.push_back("tracer:" + tracer_.name + "_" + quantity.name + axis + "_" + quantity.unit);
+            columns.push_back({"tracer:" + body + "_" + quantity.name + axis, quantity.unit,
+                               fmt::format(fmt::runtime(quantity.sentence), axis)});
+    return columns;
+}
+
+std::vector<std::string> TracerReader::columns() const {
+    std::vector<std::string> heads;
+    for (const TracerColumn& column : tracer_columns(tracer_.name))
+        heads.push_back(column.column());
     return heads;
 }
 

@@ -22,6 +22,19 @@ struct Tracer {
     Eigen::Vector3d gravity = Eigen::Vector3d::Zero();          // m/s2
 };
 
+/// A number per row of what a tracer tells; docs/measures.md, "Tracers".
+struct TracerColumn {
+    std::string name;     // "tracer:sensor_vy"
+    std::string unit;     // as in column heads
+    std::string sentence; // what it is, for people
+
+    /// "tracer:sensor_vy_m_s": the name with its unit.
+    [[nodiscard]] std::string column() const { return name + "_" + unit; }
+};
+
+/// Those of the tracer of that body, in the order of its rows.
+std::vector<TracerColumn> tracer_columns(const std::string& body);
+
 /// What happened to it between two rows; docs/measures.md, "Tracers".
 class TracerReader {
 public:

@@ -156,6 +156,8 @@ Json to_json(const Account& account) {
             {"from_s", account.climb.stick.from()},
             {"until_s", account.climb.stick.until()},
             {"stopped", account.climb.stopped},
+            {"runs_made", account.climb.made},
+            {"runs_in_all", account.climb.all},
             {"reference", name(account.reference)},
             {"cheapest", name(account.cheapest())},
             {"sure", account.sure()},

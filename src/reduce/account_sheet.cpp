@@ -13,37 +13,53 @@ std::string error_words(const Error& error, bool judged) {
         return error.at_least > 0 ? fmt::format("at least {:.0f} %", 100 * error.at_least) : "-";
     if (!std::isfinite(error.relative))
         return "lost";
-    const std::string size = std::isfinite(error.uncertainty)
-                                 ? fmt::format("{:+.1f} ± {:.1f} %", 100 * error.relative, 100 * error.uncertainty)
-                                 : fmt::format("{:+.1f} %", 100 * error.relative);
+    const int digits = error.uncertainty < 0.1 || !std::isfinite(error.uncertainty) ? 1 : 0;
+    const std::string size =
+        std::isfinite(error.uncertainty)
+            ? fmt::format("{:+.{}f} ± {:.{}f} %", 100 * error.relative, digits, 100 * error.uncertainty, digits)
+            : fmt::format("{:+.1f} %", 100 * error.relative);
     return error.told_apart() ? size : "(" + size + ")";
 }
 
-std::string value_words(const Spread& spread, double uncertainty, const std::string& unit) {
-    if (!std::isfinite(spread.mean))
-        return "none";
-    return fmt::format("{:.3g}{} {}", spread.mean,
-                       std::isfinite(uncertainty) ? fmt::format(" ± {:.2g}", uncertainty) : "", unit);
+std::string value_words(const Spread& spread, double uncertainty) {
+    return std::isfinite(uncertainty) ? fmt::format("{:.3g} ± {:.2g}", spread.mean, uncertainty)
+                                      : fmt::format("{:.3g}", spread.mean);
+}
+
+/// Whether any row has a value of it; what no row has is left to the files.
+bool shows(const Account& account, std::size_t quantity) {
+    for (std::size_t k = 0; k < account.priced.size(); ++k) {
+        const Price& price = account.prices.rungs[k];
+        if (account.priced[k] == account.reference ? std::isfinite(price.spreads[quantity].mean)
+                                                   : price.errors[quantity].at_least > 0)
+            return true;
+    }
+    return account.prices.judged[quantity];
 }
 
 sheet::Grid table_of(const Account& account) {
     sheet::Grid grid;
-    grid.columns = {{"scene"}, {"bodies"}, {"core", "s", 3}, {"speed-up", "", 3}, {"overlap", "%", 2}};
+    grid.columns = {{"scene"}, {"verdict"}, {"bodies"}, {"core", "s", 3}, {"speed-up", "", 3}, {"overlap", "%", 2}};
     const auto& quantities = account.climb.stick.quantities();
+    std::vector<std::size_t> shown;
     for (std::size_t q = 0; q < quantities.size(); ++q)
-        grid.columns.push_back({quantities[q].name});
-    grid.columns.push_back({"verdict"});
+        if (shows(account, q)) {
+            shown.push_back(q);
+            grid.columns.push_back({quantities[q].name, quantities[q].unit});
+        }
     for (std::size_t k = 0; k < account.priced.size(); ++k) {
         const Climbed& climbed = account.climb.rungs[account.priced[k]];
         const Price& price = account.prices.rungs[k];
         const bool reference = account.priced[k] == account.reference;
-        std::vector<sheet::Cell> row{climbed.rung.name, fmt::format("{:.0f}", climbed.bodies), climbed.core_s(),
-                                     price.speed_up, 100 * climbed.overlap()};
-        for (std::size_t q = 0; q < quantities.size(); ++q)
-            row.emplace_back(reference
-                                 ? value_words(price.spreads[q], account.prices.reference_spread[q], quantities[q].unit)
-                                 : error_words(price.errors[q], account.prices.judged[q]));
-        row.emplace_back(reference ? "reference" : word_of(price.verdict));
+        std::vector<sheet::Cell> row{climbed.rung.name,
+                                     reference ? "reference" : word_of(price.verdict),
+                                     fmt::format("{:.0f}", climbed.bodies),
+                                     climbed.core_s(),
+                                     price.speed_up,
+                                     100 * climbed.overlap()};
+        for (const std::size_t q : shown)
+            row.emplace_back(reference ? value_words(price.spreads[q], account.prices.reference_spread[q])
+                                       : error_words(price.errors[q], account.prices.judged[q]));
         grid.rows.push_back(std::move(row));
     }
     return grid;
@@ -93,7 +109,7 @@ void say_what_was_not_priced(const Account& account, sheet::Sheet& sheet) {
             continue;
         const std::string& name = climbed.rung.name;
         if (climbed.standing == Standing::waiting)
-            sheet.say(fmt::format("{}: not run yet; the same command goes on from here.", name));
+            sheet.say(fmt::format("{}: not run to its end yet; the same command goes on from here.", name));
         else if (climbed.standing == Standing::finished)
             sheet.say(fmt::format("{}: was run, but it is no reduction of the reference.", name));
         else
@@ -142,27 +158,33 @@ std::string conclusion(const Account& account, bool unsure) {
 
 sheet::Sheet sheet_of(const Account& account, bool unsure) {
     sheet::Sheet sheet;
+    const Climb& climb = account.climb;
+    if (climb.stopped)
+        sheet.say(
+            fmt::format("Interrupted: {} of {} runs are made, and this is what they say. The same command goes on "
+                        "from here.",
+                        climb.made, climb.all));
     if (!account.reference) {
         sheet.say("Nothing is finished yet, so there is nothing to compare.");
         say_what_was_not_priced(account, sheet);
         return sheet;
     }
     sheet.parts.emplace_back(table_of(account));
-    const std::size_t references = account.climb.rungs[*account.reference].runs.size();
+    const std::size_t references = climb.rungs[*account.reference].runs.size();
     const std::string aside =
         static_cast<int>(references) == account.seeds ? "" : fmt::format(" ({} of the reference)", references);
     sheet.say(
         fmt::format("Means from {:.4g} to {:.4g} s over {} seeds{}. Errors are those against the reference, ± half of "
                     "a 95 % interval; one in brackets is not told apart from chance.",
-                    account.climb.stick.from(), account.climb.stick.until(), account.seeds, aside));
+                    climb.stick.from(), climb.stick.until(), account.seeds, aside));
     if (!account.reference_is_whole())
         sheet.say(
             fmt::format("The scene as written was not run to its end: errors are against \"{}\", the fullest that "
                         "was, and how far that is off is not known.",
-                        account.climb.rungs[*account.reference].rung.name));
+                        climb.rungs[*account.reference].rung.name));
     say_what_judges(account, sheet);
     say_what_was_not_priced(account, sheet);
-    sheet.say(conclusion(account, unsure));
+    sheet.say((climb.stopped ? "So far: " : "") + conclusion(account, unsure));
     const auto& judged = account.prices.judged;
     if (account.priced.size() > 1 && std::find(judged.begin(), judged.end(), true) != judged.end())
         sheet.parts.emplace_back(figure_of(account));

@@ -28,12 +28,14 @@ std::string first_of(const Problems& problems) {
 class Climber {
 public:
     Climber(std::vector<Rung> ladder, const Yardstick& stick, const ClimbOptions& options, ClimbListener& listener)
-        : options_(options), listener_(listener), result_{stick, {}, false} {
+        : options_(options), listener_(listener), result_{stick, {}} {
         for (Rung& rung : ladder)
             result_.rungs.push_back({std::move(rung), Standing::waiting, "", 0, 0, 0, {}});
     }
 
     Result<Climb> climb() {
+        if (const auto problem = unfit_reference(options_.references, result_.rungs.front().rung.scene, result_.stick))
+            return *problem;
         for (Climbed& rung : result_.rungs)
             weigh(rung);
         if (const Result<Done> taken = take_references(); !taken)
@@ -44,7 +46,7 @@ public:
                 order.push_back(&rung);
         std::stable_sort(order.begin(), order.end(),
                          [](const Climbed* a, const Climbed* b) { return a->work < b->work; });
-        of_ = static_cast<int>(order.size()) * options_.seeds;
+        result_.all = static_cast<int>(order.size()) * options_.seeds;
         for (Climbed* rung : order) {
             if (const Result<Done> done = climb_to(*rung); !done)
                 return done.problems();
@@ -57,7 +59,8 @@ public:
 private:
     /// What a run of it takes, as far as that can be told before it.
     void weigh(Climbed& rung) const {
-        const auto check = run::check_scene(prepared(rung, 0), options_.threads);
+        const auto check =
+            run::check_scene(prepared(rung, 0), options_.threads, [&](auto... told) { listener_.prepares(told...); });
         if (!check) {
             rung.standing = Standing::refused;
             rung.reason = first_of(check.problems());
@@ -74,11 +77,6 @@ private:
             const auto given = read_given(folder, whole.rung.scene, result_.stick, whole.mass);
             if (!given)
                 return given.problems();
-            for (const Seeded& run : whole.runs)
-                if (run.seed == given->seed)
-                    return Problem{.file = folder.string(),
-                                   .what = fmt::format("seed {} is among the references already", given->seed),
-                                   .fix = "give each run once, and only runs of different seeds"};
             whole.runs.push_back(*given);
             whole.standing = Standing::finished;
         }
@@ -102,9 +100,11 @@ private:
             const std::filesystem::path folder = options_.folder / "runs" / *name;
             const std::filesystem::path file = folder.string() + ".json";
             std::optional<KeptRun> kept = read_kept(file);
-            if (!kept && beyond_budget(rung, options_.seeds - nth))
+            if (!kept && beyond_budget(rung, options_.seeds - nth)) {
+                result_.all -= options_.seeds - nth;
                 return Done{};
-            listener_.begins(rung.rung.name, scene.seed, ++at_, of_, kept.has_value());
+            }
+            listener_.begins(rung.rung.name, scene.seed, result_.made + 1, result_.all, kept.has_value());
             if (!kept) {
                 const Result<bool> ended = perform(scene, folder, kept.emplace());
                 if (!ended)
@@ -114,8 +114,10 @@ private:
                 if (const Result<Done> written = write_kept(file, *kept); !written)
                     return written;
             }
+            ++result_.made;
             pace_ = kept->core_s / rung.work;
             if (!kept->failure.empty()) {
+                result_.all -= options_.seeds - nth - 1;
                 rung.standing = Standing::failed;
                 rung.reason = fmt::format("seed {}: {}", scene.seed, kept->failure);
                 return Done{};
@@ -170,7 +172,6 @@ private:
     Climb result_;
     Clock::time_point begun_ = Clock::now();
     double pace_ = 0; // s of processor time per sphere-step
-    int at_ = 0, of_ = 0;
 };
 
 } // namespace

@@ -57,6 +57,8 @@ struct Climb {
     Yardstick stick;
     std::vector<Climbed> rungs; // as in the ladder
     bool stopped = false;
+    int made = 0; // runs that are over, beside references that were given
+    int all = 0;  // they and those still to make
 };
 
 /// Told where a climb is, beside what its runs tell.

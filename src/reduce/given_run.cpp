@@ -10,6 +10,7 @@
 #include "scene/load.h"
 
 #include <fmt/format.h>
+#include <set>
 
 namespace tumble::reduce {
 
@@ -57,6 +58,16 @@ double number_in(const nlohmann::json& summary, const char* key) {
     return summary.contains(key) && summary[key].is_number() ? summary[key].get<double>() : 0;
 }
 
+/// What makes it look dearer than the rungs.
+std::vector<std::string> doubts_of_cost(const nlohmann::json& summary) {
+    std::vector<std::string> doubts;
+    if (number_in(summary, "processor_s") <= 0)
+        doubts.emplace_back("its processor time was not written: the clock's time of all its threads stands for it");
+    if (const double pictures = number_in(summary, "pictures"); pictures > 0 || summary.value("video", false))
+        doubts.emplace_back("its processor time includes pictures, which rungs do not draw");
+    return doubts;
+}
+
 /// Of as much as the scene asks for: a run may be longer. One of an older program says only what the clock said.
 double processor_time(const nlohmann::json& summary, double duration) {
     const double own = number_in(summary, "processor_s");
@@ -81,28 +92,51 @@ std::optional<Problem> unfit_series(const run::RunFolder& folder, const Yardstic
     return std::nullopt;
 }
 
+std::optional<Problem> unfit(const run::RunFolder& folder, const nlohmann::json& summary, const scene::Scene& scene,
+                             const Yardstick& stick) {
+    if (auto problem = other_scene(folder, scene))
+        return problem;
+    if (auto problem = unfit_series(folder, stick))
+        return problem;
+    return unlike_others(folder, summary);
+}
+
+std::uint64_t seed_of(const nlohmann::json& summary) {
+    return static_cast<std::uint64_t>(number_in(summary, "seed"));
+}
+
 } // namespace
+
+std::optional<Problem> unfit_reference(const std::vector<std::filesystem::path>& folders, const scene::Scene& scene,
+                                       const Yardstick& stick) {
+    std::set<std::uint64_t> seeds;
+    for (const std::filesystem::path& root : folders) {
+        const auto folder = run::find_run(root);
+        if (!folder)
+            return folder.problems().front();
+        const nlohmann::json summary = run::read_summary(*folder);
+        if (auto problem = unfit(*folder, summary, scene, stick))
+            return problem;
+        if (!seeds.insert(seed_of(summary)).second)
+            return no_reference(*folder, fmt::format("seed {} is among the references already", seed_of(summary)),
+                                "give each run once, and only runs of different seeds");
+    }
+    return std::nullopt;
+}
 
 Result<Seeded> read_given(const std::filesystem::path& root, const scene::Scene& scene, const Yardstick& stick,
                           double mass) {
     const auto folder = run::find_run(root);
     if (!folder)
         return folder.problems();
-    if (auto problem = other_scene(*folder, scene))
-        return *problem;
-    if (auto problem = unfit_series(*folder, stick))
-        return *problem;
     const nlohmann::json summary = run::read_summary(*folder);
-    if (auto problem = unlike_others(*folder, summary))
+    if (auto problem = unfit(*folder, summary, scene, stick))
         return *problem;
     auto values = stick.read(root, mass);
     if (!values)
         return values.problems();
-    Seeded given{static_cast<std::uint64_t>(number_in(summary, "seed")),
-                 processor_time(summary, scene.duration),
-                 number_in(summary, "overlap_ratio_max"),
-                 std::move(*values),
-                 {}};
+    Seeded given{seed_of(summary), processor_time(summary, scene.duration), number_in(summary, "overlap_ratio_max"),
+                 std::move(*values), doubts_of_cost(summary)};
     if (summary.contains("warnings") && summary["warnings"].is_array())
         for (const auto& warning : summary["warnings"])
             if (warning.is_string())

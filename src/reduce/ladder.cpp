@@ -4,6 +4,7 @@
 #include "scene/load.h"
 #include "scene/read_file.h"
 #include "scene/read_toml.h"
+#include "scene/reductions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +38,25 @@ std::size_t spheres_of(const scene::Scene& scene) {
     return most;
 }
 
+/// Of the degree's share of spheres; a flat scene is told of the key.
+std::optional<Problem> too_few_spheres(const scene::Scene& whole, double degree) {
+    const auto all = static_cast<double>(spheres_of(whole));
+    if (whole.dimension == 2 || std::llround(degree * all) >= scene::fewest_spheres)
+        return std::nullopt;
+    if (all == 0)
+        return Problem{.what = "--try spheres: no body says which cone its spheres stand for",
+                       .fix = "give the body cone_diameter_m and cone_height_m, or try another reduction"};
+    Problem problem{.what =
+                        fmt::format("--try spheres={}: that share of the {:.0f} spheres of a body is {}, and a cone "
+                                    "needs {}",
+                                    shortest(degree), all, std::llround(degree * all), scene::fewest_spheres)};
+    problem.fix = all > scene::fewest_spheres
+                      ? fmt::format("give shares from {:.2g} on and below 1, the share of each body's spheres",
+                                    std::ceil(100 * scene::fewest_spheres / all) / 100)
+                      : "it has none to spare: try another reduction";
+    return problem;
+}
+
 /// The keys of [reduce] that lead from the scene to the rung, on top of what the scene says of them itself.
 Result<std::vector<scene::Override>> sets_for(const SceneText& text, const std::string& toml, const scene::Scene& whole,
                                               const Degrees& degrees) {
@@ -46,6 +66,8 @@ Result<std::vector<scene::Override>> sets_for(const SceneText& text, const std::
         if (degree == Degrees{}.*kind.degree)
             continue;
         if (kind.degree == &Degrees::spheres) {
+            if (const auto problem = too_few_spheres(whole, degree))
+                return *problem;
             sets.push_back(
                 {fmt::format("reduce.spheres={}", std::llround(degree * static_cast<double>(spheres_of(whole))))});
             continue;
@@ -107,9 +129,11 @@ Result<Wish> read_wish(const std::string& text) {
     for (const std::string_view part : split(std::string_view(text).substr(word.size() + 1), ',')) {
         const Result<double> degree = parse_number(trimmed(part));
         if (!degree || !reduces_something(*wish.kind, *degree))
-            return Problem{.what = fmt::format("'{}' is no degree of {}", excerpt(part), word),
-                           .fix = wish.kind->usual.front() < 1 ? "give shares above 0 and below 1: " + word + "=0.5"
-                                                               : "give factors above 1: " + word + "=2,4"};
+            return Problem{
+                .what = fmt::format("'{}' is no degree of {}", excerpt(part), word),
+                .fix = fmt::format("give {} ({}): {}={}",
+                                   wish.kind->usual.front() < 1 ? "shares above 0 and below 1" : "factors above 1",
+                                   wish.kind->sentence, word, wish.kind->usual.front() < 1 ? "0.5" : "2,4")};
         wish.degrees.push_back(*degree);
     }
     return wish;
@@ -123,7 +147,7 @@ std::vector<Wish> wishes_for(const scene::Scene& scene) {
     std::vector<Wish> wishes;
     const auto& periodic = scene.domain.periodic;
     for (const Kind& kind : all_kinds()) {
-        if (kind.degree == &Degrees::spheres && spheres_of(scene) < 16) // half of them must be enough for a cone
+        if (kind.degree == &Degrees::spheres && spheres_of(scene) < 2 * scene::fewest_spheres) // half of them
             continue;
         if (kind.degree == &Degrees::slice && std::count(periodic.begin(), periodic.end(), true) != 1)
             continue;

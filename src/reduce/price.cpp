@@ -1,23 +1,13 @@
 #include "reduce/price.h"
 
+#include "base/distributions.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace tumble::reduce {
 
 namespace {
-
-/// P(|t| < value), Abramowitz and Stegun 26.7.3 and 26.7.4.
-double student_inside(double value, int degrees) {
-    const double angle = std::atan(value / std::sqrt(degrees)), cosine = std::cos(angle), sine = std::sin(angle);
-    double term = degrees % 2 == 0 ? 1 : cosine, sum = degrees == 1 ? 0 : term;
-    for (int k = degrees % 2 == 0 ? 2 : 3; k <= degrees - 2; k += 2) {
-        term *= cosine * cosine * (k - 1) / k;
-        sum += term;
-    }
-    return degrees % 2 == 0 ? sine * sum : 2 / std::numbers::pi * (angle + sine * sum);
-}
 
 std::vector<double> of_quantity(const Sample& sample, std::size_t quantity) {
     std::vector<double> values;
@@ -57,9 +47,9 @@ struct Mean {
     [[nodiscard]] double reach() const;
 };
 
+/// Half of a 95 % interval, in standard errors.
 double t_of(double degrees) {
-    return degrees >= 1 ? student_t_95(static_cast<int>(std::min(degrees, 1e6)))
-                        : std::numeric_limits<double>::infinity();
+    return degrees >= 1 ? student_quantile(0.025, std::floor(degrees)) : std::numeric_limits<double>::infinity();
 }
 
 double Mean::reach() const {
@@ -103,13 +93,21 @@ Error error_beside_zero(const Mean& mean, const Mean& reference) {
     return {.at_least = surely > 0 && most > 0 ? surely / most : 0};
 }
 
-Verdict judge(const Error& error, double tolerance, bool enough_seeds) {
+Verdict judge(const Error& error, double tolerance, bool enough_seeds, bool lost_by_all) {
     const double size = std::abs(error.relative);
-    if (!std::isfinite(size) || size - error.uncertainty > tolerance)
+    if (!std::isfinite(size))
+        return lost_by_all ? Verdict::beyond : Verdict::seems_beyond;
+    if (size - error.uncertainty > tolerance)
         return Verdict::beyond;
     if (enough_seeds && size + error.uncertainty <= tolerance)
         return Verdict::within;
     return size <= tolerance ? Verdict::seems_within : Verdict::seems_beyond;
+}
+
+/// No seed has the quantity.
+bool lost_by_all(const Sample& sample, std::size_t quantity) {
+    return std::none_of(sample.values.begin(), sample.values.end(),
+                        [&](const std::vector<double>& seed) { return std::isfinite(seed[quantity]); });
 }
 
 bool enough_seeds(const Sample& sample) {
@@ -141,26 +139,6 @@ const char* word_of(Verdict verdict) {
     return words[static_cast<int>(verdict)];
 }
 
-Spread spread_of(const std::vector<double>& values) {
-    Spread spread;
-    const auto n = static_cast<double>(values.size());
-    for (const double value : values)
-        spread.mean += value / n;
-    for (const double value : values)
-        spread.deviation += (value - spread.mean) * (value - spread.mean);
-    spread.deviation = values.size() > 1 ? std::sqrt(spread.deviation / (n - 1)) : 0;
-    return spread;
-}
-
-double student_t_95(int degrees) {
-    double lo = 0, hi = 20; // 12.7 for one degree
-    for (int k = 0; k < 60; ++k) {
-        const double middle = (lo + hi) / 2;
-        (student_inside(middle, degrees) < 0.95 ? lo : hi) = middle;
-    }
-    return lo;
-}
-
 Prices price(const std::vector<Sample>& samples, std::size_t reference, double tolerance) {
     Prices prices;
     prices.rungs.resize(samples.size());
@@ -185,7 +163,7 @@ Prices price(const std::vector<Sample>& samples, std::size_t reference, double t
                 rung.worst =
                     std::max(rung.worst, std::isfinite(error.relative) ? std::abs(error.relative)
                                                                        : std::numeric_limits<double>::infinity());
-                rung.verdict = std::max(rung.verdict, judge(error, tolerance, enough));
+                rung.verdict = std::max(rung.verdict, judge(error, tolerance, enough, lost_by_all(samples[i], q)));
             } else {
                 error = error_beside_zero(mean, of_reference);
                 if (error.at_least > tolerance)

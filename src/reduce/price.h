@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/column.h"
+
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -13,11 +15,6 @@ namespace tumble::reduce {
 struct Sample {
     std::vector<std::vector<double>> values; // per seed, per quantity; NaN: had no meaning there
     double core_s = 0;                       // mean per run
-};
-
-struct Spread {
-    double mean = 0;
-    double deviation = 0; // of single runs, n - 1
 };
 
 /// How far a rung's mean lies from the reference's, over the size of the reference's.
@@ -34,8 +31,8 @@ enum class Verdict {
     not_judged,   // by no quantity
     within,       // even with its uncertainty, and enough seeds to know that
     seems_within, // the error is, its uncertainty is not, or is known from too few seeds
-    seems_beyond,
-    beyond // even less its uncertainty, or a quantity is lost
+    seems_beyond, // the error is, or some seeds have lost a quantity
+    beyond        // even less its uncertainty, or all seeds have lost a quantity
 };
 const char* word_of(Verdict verdict);
 
@@ -60,11 +57,5 @@ struct Prices {
     std::optional<std::size_t> cheapest;  // the fastest that is within, else the fastest that seems to be
 };
 Prices price(const std::vector<Sample>& samples, std::size_t reference, double tolerance);
-
-/// Mean and standard deviation.
-Spread spread_of(const std::vector<double>& values);
-
-/// The t with P(|Student's t with so many degrees of freedom| < t) = 0.95; degrees >= 1.
-double student_t_95(int degrees);
 
 } // namespace tumble::reduce

@@ -16,8 +16,9 @@ namespace tumble::reduce {
 
 namespace {
 
-constexpr int layers_of_a_bowl = 5; // over its wall
-constexpr int rings_of_a_bowl = 5;  // the innermost a twentyfifth of its area
+constexpr int layers_of_a_bowl = 5;  // over its wall
+constexpr int rings_of_a_bowl = 5;   // the innermost a twentyfifth of its area
+constexpr double least_share = 0.01; // of the mass: a layer with less holds what flies
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 std::optional<observe::FlowGrid> layers_for(const scene::Scene& scene) {
@@ -44,6 +45,15 @@ double fall_at_axis(const observe::FlowField& field) {
     return -column.mean_velocity().z();
 }
 
+/// m/s; NaN where the layer holds next to nothing.
+double layer_speed(const observe::FlowField& field, int layer) {
+    double mass = 0;
+    for (int other = 0; other < field.grid().layers; ++other)
+        mass += field.layer(other).mass;
+    const observe::FlowCell cell = field.layer(layer);
+    return cell.mass < least_share * mass ? nothing : cell.mean_speed();
+}
+
 double of_flow(const Quantity& quantity, const observe::FlowField& field) {
     switch (quantity.from) {
     case Quantity::From::vortex_depth:
@@ -51,15 +61,18 @@ double of_flow(const Quantity& quantity, const observe::FlowField& field) {
     case Quantity::From::fall_at_axis:
         return fall_at_axis(field);
     default:
-        return field.layer(quantity.layer).mean_speed();
+        return layer_speed(field, quantity.layer);
     }
 }
 
+/// Of the rows within, which may stand a step late.
 observe::Cycle cycle_in(const std::vector<double>& times, const std::vector<double>& values,
-                        const scene::Stretch& stretch) {
-    const auto first = std::upper_bound(times.begin(), times.end(), stretch.from) - times.begin();
-    const auto skip = static_cast<std::size_t>(first);
-    return observe::find_cycle(std::span(times).subspan(skip), std::span(values).subspan(skip));
+                        const scene::Stretch& stretch, double every) {
+    const auto row_at = [&](double time) {
+        return static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), time + every / 2) - times.begin());
+    };
+    const std::size_t first = row_at(stretch.from), count = row_at(stretch.until) - first;
+    return observe::find_cycle(std::span(times).subspan(first, count), std::span(values).subspan(first, count));
 }
 
 } // namespace
@@ -71,6 +84,8 @@ Result<Yardstick> Yardstick::of(const scene::Scene& scene, const std::vector<std
     const scene::Stretch stretch = scene::settled(scene);
     stick.from_ = from.value_or(stretch.from);
     stick.until_ = std::min(until.value_or(stretch.until), scene.duration);
+    const scene::Stretch driven = scene::driven(scene);
+    stick.paths_from_ = from.value_or(driven.from + (driven.until - driven.from) / 4);
     Problems problems;
     if (!(stick.until_ - stick.from_ >= 2 * scene.observe.every))
         problems.push_back({.what = fmt::format("from {:.4g} to {:.4g} s there are fewer than two rows of series.csv",
@@ -151,9 +166,9 @@ double Yardstick::of_series(const Quantity& quantity, const observe::Series& ser
     if (!column)
         return nothing;
     if (quantity.from == Quantity::From::cycle)
-        return cycle_in(times, *column, {from_, until_}).period;
+        return cycle_in(times, *column, {paths_from_, until_}, every_).period;
     if (quantity.from == Quantity::From::peak_to_peak)
-        return cycle_in(times, *column, {from_, until_}).peak_to_peak;
+        return cycle_in(times, *column, {paths_from_, until_}, every_).peak_to_peak;
     return observe::mean_over(times, *column, from_, until_, every_) /
            (quantity.from == Quantity::From::energy_per_mass ? mass : 1);
 }

@@ -28,8 +28,8 @@ class Yardstick {
 public:
     /// The measures that matter for that scene, and the means of those of `more` (names of `tumble list measures`).
     /// The stretch: from the middle between the last start of a wall's motion and its end, in whole pairs of periods
-    /// where it vibrates; or from and until what is given (s). Problems: a measure that does not exist; a stretch that
-    /// holds fewer than two rows.
+    /// where it vibrates, and for cycles from the first quarter; or from and until what is given (s). Problems: a
+    /// measure that does not exist; a stretch that holds fewer than two rows.
     static Result<Yardstick> of(const scene::Scene& scene, const std::vector<std::string>& more,
                                 std::optional<double> from, std::optional<double> until);
 
@@ -52,6 +52,7 @@ private:
     std::vector<std::string> measures_;
     std::optional<observe::FlowGrid> layers_;
     double from_ = 0, until_ = 0; // s
+    double paths_from_ = 0;       // s, of cycles: a stretch holds few of them
     double every_ = 0;            // s, between rows
 };
 

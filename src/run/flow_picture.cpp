@@ -57,20 +57,22 @@ std::string script_of(const FlowReport& report, const std::filesystem::path& fil
     std::string script = svg ? "set terminal svg size 900,640 font 'DejaVu Sans,13'"
                              : "set terminal pngcairo size 1350,960 font 'DejaVu Sans,15'";
     script += " background 'white' noenhanced rounded\n";
-    script += fmt::format(
-        "set output {}\nset title {}\n", sheet::in_gnuplots_quotes(file.string()),
-        sheet::in_gnuplots_quotes(fmt::format("Mean flow from {:.4g} to {:.4g} s; an arrow of {:.0f} mm is {:.3g} m/s",
-                                              report.replayed.first, report.replayed.last, length, speed)));
+    script += fmt::format("set output {}\nset title {}\n", sheet::in_gnuplots_quotes(file.string()),
+                          sheet::in_gnuplots_quotes(fmt::format("Mean flow from {:.4g} to {:.4g} s",
+                                                                report.replayed.first, report.replayed.last)));
     script += data_of(report.field, length / speed);
     script += fmt::format("set xrange [0:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\nset size ratio -1\n", 1e3 * grid.radius,
                           1e3 * grid.lo, 1e3 * grid.hi);
     script += "set xlabel 'distance from the axis, mm'\nset ylabel 'height, mm'\n"
               "set cblabel 'tangential velocity, m/s'\nset key below\n"
+              "set bmargin 5.5\n"
               "set palette defined (0 '#440154', 0.25 '#3b528b', 0.5 '#21918c', 0.75 '#5ec962', 1 '#fde725')\n"
               "plot $cells using 1:2:3:4:5:6:7 with boxxyerror fillstyle solid noborder lc palette notitle, "
               "$arrows using 1:2:3:4 with vectors filled head size graph 0.008,20 lw 1.6 lc rgb '#000000' "
-              "title 'radial and vertical velocity', "
-              "$surface using 1:2 with lines lw 3 lc rgb '#D55E00' title 'surface'\nunset output\n";
+              "title ";
+    script +=
+        sheet::in_gnuplots_quotes(fmt::format("radial and vertical velocity, {:.0f} mm are {:.3g} m/s", length, speed));
+    script += ", $surface using 1:2 with lines lw 3 lc rgb '#D55E00' title 'surface'\nunset output\n";
     return script;
 }
 

@@ -173,21 +173,29 @@ Result<FlowReport> read_flow(const std::filesystem::path& run, const FlowOptions
     return report;
 }
 
+std::vector<std::filesystem::path> flow_files(const std::filesystem::path& folder,
+                                              const std::vector<std::string>& bodies) {
+    std::vector<std::filesystem::path> files{folder / "flow_field.csv", folder / "flow_layers.csv",
+                                             folder / "flow_surface.csv"};
+    for (const std::string& body : bodies)
+        files.push_back(folder / ("tracer_" + body + ".csv"));
+    return files;
+}
+
 Result<std::vector<std::filesystem::path>> write_flow(const FlowReport& report, const std::filesystem::path& folder) {
     if (const auto made = make_folder(folder); !made)
         return made.problems();
-    std::vector<std::pair<std::string, std::string>> files{{"flow_field.csv", field_table(report.field)},
-                                                           {"flow_layers.csv", layers_table(report)},
-                                                           {"flow_surface.csv", surface_table(report.field)}};
-    for (const Path& path : report.paths)
-        files.emplace_back("tracer_" + path.name + ".csv", path_table(path));
-    std::vector<std::filesystem::path> written;
-    for (const auto& [name, text] : files) {
-        if (const auto done = observe::write_whole(folder / name, text); !done)
-            return done.problems();
-        written.push_back(folder / name);
+    std::vector<std::string> bodies,
+        tables{field_table(report.field), layers_table(report), surface_table(report.field)};
+    for (const Path& path : report.paths) {
+        bodies.push_back(path.name);
+        tables.push_back(path_table(path));
     }
-    return written;
+    const std::vector<std::filesystem::path> files = flow_files(folder, bodies);
+    for (std::size_t k = 0; k < files.size(); ++k)
+        if (const auto done = observe::write_whole(files[k], tables[k]); !done)
+            return done.problems();
+    return files;
 }
 
 } // namespace tumble::run

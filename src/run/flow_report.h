@@ -42,6 +42,10 @@ struct FlowReport {
 /// Problems: as open_recording; a run of two dimensions; a name that no body has.
 Result<FlowReport> read_flow(const std::filesystem::path& run, const FlowOptions& options, const TellFrames& tell);
 
+/// What write_flow makes in the folder where these bodies are followed.
+std::vector<std::filesystem::path> flow_files(const std::filesystem::path& folder,
+                                              const std::vector<std::string>& bodies);
+
 /// flow_field.csv (a row a cell), flow_layers.csv, flow_surface.csv and tracer_NAME.csv in the folder. Problems: the
 /// system's reason.
 Result<std::vector<std::filesystem::path>> write_flow(const FlowReport& report, const std::filesystem::path& folder);

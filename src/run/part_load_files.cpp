@@ -15,8 +15,9 @@ namespace {
 using Eigen::Vector3d;
 using Row = std::vector<double>;
 
-const std::vector<std::string> contact_heads{"time_s", "body", "triangle", "x_m",  "y_m",    "z_m",    "nx",    "ny",
-                                             "nz",     "fx_N", "fy_N",     "fz_N", "vx_m_s", "vy_m_s", "vz_m_s"};
+const std::vector<std::string> contact_heads{"time_s", "body",   "triangle", "x_m",    "y_m",  "z_m",
+                                             "nx",     "ny",     "nz",       "fx_N",   "fy_N", "fz_N",
+                                             "vx_m_s", "vy_m_s", "vz_m_s",   "patch_m"};
 const std::vector<std::string> mean_heads{"time_s", "window_s", "node", "fx_N", "fy_N", "fz_N"};
 const std::vector<std::string> touch_heads{"body",
                                            "touch",
@@ -42,11 +43,12 @@ std::string contacts_csv(const PartLoads& loads) {
     std::string text = csv_line(contact_heads);
     for (const LoadInstant& instant : loads.instants) {
         if (instant.pushes.empty()) // the instant is kept all the same
-            text += csv_line(Row{instant.time, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+            text += csv_line(Row{instant.time, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
         for (const observe::WallPush& push : instant.pushes) {
             Row row{instant.time, static_cast<double>(push.body), static_cast<double>(push.triangle)};
             for (const Vector3d& vector : {push.foot, push.normal, push.force, push.velocity})
                 add(row, vector);
+            row.push_back(push.patch);
             text += csv_line(row);
         }
     }
@@ -167,7 +169,7 @@ std::optional<Problems> read_contacts(const Table& table, const solid::HexMesh& 
             return Problems{table.problem_at(r, 2, "the part has no such triangle", "the loads are of another part")};
         const auto vector = [&](std::size_t k) { return Vector3d(c[k][r], c[k + 1][r], c[k + 2][r]); };
         loads.instants.back().pushes.push_back({static_cast<std::int64_t>(c[1][r]), static_cast<int>(c[2][r]),
-                                                vector(3), vector(6), vector(9), vector(12)});
+                                                vector(3), vector(6), vector(9), vector(12), c[15][r]});
     }
     return std::nullopt;
 }

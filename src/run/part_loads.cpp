@@ -55,8 +55,9 @@ public:
 
     [[nodiscard]] bool can_resume() const { return options_.resume && !list_checkpoints(paths_.checkpoints()).empty(); }
 
-    Result<SimulationPtr> begin(const scene::Scene& scene) const {
-        auto simulation = simulate(scene, options_.threads, options_.stop);
+    Result<SimulationPtr> begin(const scene::Scene& scene, RunListener& listener) const {
+        auto simulation =
+            simulate(scene, options_.threads, options_.stop, [&](auto... told) { listener.prepares(told...); });
         if (!simulation || options_.folder.empty())
             return simulation;
         std::error_code ignored;
@@ -154,7 +155,7 @@ Result<PartLoads> record_loads(const scene::Scene& scene, int wall, const LoadOp
     if (!folder)
         return folder.problems();
     LoadRecorder recorder(scene, wall, options, std::move(*measures));
-    auto simulation = folder->can_resume() ? folder->go_on(scene, recorder, listener) : folder->begin(scene);
+    auto simulation = folder->can_resume() ? folder->go_on(scene, recorder, listener) : folder->begin(scene, listener);
     if (!simulation)
         return simulation.problems();
     Schedule instants(options.every, scene.time_step);

@@ -20,8 +20,9 @@ std::shared_ptr<const observe::FrameLayout> restyled_layout(observe::FrameLayout
 }
 
 Result<Replayed> redraw(const fs::path& run, const RedrawOptions& options, const TellFrames& tell) {
-    if (const Problems problems = check_plot(options.settings); !problems.empty())
-        return problems;
+    auto plotted = find_plotted(options.settings, options.traced);
+    if (!plotted)
+        return plotted.problems();
     Result<Recording> recording = open_recording(run, options.when);
     if (!recording)
         return recording.problems();
@@ -40,7 +41,7 @@ Result<Replayed> redraw(const fs::path& run, const RedrawOptions& options, const
         return sink.problems();
     sinks.push_back(std::move(*sink));
     ReplayOptions when = options.when;
-    when.plot_measure = options.settings.plot_measure;
+    when.plotted = std::move(*plotted);
     const Replayed replayed = replay(*recording, when, sinks, tell);
     if (replayed.reason.empty()) {
         pictures.keep();

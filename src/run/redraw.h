@@ -10,6 +10,7 @@ struct RedrawOptions {
     scene::Render settings;           // without a range: one that holds the colours of all frames drawn
     std::string title;                // empty: the run's
     std::vector<double> wall_opacity; // one a wall of the scene; empty: the run's
+    std::vector<std::string> traced;  // bodies that the run traces, whose columns the small plot takes too
     PictureTargets targets;
     bool overwrite = false;
     ReplayOptions when;

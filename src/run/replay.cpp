@@ -1,7 +1,6 @@
 #include "run/replay.h"
 
 #include "observe/frame_file.h"
-#include "observe/measures.h"
 #include "observe/series.h"
 #include "render/camera.h"
 #include "render/color_range.h"
@@ -16,19 +15,18 @@ namespace tumble::run {
 
 namespace {
 
-/// The whole run's measure, so that the axes stand still from picture to picture.
-render::PlotLine plot_line(const RunFolder& folder, const std::string& measure) {
+/// Of the whole run, so that the axes stand still from picture to picture.
+render::PlotLine plot_line(const RunFolder& folder, const Plotted& plotted) {
     render::PlotLine line;
     const Result<observe::Series> series = observe::read_series(folder.series());
-    if (measure.empty() || !series || series->rows() == 0)
+    if (!series || series->rows() == 0)
         return line;
-    const auto known = observe::choose_measures({measure});
     const std::vector<double>* times = series->find("time_s");
-    const std::vector<double>* values = known && known->size() == 1 ? series->find(known->front().column()) : nullptr;
+    const std::vector<double>* values = series->find(plotted.column);
     if (!times || !values)
         return line;
-    line.label = observe::spelled_name(measure);
-    line.unit = observe::spelled_unit(known->front().unit);
+    line.label = plotted.label;
+    line.unit = plotted.unit;
     line.times = *times;
     line.values = *values;
     return line;
@@ -145,12 +143,13 @@ Replayed replay(const Recording& recording, const ReplayOptions& options, const 
     Replayed replayed;
     replayed.warnings = recording.warnings;
     Shot shot;
-    shot.plot = plot_line(recording.folder, options.plot_measure);
+    if (options.plotted)
+        shot.plot = plot_line(recording.folder, *options.plotted);
     shot.plot.until = options.duration;
-    if (shot.plot.times.empty() && !options.plot_measure.empty())
+    if (shot.plot.times.empty() && options.plotted)
         replayed.warnings.push_back(fmt::format("there is no small plot: the series of this run has no {}; "
                                                 "`--plot` takes what observe.measures had it keep",
-                                                options.plot_measure));
+                                                options.plotted->name));
     Problems& problems = replayed.reason;
     const auto all = static_cast<std::int64_t>(recording.frames.size());
     for (const std::filesystem::path& file : recording.frames) {

@@ -3,6 +3,7 @@
 #include "base/problem.h"
 #include "base/stop.h"
 #include "run/frame_sink.h"
+#include "run/measure_names.h"
 #include "run/run_folder.h"
 #include "scene/scene.h"
 
@@ -19,7 +20,7 @@ namespace tumble::run {
 struct ReplayOptions {
     double from = -std::numeric_limits<double>::infinity(); // s
     double to = std::numeric_limits<double>::infinity();    // s
-    std::string plot_measure;                               // of series.csv, for the small plot; may be missing there
+    std::optional<Plotted> plotted{};                       // in the small plot; may be missing in series.csv
     double duration = 0;                                    // s, of the whole run: where the plot's time axis ends
     StopFlag stop = nullptr;
 };

@@ -107,7 +107,8 @@ Result<std::unique_ptr<RunInWork>> RunInWork::prepare(const scene::Scene& scene,
 
 Result<std::unique_ptr<RunInWork>> RunInWork::begin(const scene::Scene& scene, const RunOptions& options,
                                                     RunListener& listener, const std::vector<MeshCopy>& meshes) {
-    Result<SimulationPtr> simulation = simulate(scene, options.threads, options.stop);
+    Result<SimulationPtr> simulation =
+        simulate(scene, options.threads, options.stop, [&](auto... told) { listener.prepares(told...); });
     if (!simulation)
         return simulation.problems();
     Result<FolderInWork> folder =
@@ -166,24 +167,33 @@ Result<Done> RunInWork::choose_what_to_see() {
     if (resumed_)
         if (Result<Done> recalled = recall_tracers(); !recalled)
             return recalled;
-    const auto plotted = observe::choose_measures({scene_.render.plot_measure});
-    if (plotted && plotted->size() == 1) {
-        plotted_ = plotted->front();
-        plot_.label = observe::spelled_name(plotted_->name);
-        plot_.unit = observe::spelled_unit(plotted_->unit);
-        plot_.until = scene_.duration;
-    }
+    auto plotted = find_plotted(scene_.render, traced_bodies(scene_.observe.measures));
+    if (!plotted)
+        return plotted.problems();
+    plotted_ = std::move(*plotted);
+    plot_.label = plotted_->label;
+    plot_.unit = plotted_->unit;
+    plot_.until = scene_.duration;
+    const std::vector<std::string> heads = heads_of_rows();
+    const auto at = std::find(heads.begin(), heads.end(), plotted_->column);
+    if (at != heads.end())
+        plotted_at_ = static_cast<std::size_t>(at - heads.begin());
     return Done{};
 }
 
-Result<Done> RunInWork::write_beginnings(const std::vector<MeshCopy>& meshes) {
-    const RunFolder& paths = folder_.paths();
+std::vector<std::string> RunInWork::heads_of_rows() const {
     std::vector<std::string> heads{"time_s"};
     for (const observe::Measure& measure : measures_)
         heads.push_back(measure.column());
     for (const observe::TracerReader& tracer : tracers_)
         for (std::string& head : tracer.columns())
             heads.push_back(std::move(head));
+    return heads;
+}
+
+Result<Done> RunInWork::write_beginnings(const std::vector<MeshCopy>& meshes) {
+    const RunFolder& paths = folder_.paths();
+    const std::vector<std::string> heads = heads_of_rows();
     Problems problems;
     append(problems, write_meshes(meshes, paths).problems());
     append(problems, observe::write_whole(paths.scene(), toml_).problems());
@@ -326,10 +336,8 @@ Result<Done> RunInWork::add_row(const observe::Frame& frame, const Books& books)
     for (observe::TracerReader& tracer : tracers_)
         for (const double value : tracer.row(frame))
             row.push_back(value);
-    if (plotted_) {
-        plot_.times.push_back(frame.time);
-        plot_.values.push_back(plotted_->value(seen));
-    }
+    plot_.times.push_back(frame.time);
+    plot_.values.push_back(plotted_at_ ? row[*plotted_at_] : plotted_->measure->value(seen));
     summary_.overlap_ratio_max = books.overlap_ratio_peak;
     summary_.energy_turnover = std::max(summary_.energy_turnover, turned_over(books));
     ++summary_.rows;

@@ -5,6 +5,7 @@
 #include "observe/tracer.h"
 #include "run/checkpoint.h"
 #include "run/frame_queue.h"
+#include "run/measure_names.h"
 #include "run/mesh_copies.h"
 #include "run/pace.h"
 #include "run/resume.h"
@@ -65,6 +66,7 @@ private:
     [[nodiscard]] bool nothing_left_to_do() const;
     Result<Done> recall_tracers();
     Result<Done> choose_what_to_see();
+    [[nodiscard]] std::vector<std::string> heads_of_rows() const;
     void begin_summary();
     Result<Done> open_all(const std::vector<MeshCopy>& meshes);
     Result<FrameSinks> open_sinks();
@@ -95,7 +97,8 @@ private:
     std::shared_ptr<const observe::FrameLayout> layout_;
     std::vector<observe::Measure> measures_;
     std::vector<observe::TracerReader> tracers_;
-    std::optional<observe::Measure> plotted_;
+    std::optional<Plotted> plotted_;
+    std::optional<std::size_t> plotted_at_; // in the rows; nothing where they do not hold it
     std::optional<observe::SeriesWriter> series_;
     render::PlotLine plot_;
     std::unique_ptr<FrameQueue> queue_;

@@ -150,7 +150,8 @@ void RunInWork::take_up(Resumable& found) {
         plot_.times = std::move(from.plot_times);
         plot_.values = std::move(from.plot_values);
     }
-    summary_ = from.summary;
+    summary_ = from.summary; // which was written into the checkpoint before it was one
+    summary_.checkpoint = found.name;
     resumed_ = std::move(from);
 }
 

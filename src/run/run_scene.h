@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tumble::run {
@@ -45,6 +46,8 @@ struct Progress {
 class RunListener {
 public:
     virtual ~RunListener() = default;
+    /// Before it starts: so many of so many, of what is counted ("bodies placed").
+    virtual void prepares(std::string_view /*what*/, std::int64_t /*done*/, std::int64_t /*all*/) {}
     virtual void started(const std::filesystem::path& /*folder*/, const Progress&) {}
     virtual void progressed(const Progress&) {}
     virtual void warned(const std::string& /*sentence*/) {}

@@ -8,6 +8,7 @@
 #include "run/scene_doubts.h"
 #include "run/schedule.h"
 #include "scene/extent.h"
+#include "scene/laws.h"
 #include "scene/read_file.h"
 #include "scene/written.h"
 
@@ -15,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <set>
 
 namespace tumble::run {
 
@@ -61,6 +63,27 @@ void check_walls(const scene::Scene& scene, SceneCheck& check) {
                                scene.dimension == 2 ? outlines[wall.outline.index()] : shapes[wall.shape.index()],
                                scene.materials[static_cast<std::size_t>(wall.material)].name, extent.hi - extent.lo});
     }
+}
+
+void check_pairs(const scene::Scene& scene, SceneCheck& check) {
+    std::set<std::pair<int, int>> meet;
+    for (const scene::BodyTemplate& body : scene.bodies) {
+        if (scene.bodies_can_meet())
+            for (const scene::BodyTemplate& other : scene.bodies)
+                meet.insert(std::minmax(body.material, other.material));
+        for (const scene::Wall& wall : scene.walls)
+            meet.insert(std::minmax(body.material, wall.material));
+    }
+    const bool hard = scene.solver == scene::Solver::box2d;
+    const scene::ContactLaws& laws = scene.contact;
+    const std::string normal = hard ? "box2d" : laws.normal == scene::NormalLaw::linear ? "linear" : "hertz";
+    const std::string tangential = hard                                              ? "box2d"
+                                   : laws.tangential == scene::TangentialLaw::none   ? "none"
+                                   : laws.tangential == scene::TangentialLaw::linear ? "linear"
+                                                                                     : "mindlin";
+    const auto name = [&](int material) { return scene.materials[static_cast<std::size_t>(material)].name; };
+    for (const auto& [a, b] : meet)
+        check.pairs.push_back({name(a) + "-" + name(b), normal, tangential, scene.pair(a, b), scene.constants(a, b)});
 }
 
 void check_cost(const scene::Scene& scene, std::size_t columns, SceneCheck& check) {
@@ -130,13 +153,30 @@ nlohmann::ordered_json to_json(const scene::TimeStepReport& report) {
             {"linear_period_s", report.linear_period}};
 }
 
+nlohmann::ordered_json to_json(const PairCheck& pair) {
+    return {{"pair", pair.name},
+            {"normal", pair.normal},
+            {"tangential", pair.tangential},
+            {"effective_modulus_Pa", end(pair.taken.E_eff)},
+            {"restitution", pair.given.restitution},
+            {"friction", pair.given.friction},
+            {"normal_stiffness_N_per_m", pair.given.normal_stiffness},
+            {"tangential_stiffness_N_per_m", pair.given.tangential_stiffness},
+            {"rolling", scene::words_of_rolling[static_cast<std::size_t>(pair.taken.rolling)]},
+            {"rolling_friction", pair.given.rolling_friction},
+            {"adhesion", scene::words_of_adhesion[static_cast<std::size_t>(pair.taken.adhesion)]},
+            {"cohesion_energy_J_m3", pair.given.cohesion_energy},
+            {"work_of_adhesion_J_m2", pair.given.work_of_adhesion},
+            {"cohesion_N", pair.given.cohesion}};
+}
+
 } // namespace
 
-Result<SceneCheck> check_scene(const scene::Scene& scene, int threads) {
+Result<SceneCheck> check_scene(const scene::Scene& scene, int threads, const Tally& tally) {
     Problems problems = check_measures(scene);
     for (Problem& problem : problems)
         problem = scene::placed(scene, std::move(problem));
-    const Result<SimulationPtr> simulation = simulate(scene, threads);
+    const Result<SimulationPtr> simulation = simulate(scene, threads, nullptr, tally);
     const Problems more = simulation.problems();
     problems.insert(problems.end(), more.begin(), more.end());
     if (!problems.empty())
@@ -151,6 +191,7 @@ SceneCheck check_built(const scene::Scene& scene, const Simulation& simulation) 
     check_bodies(scene, bodies, check);
     check.placed = static_cast<std::int64_t>(simulation.frame().bodies());
     check_walls(scene, check);
+    check_pairs(scene, check);
     check.time_step = simulation.time_step();
     const auto measures = observe::choose_measures(scene.observe.measures);
     check_cost(scene, measures ? measures->size() : 0, check);
@@ -176,6 +217,9 @@ nlohmann::ordered_json to_json(const SceneCheck& check) {
                          {"shape", wall.shape},
                          {"material", wall.material},
                          {"size_m", {end(wall.size.x()), end(wall.size.y()), end(wall.size.z())}}});
+    nlohmann::ordered_json pairs = nlohmann::ordered_json::array();
+    for (const PairCheck& pair : check.pairs)
+        pairs.push_back(to_json(pair));
     return {{"dimension", check.dimension},
             {"bodies", bodies},
             {"wanted", check.wanted},
@@ -184,6 +228,7 @@ nlohmann::ordered_json to_json(const SceneCheck& check) {
             {"mass_kg", check.mass},
             {check.dimension == 2 ? "discs" : "spheres", check.parts},
             {"walls", walls},
+            {"pairs", pairs},
             {"time_step", to_json(check.time_step)},
             {"steps", check.steps},
             {"rows", check.rows},

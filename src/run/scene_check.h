@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/problem.h"
+#include "base/tally.h"
 #include "run/simulation.h"
 #include "scene/scene.h"
 
@@ -24,6 +25,15 @@ struct WallCheck {
     Eigen::Vector3d size; // m, of the box around it at rest; infinite where it does not end
 };
 
+/// What two materials do to each other that can meet.
+struct PairCheck {
+    std::string name;       // "media-lining"
+    std::string normal;     // law: "hertz", "linear", "box2d"
+    std::string tangential; // law: "mindlin", "linear", "none", "box2d"
+    contact::PairProperties given;
+    contact::PairConstants taken; // by the laws: an addition that the pair gives no size is none
+};
+
 /// What a scene means before anything runs.
 struct SceneCheck {
     int dimension = 3;
@@ -34,6 +44,7 @@ struct SceneCheck {
     double mass = 0;           // kg, of all wanted
     std::size_t parts = 0;     // spheres or discs of all wanted
     std::vector<WallCheck> walls;
+    std::vector<PairCheck> pairs;
     scene::TimeStepReport time_step;
     std::int64_t steps = 0;
     std::int64_t rows = 0;
@@ -50,9 +61,9 @@ struct SceneCheck {
 /// The same of a world that is built.
 SceneCheck check_built(const scene::Scene& scene, const Simulation& simulation);
 
-/// Builds everything as a run would, takes no step, writes nothing. Problems: all that would keep the scene from
-/// running, an unstable time step among them.
-Result<SceneCheck> check_scene(const scene::Scene& scene, int threads);
+/// Builds everything as a run would, takes no step, writes nothing; `tally` hears of each body that found its place.
+/// Problems: all that would keep the scene from running, an unstable time step among them.
+Result<SceneCheck> check_scene(const scene::Scene& scene, int threads, const Tally& tally = {});
 
 /// Stable keys, units in the names.
 nlohmann::ordered_json to_json(const SceneCheck& check);

@@ -2,11 +2,11 @@
 
 namespace tumble::run {
 
-Result<SimulationPtr> simulate(const scene::Scene& scene, int threads, StopFlag stop) {
+Result<SimulationPtr> simulate(const scene::Scene& scene, int threads, StopFlag stop, const Tally& tally) {
     if (scene.solver == scene::Solver::box2d)
-        return simulate_hard(scene, stop);
-    return scene.dimension == 2 ? simulate_in_2d(scene, threads, stop, nullptr)
-                                : simulate_in_3d(scene, threads, stop, nullptr);
+        return simulate_hard(scene, stop, tally);
+    return scene.dimension == 2 ? simulate_in_2d(scene, threads, stop, nullptr, tally)
+                                : simulate_in_3d(scene, threads, stop, nullptr, tally);
 }
 
 Result<SimulationPtr> restore(const scene::Scene& scene, int threads, const std::string& state, StopFlag stop) {

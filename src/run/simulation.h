@@ -4,6 +4,7 @@
 #include "base/phases.h"
 #include "base/problem.h"
 #include "base/stop.h"
+#include "base/tally.h"
 #include "observe/frame.h"
 #include "observe/part_loads.h"
 #include "scene/scene.h"
@@ -63,17 +64,21 @@ public:
 
 using SimulationPtr = std::unique_ptr<Simulation>;
 
-/// The solver that the scene asks for, ready to step at t = 0. `threads` >= 1 changes the time taken, never the result.
-/// Problems: those of the solver's build_world, and that a stop was wanted meanwhile.
-Result<SimulationPtr> simulate(const scene::Scene& scene, int threads, StopFlag stop = nullptr);
+/// The solver that the scene asks for, ready to step at t = 0. `threads` >= 1 changes the time taken, never the result;
+/// `tally` hears of each body that found its place. Problems: those of the solver's build_world, and that a stop was
+/// wanted meanwhile.
+Result<SimulationPtr> simulate(const scene::Scene& scene, int threads, StopFlag stop = nullptr,
+                               const Tally& tally = {});
 
 /// The same in a state that state() gave. Problems: those of the solver's restore_world; a scene of Box2D.
 Result<SimulationPtr> restore(const scene::Scene& scene, int threads, const std::string& state,
                               StopFlag stop = nullptr);
 
-/// The solvers to choose from, one file each. Without a state they begin at t = 0.
-Result<SimulationPtr> simulate_in_2d(const scene::Scene& scene, int threads, StopFlag stop, const std::string* state);
-Result<SimulationPtr> simulate_hard(const scene::Scene& scene, StopFlag stop); // discs with hard contacts
-Result<SimulationPtr> simulate_in_3d(const scene::Scene& scene, int threads, StopFlag stop, const std::string* state);
+/// The solvers to choose from, one file each. Without a state they begin at t = 0, and tell a tally.
+Result<SimulationPtr> simulate_in_2d(const scene::Scene& scene, int threads, StopFlag stop, const std::string* state,
+                                     const Tally& tally = {});
+Result<SimulationPtr> simulate_hard(const scene::Scene& scene, StopFlag stop, const Tally& tally); // hard contacts
+Result<SimulationPtr> simulate_in_3d(const scene::Scene& scene, int threads, StopFlag stop, const std::string* state,
+                                     const Tally& tally = {});
 
 } // namespace tumble::run

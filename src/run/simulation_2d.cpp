@@ -147,13 +147,14 @@ template <class WorldPtr> Result<SimulationPtr> simulation_of(const scene::Scene
 
 } // namespace
 
-Result<SimulationPtr> simulate_in_2d(const scene::Scene& scene, int threads, StopFlag stop, const std::string* state) {
+Result<SimulationPtr> simulate_in_2d(const scene::Scene& scene, int threads, StopFlag stop, const std::string* state,
+                                     const Tally& tally) {
     return simulation_of(scene, state ? sim2d::restore_world(scene, threads, *state, stop)
-                                      : sim2d::build_world(scene, threads, stop));
+                                      : sim2d::build_world(scene, threads, stop, tally));
 }
 
-Result<SimulationPtr> simulate_hard(const scene::Scene& scene, StopFlag stop) {
-    return simulation_of(scene, hard2d::build_world(scene, stop));
+Result<SimulationPtr> simulate_hard(const scene::Scene& scene, StopFlag stop, const Tally& tally) {
+    return simulation_of(scene, hard2d::build_world(scene, stop, tally));
 }
 
 } // namespace tumble::run

@@ -71,7 +71,7 @@ public:
     [[nodiscard]] std::vector<observe::WallPush> wall_pushes(int wall) const override {
         std::vector<observe::WallPush> pushes;
         for (const sim3d::WallPush& push : sim3d::wall_pushes_of(*world_, wall))
-            pushes.push_back({push.body, push.triangle, push.foot, push.normal, push.force, push.velocity});
+            pushes.push_back({push.body, push.triangle, push.foot, push.normal, push.force, push.velocity, push.patch});
         return pushes;
     }
 
@@ -91,9 +91,10 @@ private:
 
 } // namespace
 
-Result<SimulationPtr> simulate_in_3d(const scene::Scene& scene, int threads, StopFlag stop, const std::string* state) {
+Result<SimulationPtr> simulate_in_3d(const scene::Scene& scene, int threads, StopFlag stop, const std::string* state,
+                                     const Tally& tally) {
     Result<sim3d::WorldPtr> world =
-        state ? sim3d::restore_world(scene, threads, *state, stop) : sim3d::build_world(scene, threads, stop);
+        state ? sim3d::restore_world(scene, threads, *state, stop) : sim3d::build_world(scene, threads, stop, tally);
     if (!world)
         return world.problems();
     return SimulationPtr(std::make_unique<Simulation3d>(scene, std::move(*world)));

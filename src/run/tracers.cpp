@@ -2,8 +2,6 @@
 
 #include "base/text.h"
 
-#include <algorithm>
-
 namespace tumble::run {
 
 namespace {
@@ -27,14 +25,21 @@ std::vector<std::string> without_tracers(const std::vector<std::string>& measure
     return others;
 }
 
+std::vector<std::string> traced_bodies(const std::vector<std::string>& measures) {
+    std::vector<std::string> bodies;
+    for (const std::string& measure : measures)
+        if (measure.starts_with(prefix))
+            bodies.push_back(measure.substr(prefix.size()));
+    return bodies;
+}
+
 Problems check_tracers(const scene::Scene& scene) {
     std::vector<std::string> names;
     for (const scene::BodyTemplate& body : scene.bodies)
         names.push_back(body.name);
     Problems problems;
-    for (const std::string& measure : scene.observe.measures) {
-        const std::string name = measure.substr(std::min(prefix.size(), measure.size()));
-        if (!measure.starts_with(prefix) || body_named(scene, name))
+    for (const std::string& name : traced_bodies(scene.observe.measures)) {
+        if (body_named(scene, name))
             continue;
         const std::string guess = did_you_mean(name, names);
         problems.push_back({.key = "observe.measures",
@@ -49,11 +54,9 @@ Result<std::vector<observe::TracerReader>> tracers_of(const scene::Scene& scene,
     if (Problems problems = check_tracers(scene); !problems.empty())
         return problems;
     std::vector<observe::TracerReader> readers;
-    for (const std::string& measure : scene.observe.measures) {
-        if (!measure.starts_with(prefix))
-            continue;
+    for (const std::string& name : traced_bodies(scene.observe.measures)) {
         observe::Tracer tracer;
-        tracer.name = measure.substr(prefix.size());
+        tracer.name = name;
         const std::size_t b = *body_named(scene, tracer.name);
         tracer.shape = static_cast<int>(b);
         tracer.gravity = scene.gravity;

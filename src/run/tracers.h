@@ -11,6 +11,9 @@ namespace tumble::run {
 /// The other words.
 std::vector<std::string> without_tracers(const std::vector<std::string>& measures);
 
+/// Names of the bodies that the words follow, in their order.
+std::vector<std::string> traced_bodies(const std::vector<std::string>& measures);
+
 /// Bodies that the scene does not have, with the key, but no place yet.
 Problems check_tracers(const scene::Scene& scene);
 

@@ -116,46 +116,63 @@ Problem fault(const char* key, std::string what, std::string fix) {
     return {.key = key, .what = std::move(what), .fix = std::move(fix)};
 }
 
-/// Ribs of which `narrowest` is the smallest radius at which they stand at full width.
-std::optional<Problem> fault_of(const Ribs& ribs, double narrowest, double room) {
-    if (ribs.count == 0)
-        return std::nullopt;
+/// Ribs of which `narrowest` is the smallest radius at which they stand at full width; `or_else` gives them more room.
+std::optional<Problem> fault_of(const Ribs& ribs, double narrowest, const char* or_else) {
     if (!(ribs.width < 2 * narrowest && facet_over_foot * half_angle(ribs, narrowest) < 0.98 * pi / ribs.count))
         return fault("rib_width_m",
                      fmt::format("{} ribs of {:.4g} m find no room side by side at {:.4g} m from the axis", ribs.count,
                                  ribs.width, narrowest),
-                     "make them narrower or fewer, or let them begin farther out (rib_start)");
+                     fmt::format("make them narrower or fewer, or {}", or_else));
     if (ribs.crest >= ribs.width)
         return fault("rib_crest_m",
                      fmt::format("a rib of {:.4g} m is not wider than its crest of {:.4g} m", ribs.width, ribs.crest),
                      "make the crest narrower than rib_width_m");
-    if (ribs.height >= room)
-        return fault("rib_height_m",
-                     fmt::format("ribs of {:.4g} m are higher than the {:.4g} m there are", ribs.height, room),
-                     "make them lower");
     return std::nullopt;
 }
 
 } // namespace
 
 std::optional<Problem> fault_of(const BowlShape& shape) {
-    return fault_of(shape.ribs, shape.radius - shape.ribs.height,
-                    std::min(shape.radius, (1 - shape.rib_start) * shape.height));
+    const Ribs& ribs = shape.ribs;
+    if (ribs.count == 0)
+        return std::nullopt;
+    const double begin = shape.rib_start * shape.height, wall = shape.height - begin;
+    if (ribs.height >= std::min(shape.radius, wall))
+        return fault("rib_height_m",
+                     fmt::format("ribs {:.4g} m high do not fit into the bowl: from where they begin, {:.4g} m up, its "
+                                 "wall goes on for {:.4g} m, and its radius is {:.4g} m",
+                                 ribs.height, begin, wall, shape.radius),
+                     fmt::format("make them lower than {:.4g} m{}", std::min(shape.radius, wall),
+                                 wall <= shape.radius ? ", or let them begin farther down (rib_start)" : ""));
+    return fault_of(ribs, shape.radius - ribs.height, "make them lower");
 }
 
 std::optional<Problem> fault_of(const BowlDiscShape& shape) {
+    const Ribs& ribs = shape.ribs;
     const double flat = shape.radius - shape.rim_width, begin = shape.rib_start * shape.radius;
     if (shape.rim_width >= shape.radius)
         return fault(
             "rim_width_m",
             fmt::format("a rim of {:.4g} m is as wide as the disc's radius of {:.4g} m", shape.rim_width, shape.radius),
             "make it narrower");
-    if (shape.ribs.count > 0 && begin + 2 * shape.ribs.height >= flat)
+    if (ribs.count == 0)
+        return std::nullopt;
+    if (begin >= flat)
         return fault("rib_start",
                      fmt::format("ribs that begin at {:.4g} m from the axis have no room on a flat part of {:.4g} m",
                                  begin, flat),
                      "let them begin farther in, or make the rim narrower");
-    return fault_of(shape.ribs, begin, shape.rim_width / 2);
+    const double on_floor = (flat - begin) / 2, on_rim = shape.rim_width / 2;
+    if (ribs.height >= std::min(on_floor, on_rim))
+        return fault(
+            "rib_height_m",
+            fmt::format("ribs {:.4g} m high do not fit onto the disc: twice their height must find room on its "
+                        "flat part from where they begin, {:.4g} m of it, and on its rim of {:.4g} m",
+                        ribs.height, flat - begin, shape.rim_width),
+            fmt::format("make them lower than {:.4g} m, or {}", std::min(on_floor, on_rim),
+                        on_floor < on_rim ? "let them begin farther in (rib_start)"
+                                          : "make the rim wider (rim_width_m)"));
+    return fault_of(ribs, begin, "let them begin farther out (rib_start)");
 }
 
 MeshShape mesh_of(const BowlShape& shape) {

@@ -88,7 +88,8 @@ KeyTable render() {
         number("frames_per_second", "1/s", above(0, 240), "Frames of the video per second of watching.")
             .otherwise(25.0),
         flag("plot", "Draw a small live plot over the picture; without it one is drawn on a screen's, none on paper."),
-        text("plot_measure", "The one measure it shows.").otherwise(std::string("kinetic_energy")),
+        text("plot_measure", "The one measure it shows, or a column of a tracer, as `tracer:sensor_y`.")
+            .otherwise(std::string("kinetic_energy")),
     };
     return table;
 }

@@ -7,7 +7,17 @@ namespace tumble::scene {
 
 namespace {
 
-/// Between the last start and the first end of all that moves; from the last body put in where nothing does.
+/// s, of the slowest vibration; 0: there is none.
+double slowest_period(const Scene& scene) {
+    double period = 0;
+    for (const Wall& wall : scene.walls)
+        for (const Harmonic& part : wall.motion.harmonics)
+            period = std::max(period, 1 / part.frequency);
+    return period;
+}
+
+} // namespace
+
 Stretch driven(const Scene& scene) {
     Stretch stretch{0, scene.duration};
     bool moves = false;
@@ -30,17 +40,6 @@ Stretch driven(const Scene& scene) {
             stretch.from = std::max(stretch.from, fill.until);
     return stretch;
 }
-
-/// s, of the slowest vibration; 0: there is none.
-double slowest_period(const Scene& scene) {
-    double period = 0;
-    for (const Wall& wall : scene.walls)
-        for (const Harmonic& part : wall.motion.harmonics)
-            period = std::max(period, 1 / part.frequency);
-    return period;
-}
-
-} // namespace
 
 Stretch settled(const Scene& scene) {
     Stretch stretch = driven(scene);

@@ -9,8 +9,11 @@ struct Stretch {
     double from = 0, until = 0;
 };
 
-/// When a bed is worth averaging: the second half of the time in which all moves that moves, by when the bulk has
-/// forgotten how it lay; from the last body put in where nothing does. In whole pairs of the slowest period where walls
+/// The time in which all moves that moves; from the last body put in where nothing does.
+Stretch driven(const Scene& scene);
+
+/// When a bed is worth averaging: the second half of the time in which it is driven, by when the bulk has
+/// forgotten how it lay. In whole pairs of the slowest period where walls
 /// vibrate, for a shaken bed may answer every second shake alike.
 Stretch settled(const Scene& scene);
 

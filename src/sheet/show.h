@@ -10,7 +10,7 @@ namespace tumble::sheet {
 
 constexpr std::size_t text_width = 96; // columns of the terminal it is written for
 
-/// For a terminal. Figures are named by title and curves.
+/// For a terminal; a grid that is wider than 120 letters goes on below itself. Figures are named by title and curves.
 std::string to_text(const std::string& title, const Sheet& sheet);
 
 /// Markdown; figures are links to NAME.svg in that folder. A sheet is its parts, an empty line before each.

@@ -129,10 +129,10 @@ Result<WorldPtr> prepare_world(const scene::Scene& scene, int threads, StopFlag 
 
 } // namespace
 
-Result<WorldPtr> build_world(const scene::Scene& scene, int threads, StopFlag stop) {
+Result<WorldPtr> build_world(const scene::Scene& scene, int threads, StopFlag stop, const Tally& tally) {
     Result<WorldPtr> world = prepare_world(scene, threads, stop);
     if (world)
-        if (auto problem = insert_due_fills(**world))
+        if (auto problem = insert_due_fills(**world, tally))
             return *problem;
     if (stop_wanted(stop))
         return stopped_before_it_began();

@@ -6,8 +6,8 @@ namespace tumble::sim2d {
 
 namespace {
 
-discs::Site site_of(const World& world) {
-    discs::Site site{world.scene, world.shapes, {}, {}, world.step, world.dt, world.stop};
+discs::Site site_of(const World& world, const Tally& tally) {
+    discs::Site site{world.scene, world.shapes, {}, {}, world.step, world.dt, world.stop, tally};
     for (const WallState& wall : world.walls)
         site.walls.push_back({&wall.line, wall.frame});
     for (int slot = 0; slot < world.bodies(); ++slot)
@@ -29,8 +29,8 @@ Problems prepare_fills(World& world) {
     return {};
 }
 
-std::optional<Problem> insert_due_fills(World& world) {
-    const Result<std::vector<BodyState>> placed = discs::place_due(world.fills, site_of(world));
+std::optional<Problem> insert_due_fills(World& world, const Tally& tally) {
+    const Result<std::vector<BodyState>> placed = discs::place_due(world.fills, site_of(world, tally));
     if (!placed)
         return placed.problems().front();
     world.next_fill_step = solver::next_due(world.fills);

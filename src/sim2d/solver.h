@@ -4,6 +4,7 @@
 #include "base/phases.h"
 #include "base/problem.h"
 #include "base/stop.h"
+#include "base/tally.h"
 #include "discs/bodies.h"
 #include "scene/motion.h"
 #include "scene/scene.h"
@@ -32,8 +33,9 @@ struct WorldDeleter {
 using WorldPtr = std::unique_ptr<World, WorldDeleter>;
 
 /// Ready to step at t = 0, fills that are due at 0 inserted. `threads` >= 1 changes the time taken, never a bit of the
-/// result. Problems: a fill that cannot fit at once, a time step above the stable limit, a period too short.
-Result<WorldPtr> build_world(const scene::Scene& scene, int threads, StopFlag stop = nullptr);
+/// result; `tally` hears of each body that found its place. Problems: a fill that cannot fit at once, a time step above
+/// the stable limit, a period too short.
+Result<WorldPtr> build_world(const scene::Scene& scene, int threads, StopFlag stop = nullptr, const Tally& tally = {});
 
 /// Everything that the steps to come depend on and that the scene does not say, as bytes.
 std::string state_of(const World& world);

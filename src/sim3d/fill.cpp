@@ -56,7 +56,7 @@ BodyState state_of(const scene::Fill& fill, const Vector3d& position, const Eige
     return state;
 }
 
-std::vector<BodyState> place_at_random(const World& world, FillState& fill, Crowd& crowd) {
+std::vector<BodyState> place_at_random(const World& world, FillState& fill, Crowd& crowd, solver::PlacedCount& count) {
     const scene::Box& region = fill.fill.region;
     const Eigen::Quaterniond as_written = shape_of(world, fill).written_from_principal;
     std::vector<BodyState> placed;
@@ -76,6 +76,7 @@ std::vector<BodyState> place_at_random(const World& world, FillState& fill, Crow
         misses = 0;
         crowd.add(body);
         placed.push_back(state_of(fill.fill, position, orientation));
+        count.one_more();
     }
     return placed;
 }
@@ -108,7 +109,7 @@ Problem no_room_at(const World& world, const FillState& fill, const std::string&
                                 "move it, or let it come at another time");
 }
 
-std::optional<Problem> insert_fill(World& world, FillState& fill) {
+std::optional<Problem> insert_fill(World& world, FillState& fill, solver::PlacedCount& count) {
     std::vector<BodyState> placed;
     if (fill.fill.position) {
         const Eigen::Quaterniond orientation = fill.fill.orientation == scene::Orientation::random
@@ -120,10 +121,11 @@ std::optional<Problem> insert_fill(World& world, FillState& fill) {
         if (!Crowd(world, 1).leaves_room_for(body))
             return no_room_at(world, fill, "another body");
         placed.push_back(state_of(fill.fill, *fill.fill.position, orientation));
+        count.one_more();
     } else {
         const Rng before = fill.rng;
         Crowd crowd(world, fill.asked - fill.placed);
-        placed = place_at_random(world, fill, crowd);
+        placed = place_at_random(world, fill, crowd, count);
         if (stop_wanted(world.stop)) {
             fill.rng = before;
             return std::nullopt;
@@ -149,10 +151,11 @@ Problems prepare_fills(World& world) {
     return {};
 }
 
-std::optional<Problem> insert_due_fills(World& world) {
+std::optional<Problem> insert_due_fills(World& world, const Tally& tally) {
+    solver::PlacedCount count(world.fills, world.step, tally);
     for (FillState& fill : world.fills)
         if (fill.due(world.step) && !stop_wanted(world.stop))
-            if (auto problem = insert_fill(world, fill))
+            if (auto problem = insert_fill(world, fill, count))
                 return problem;
     world.next_fill_step = solver::next_due(world.fills);
     return std::nullopt;

@@ -4,6 +4,7 @@
 #include "base/phases.h"
 #include "base/problem.h"
 #include "base/stop.h"
+#include "base/tally.h"
 #include "scene/motion.h"
 #include "scene/scene.h"
 #include "solver/contact_push.h"
@@ -30,8 +31,9 @@ struct WorldDeleter {
 using WorldPtr = std::unique_ptr<World, WorldDeleter>;
 
 /// Ready to step at t = 0, fills that are due at 0 inserted. `threads` >= 1 changes the time taken, never a bit of the
-/// result. Problems: a fill that cannot fit at once, a time step above the stable limit, a wall outside the domain.
-Result<WorldPtr> build_world(const scene::Scene& scene, int threads, StopFlag stop = nullptr);
+/// result; `tally` hears of each body that found its place. Problems: a fill that cannot fit at once, a time step above
+/// the stable limit, a wall outside the domain.
+Result<WorldPtr> build_world(const scene::Scene& scene, int threads, StopFlag stop = nullptr, const Tally& tally = {});
 
 /// Everything that the steps to come depend on and that the scene does not say, as bytes.
 std::string state_of(const World& world);
@@ -93,6 +95,7 @@ struct WallPush {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();   // unit, towards the body
     Eigen::Vector3d force = Eigen::Vector3d::Zero();    // N, on the wall
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); // m/s, of the body's centre past it, before
+    double patch = 0;                                   // m, radius of the circle in which they touch
 };
 /// Of scene.walls[wall]; in an order that does not depend on the threads. Empty before the first step.
 std::vector<WallPush> wall_pushes_of(const World& world, int wall);

@@ -1,5 +1,8 @@
 #include "sim3d/world.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace tumble::sim3d {
 
 namespace {
@@ -12,6 +15,11 @@ Vector3d velocity_before(const World& world, const WallContact& contact) {
     const BodyMotion& motion = world.motion[slot];
     return Vector3d(motion.velocity) - world.dt / motion.mass * Vector3d(world.load[slot].force) -
            Vector3d(contact.wall_velocity);
+}
+
+/// Of a sphere on a plane, as Hertz' law has it: a^2 = R delta.
+double patch_radius(const WallContact& contact) {
+    return std::sqrt(contact.radius * std::max(0.0, contact.overlap));
 }
 
 void add_pushes(const World& world, const Chunk& chunk, int wall, std::vector<WallPush>& pushes) {
@@ -28,7 +36,8 @@ void add_pushes(const World& world, const Chunk& chunk, int wall, std::vector<Wa
             if (wanted[static_cast<std::size_t>(contact.candidate)])
                 pushes.push_back({world.id[static_cast<std::size_t>(contact.body)], contact.triangle,
                                   Vector3d(contact.foot), to_wall * Vector3d(contact.normal),
-                                  -(to_wall * Vector3d(contact.force)), to_wall * velocity_before(world, contact)});
+                                  -(to_wall * Vector3d(contact.force)), to_wall * velocity_before(world, contact),
+                                  patch_radius(contact)});
 }
 
 } // namespace

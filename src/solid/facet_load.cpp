@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>
+#include <numeric>
 
 namespace tumble::solid {
 
@@ -84,9 +85,16 @@ Eigen::Vector4d shares_at(const HexMesh& mesh, int facet, const Vector3d& point)
 }
 
 std::optional<Push> moved_to(const HexMesh& mesh, const Push& push, const Vector3d& normal) {
+    std::vector<int> all(mesh.facets.size());
+    std::iota(all.begin(), all.end(), 0);
+    return moved_to(mesh, all, push, normal);
+}
+
+std::optional<Push> moved_to(const HexMesh& mesh, std::span<const int> facets, const Push& push,
+                             const Vector3d& normal) {
     std::optional<Push> moved;
     double nearest = std::numeric_limits<double>::infinity(); // m
-    for (int f = 0; f < static_cast<int>(mesh.facets.size()); ++f) {
+    for (const int f : facets) {
         const auto& corners = mesh.facets[static_cast<std::size_t>(f)].corners;
         const auto node = [&](std::size_t k) -> const Vector3d& {
             return mesh.nodes[static_cast<std::size_t>(corners[k])];

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <vector>
 
 /// What touches a part, as forces on its nodes.
@@ -26,6 +27,9 @@ Eigen::Vector4d shares_at(const HexMesh& mesh, int facet, const Eigen::Vector3d&
 /// look the same way as `normal` (unit, outward there), within 60 degrees (at an edge a body touches aslant); nothing
 /// where none does.
 std::optional<Push> moved_to(const HexMesh& mesh, const Push& push, const Eigen::Vector3d& normal);
+/// The same among some of the facets.
+std::optional<Push> moved_to(const HexMesh& mesh, std::span<const int> facets, const Push& push,
+                             const Eigen::Vector3d& normal);
 
 /// Forces of the pushes on the nodes: 3 x nodes, N. Problems: facets that do not exist; nodal forces whose sum or
 /// moment differs from that of the pushes by more than 1e-9 of what they add up to (a point off its facet), with the

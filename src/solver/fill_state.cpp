@@ -17,6 +17,12 @@ void FillState::note(std::int64_t more, std::int64_t step, double dt) {
     over = placed >= asked || again > fill.until;
 }
 
+PlacedCount::PlacedCount(const std::vector<FillState>& fills, std::int64_t step, const Tally& tally) : tally_(&tally) {
+    for (const FillState& fill : fills)
+        if (fill.due(step))
+            all_ += fill.asked - fill.placed;
+}
+
 Result<std::vector<FillState>> begin_fills(const scene::Scene& scene, const std::vector<double>& masses, double dt) {
     std::vector<FillState> fills;
     Problems problems;

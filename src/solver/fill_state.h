@@ -3,6 +3,7 @@
 #include "base/carried.h"
 #include "base/problem.h"
 #include "base/rng.h"
+#include "base/tally.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -35,6 +36,18 @@ template <class Archive, As<FillState> F> void carry(Archive& archive, F& state)
     auto& [fill, rng, asked, placed, next_step, begun, over] = state; // the first is the scene's
     archive(rng, asked, placed, next_step, begun, over);
 }
+
+/// Counts for a tally the bodies that the fills due at a step bring in, of all that they still owe.
+class PlacedCount {
+public:
+    PlacedCount(const std::vector<FillState>& fills, std::int64_t step, const Tally& tally);
+    void one_more() { tell_tally(*tally_, "bodies placed", ++placed_, all_); }
+
+private:
+    const Tally* tally_;
+    std::int64_t placed_ = 0;
+    std::int64_t all_ = 0;
+};
 
 /// kg, of templates.
 template <class Shapes> std::vector<double> masses_of(const Shapes& shapes) {

@@ -2,7 +2,7 @@
 
 #include "fem/structure.h"
 #include "scene/specimen.h"
-#include "solid/facet_load.h"
+#include "solid/hertz_patch.h"
 #include "solid/locate.h"
 
 #include <algorithm>
@@ -42,8 +42,25 @@ std::vector<std::string> outward_sides(const scene::SpecimenShape& specimen) {
     return {"side"};
 }
 
+/// Patches and facets beneath them, weighed with the contacts' forces.
+void measure_patches(const run::PartLoads& loads, const solid::HexMesh& mesh, double times, Study& study) {
+    double weight = 0;
+    for (const run::LoadInstant& instant : loads.instants)
+        for (const observe::WallPush& push : instant.pushes) {
+            const double force = push.force.norm();
+            weight += force;
+            study.patch += force * times * push.patch;
+            study.facet += force * std::sqrt(mesh.area_of(push.triangle / 2).norm());
+        }
+    if (weight > 0) {
+        study.patch /= weight;
+        study.facet /= weight;
+    }
+}
+
 /// What an instant's contacts say of a case by themselves.
-void look_at(const run::LoadInstant& instant, const solid::HexMesh& mesh, Case& now) {
+/// `surface`: m2, of the part.
+void look_at(const run::LoadInstant& instant, const solid::HexMesh& mesh, double surface, Case& now) {
     struct OnFacet {
         double pressing = 0;                  // N
         Vector3d shearing = Vector3d::Zero(); // N
@@ -63,6 +80,8 @@ void look_at(const run::LoadInstant& instant, const solid::HexMesh& mesh, Case& 
         const double area = mesh.area_of(facet).norm();
         now.facet_normal = std::max(now.facet_normal, sum.pressing / area);
         now.facet_shear = std::max(now.facet_shear, sum.shearing.norm() / area);
+        now.surface_normal += sum.pressing / surface;
+        now.surface_shear += sum.shearing.norm() / surface;
     }
 }
 
@@ -156,16 +175,20 @@ Result<std::vector<fem::Slice>> slices_of(const scene::SpecimenShape& specimen, 
 }
 
 Result<std::vector<Eigen::Matrix3Xd>> nodal_cases(const scene::SpecimenShape& specimen, const run::PartLoads& loads,
-                                                  bool means) {
+                                                  bool means, double patch) {
     std::vector<Eigen::Matrix3Xd> forces;
+    const solid::PatchSpreader spreader(*specimen.mesh);
     if (means)
         for (const run::MeanLoad& mean : loads.means)
             forces.push_back(mean.force);
     else
         for (const run::LoadInstant& instant : loads.instants) {
             std::vector<solid::Push> pushes;
-            for (const observe::WallPush& push : instant.pushes)
-                pushes.push_back({push.triangle / 2, push.foot, push.force});
+            for (const observe::WallPush& push : instant.pushes) {
+                const auto points =
+                    spreader.spread({push.triangle / 2, push.foot, push.force}, push.normal, patch * push.patch);
+                pushes.insert(pushes.end(), points.begin(), points.end());
+            }
             auto force = solid::nodal_loads(*specimen.mesh, pushes);
             if (!force)
                 return force.problems();
@@ -186,17 +209,22 @@ Result<Study> study(const scene::Scene& scene, const scene::SpecimenShape& speci
     study.prepare_s = seconds_since(begun);
 
     const auto solving = std::chrono::steady_clock::now();
-    const auto forces = nodal_cases(specimen, loads, options.means);
+    const auto forces = nodal_cases(specimen, loads, options.means, options.patch);
     if (!forces)
         return forces.problems();
+    double surface = 0; // m2
+    for (std::size_t f = 0; f < specimen.mesh->facets.size(); ++f)
+        surface += specimen.mesh->area_of(static_cast<int>(f)).norm();
     for (std::size_t c = 0; c < forces->size(); ++c) {
         Case now;
         now.time = options.means ? loads.means[c].time : loads.instants[c].time;
         now.force = (*forces)[c].rowwise().sum();
         if (!options.means)
-            look_at(loads.instants[c], *specimen.mesh, now);
+            look_at(loads.instants[c], *specimen.mesh, surface, now);
         study.cases.push_back(std::move(now));
     }
+    if (!options.means)
+        measure_patches(loads, *specimen.mesh, options.patch, study);
     if (const auto problem = solver.solve(*forces, study))
         return *problem;
     study.solve_s = seconds_since(solving);

@@ -19,6 +19,7 @@ struct StudyOptions {
     std::vector<double> depths{0.0005, 0.001, 0.0015}; // m, of the slices; the thesis'
     std::vector<std::string> sides;                    // facet sets; empty: all along the axis that face outwards
     bool means = false;                                // solve the means over the windows, else the instants
+    double patch = 1;     // radius of the circles in which bodies touch, times that of the run; 0: forces act at points
     double trivial = 500; // Pa, normal stresses below are neither compression nor tension; the thesis'
     int threads = 1;
 };
@@ -40,9 +41,11 @@ struct Case {
     Eigen::Vector3d support_force = Eigen::Vector3d::Zero(); // N, what its supports bear
     double facet_normal = 0;                                 // Pa, largest of all facets: force over area
     double facet_shear = 0;                                  // Pa, the same
-    double deflection = 0;                                   // m, the largest of all nodes
-    double von_mises = 0;                                    // Pa, the same
-    double residual = 0;                                     // fem::Solution
+    double surface_normal = 0; // Pa, mean over the part's whole surface: what presses over all its area
+    double surface_shear = 0;  // Pa, the same of what shears, facet by facet
+    double deflection = 0;     // m, the largest of all nodes
+    double von_mises = 0;      // Pa, the same
+    double residual = 0;       // fem::Solution
     double unbalance = 0;
     std::vector<fem::SliceFigures> slices; // parallel to Study::slices
 };
@@ -56,7 +59,9 @@ struct Field {
 struct Study {
     std::vector<fem::Slice> slices;
     std::vector<Case> cases;
-    Field worst; // the case with the largest von Mises stress
+    Field worst;      // the case with the largest von Mises stress
+    double patch = 0; // m, mean radius of the circles in which bodies touch, as the forces weigh it; 0: none, or means
+    double facet = 0; // m, mean width of the facets beneath them, the root of their area, as the forces weigh it
     std::size_t nodes = 0, hexes = 0, unknowns = 0;
     std::int64_t factor_entries = 0;
     double factor_operations = 0; // multiplications and additions
@@ -73,8 +78,9 @@ Result<std::vector<fem::Slice>> slices_of(const scene::SpecimenShape& specimen, 
 Result<Study> study(const scene::Scene& scene, const scene::SpecimenShape& specimen, const run::PartLoads& loads,
                     const StudyOptions& options);
 
-/// Nodal forces of every case that is solved, N.
+/// Nodal forces of every case that is solved, N: of instants spread over patches (`patch`: as StudyOptions), of means
+/// at the points where the forces acted.
 Result<std::vector<Eigen::Matrix3Xd>> nodal_cases(const scene::SpecimenShape& specimen, const run::PartLoads& loads,
-                                                  bool means);
+                                                  bool means, double patch);
 
 } // namespace tumble::stress

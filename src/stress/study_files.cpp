@@ -36,6 +36,8 @@ std::string cases_csv(const Study& study, const solid::HexMesh& mesh) {
                                          "strongest_shear_N",
                                          "facet_normal_Pa",
                                          "facet_shear_Pa",
+                                         "surface_normal_Pa",
+                                         "surface_shear_Pa",
                                          "von_mises_Pa",
                                          "deflection_m",
                                          "residual",
@@ -55,8 +57,8 @@ std::string cases_csv(const Study& study, const solid::HexMesh& mesh) {
             row.push_back(most.shear);
         } else
             row.insert(row.end(), 7, none);
-        for (const double value :
-             {now.facet_normal, now.facet_shear, now.von_mises, now.deflection, now.residual, now.unbalance})
+        for (const double value : {now.facet_normal, now.facet_shear, now.surface_normal, now.surface_shear,
+                                   now.von_mises, now.deflection, now.residual, now.unbalance})
             row.push_back(value);
         text += csv_line(row);
     }

@@ -132,6 +132,19 @@ sheet::Figure loads_over_time(const Study& study) {
 }
 
 /// As the thesis' figures 7.15 and 7.19 show them.
+sheet::Figure average_over_time(const Study& study) {
+    sheet::Figure figure{
+        "surface-average", "Mean stresses of the part's surface", {"time", "s"}, {"force over all area", "kPa"}};
+    sheet::Curve normal{"normal"}, shear{"shear"}, both{"magnitude"};
+    for (const Case& now : study.cases) {
+        normal.add(now.time, 1e-3 * now.surface_normal);
+        shear.add(now.time, 1e-3 * now.surface_shear);
+        both.add(now.time, 1e-3 * std::hypot(now.surface_normal, now.surface_shear));
+    }
+    figure.curves = {std::move(normal), std::move(shear), std::move(both)};
+    return figure;
+}
+
 sheet::Figure surface_over_time(const Study& study) {
     sheet::Figure figure{
         "surface-stress", "Largest stresses of a facet, and inside the part", {"time", "s"}, {"stress", "kPa"}};
@@ -147,12 +160,14 @@ sheet::Figure surface_over_time(const Study& study) {
 }
 
 void tell_contacts(const Study& study, sheet::Sheet& sheet) {
-    std::vector<double> normal, shear, contacts, facet_normal, facet_shear;
+    std::vector<double> normal, shear, contacts, facet_normal, facet_shear, surface_normal, surface_shear;
     int normal_above = 0;
     for (const Case& now : study.cases) {
         contacts.push_back(now.contacts);
         facet_normal.push_back(now.facet_normal);
         facet_shear.push_back(now.facet_shear);
+        surface_normal.push_back(now.surface_normal);
+        surface_shear.push_back(now.surface_shear);
         if (!now.strongest)
             continue;
         normal.push_back(now.strongest->normal);
@@ -172,6 +187,8 @@ void tell_contacts(const Study& study, sheet::Sheet& sheet) {
     sheet.fact("contacts", mean_of(contacts).value);
     sheet.fact("facet_normal", mean_of(facet_normal).value, "Pa");
     sheet.fact("facet_shear", mean_of(facet_shear).value, "Pa");
+    sheet.fact("surface_normal", mean_of(surface_normal).value, "Pa");
+    sheet.fact("surface_shear", mean_of(surface_shear).value, "Pa");
 }
 
 double largest(const Study& study, double Case::*member) {
@@ -179,6 +196,24 @@ double largest(const Study& study, double Case::*member) {
     for (const Case& now : study.cases)
         most = std::max(most, now.*member);
     return most;
+}
+
+/// How the contacts' forces were laid on the part, and what the mesh makes of it.
+void tell_patches(const Study& study, sheet::Sheet& sheet) {
+    sheet.fact("patch_radius", study.patch, "m");
+    sheet.fact("facet_width", study.facet, "m");
+    if (study.patch <= 0) {
+        sheet.say("Forces act at points: a finer mesh gives larger stresses near them, without end.");
+        return;
+    }
+    sheet.say(fmt::format(
+        "Forces act as Hertz' pressure on circles of {:.3g} mm radius, on facets {:.3g} mm wide (means that the forces "
+        "weigh){}",
+        1e3 * study.patch, 1e3 * study.facet,
+        study.facet < study.patch
+            ? "."
+            : ": the facets spread them wider, so that stresses nearer than a facet's width to a contact are the "
+              "mesh's. `--remesh` with more of them tells."));
 }
 
 } // namespace
@@ -203,6 +238,8 @@ sheet::Sheet sheet_of(const Study& study, const StudyOptions& options) {
     sheet.fact("prepare", study.prepare_s, "s");
     sheet.fact("solve", study.solve_s, "s");
     tell_contacts(study, sheet);
+    if (!options.means)
+        tell_patches(study, sheet);
     sheet.head("Decay with depth (the thesis' table 7.3)");
     sheet.say(
         "Means over the cases of the largest stress of each slice, with the standard error of independent cases.");
@@ -215,7 +252,8 @@ sheet::Sheet sheet_of(const Study& study, const StudyOptions& options) {
     sheet.parts.emplace_back(signs(study, sheet));
     sheet.parts.emplace_back(over_time(study));
     if (!options.means) // what touches is known of instants
-        sheet.parts.emplace_back(surface_over_time(study));
+        for (sheet::Figure figure : {average_over_time(study), surface_over_time(study)})
+            sheet.parts.emplace_back(std::move(figure));
     sheet.parts.emplace_back(loads_over_time(study));
     return sheet;
 }

@@ -2,6 +2,7 @@
 
 #include "observe/series.h"
 #include "run/run_folder.h"
+#include "run/tracers.h"
 
 #include <algorithm>
 
@@ -17,11 +18,8 @@ const std::vector<std::string> plotted{"kinetic_energy", "circulation", "surface
 
 /// Name of the first body that the scene traces; empty where it traces none.
 std::string first_tracer(const scene::Scene& scene) {
-    const std::string prefix = "tracer:";
-    for (const std::string& measure : scene.observe.measures)
-        if (measure.starts_with(prefix))
-            return measure.substr(prefix.size());
-    return "";
+    const std::vector<std::string> traced = run::traced_bodies(scene.observe.measures);
+    return traced.empty() ? "" : traced.front();
 }
 
 render::PlotLine line_of(const observe::Measure& measure, double until) {

@@ -4,6 +4,7 @@
 #include "observe/frame_file.h"
 #include "run/redraw.h"
 #include "run/replay.h"
+#include "run/tracers.h"
 
 #include <algorithm>
 #include <atomic>
@@ -187,6 +188,7 @@ Result<std::unique_ptr<Source>> open_recorded(const std::filesystem::path& folde
     words.title = scene.title;
     for (const scene::Wall& wall : scene.walls)
         words.wall_opacity.push_back(wall.opacity);
+    words.traced = run::traced_bodies(scene.observe.measures);
     recording->layout = run::restyled_layout(*recording->layout, words);
     std::vector<std::filesystem::path> readable;
     std::vector<double> times;

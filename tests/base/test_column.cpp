@@ -1,6 +1,8 @@
 #include "base/column.h"
 
+#include <cmath>
 #include <doctest/doctest.h>
+#include <vector>
 
 namespace test_column {
 
@@ -23,6 +25,12 @@ TEST_CASE("levels are counted up to what was asked for") {
 TEST_CASE("the middle value does not care for one that is far off") {
     CHECK(median({3, 1, 1e9}) == 3);
     CHECK(median({}) == 0);
+}
+
+TEST_CASE("the spread of values is that of samples, n - 1") {
+    CHECK(spread_of(std::vector{1.0, 2.0, 6.0}).mean == 3);
+    CHECK(spread_of(std::vector{1.0, 2.0, 6.0}).deviation == std::sqrt(7.0)); // (4 + 1 + 9) / 2
+    CHECK(spread_of(std::vector{5.0}).deviation == 0);
 }
 
 } // namespace test_column

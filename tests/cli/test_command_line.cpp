@@ -134,6 +134,16 @@ TEST_CASE("the lists name what scenes may say") {
     CHECK(found);
     // A measure stands as a scene and --plot name it.
     CHECK(contains(tumble_in(folder, {"list", "measures"}).out, "\nkinetic_translation  "));
+    CHECK(contains(tumble_in(folder, {"list", "measures"}).out, "\ntracer:BODY  "));
+    put(folder.path / "ball.toml", bouncing_ball(0.01));
+    CHECK(tumble_in(folder, {"list", "measures", "ball.toml"}).out.find("tracer") == std::string::npos);
+    std::string traced = bouncing_ball(0.01);
+    traced.replace(traced.find("[observe]"), 9, "[observe]\nmeasures = [\"tracer:ball\"]");
+    put(folder.path / "ball.toml", traced);
+    const std::string listed = tumble_in(folder, {"list", "measures", "ball.toml"}).out;
+    CHECK(contains(listed, "\nkinetic_translation  "));
+    CHECK(contains(listed, "\ntracer:ball_point_vy "));
+    CHECK(tumble_in(folder, {"list", "measures", "none.toml"}).code == 2);
     CHECK(contains(tumble_in(folder, {"list", "laws"}).out, "hertz"));
     CHECK(contains(tumble_in(folder, {"list", "keys"}).out, "duration_s"));
     const auto laws = nlohmann::json::parse(tumble_in(folder, {"list", "laws", "--json"}).out);
@@ -200,6 +210,32 @@ TEST_CASE("check shows each wall's size and its warnings on stdout, where its an
     CHECK(contains(outcome.out, "warning: --set gravity_m_s2.1: a gravity of 981 m/s2"));
 }
 
+TEST_CASE("check has a line for each pair of materials that can meet, with its laws and their numbers") {
+    const Folder folder;
+    const std::string lining = "[material.lining]\ndensity_kg_m3 = 1200\nyoungs_modulus_Pa = 2e7\npoisson_ratio = 0.3\n"
+                               "[pair.glass-lining]\nrestitution = 0.2\nfriction = 0.9\nrolling_friction = 0.05\n"
+                               "work_of_adhesion_J_m2 = 0.04\n";
+    std::string text = bouncing_ball(0.5);
+    text.insert(text.find("[body.ball]"), lining + "[contact]\nrolling = \"epsd\"\nadhesion = \"jkr\"\n");
+    text.insert(text.find("[observe]"), "[[wall]]\nname = \"side\"\nshape = \"plane\"\npoint_m = [-0.05, 0, 0]\n"
+                                        "normal = [1, 0, 0]\nmaterial = \"lining\"\n");
+    put(folder.path / "ball.toml", text);
+    const Outcome outcome = tumble_in(folder, {"check", "ball.toml"});
+    CHECK_MESSAGE(outcome.code == 0, outcome.err);
+    // 1 / E* = 0.9375 / 1e8 + 0.91 / 2e7; glass alone: 1e8 / (2 0.9375).
+    CHECK(contains(outcome.out, "glass-glass   hertz, E* 53.3 MPa; mindlin  0.8          0.3       none"));
+    CHECK(contains(outcome.out,
+                   "glass-lining  hertz, E* 18.2 MPa; mindlin  0.2          0.9       epsd 0.05, damping 0.3  "
+                   "jkr, 0.04 J/m2"));
+    CHECK(outcome.out.find("lining-lining") == std::string::npos);
+    const auto pairs = nlohmann::json::parse(tumble_in(folder, {"check", "ball.toml", "--json"}).out)["pairs"];
+    REQUIRE(pairs.size() == 2);
+    CHECK(pairs[0]["rolling"] == "none");
+    CHECK(pairs[1]["pair"] == "glass-lining");
+    CHECK(pairs[1]["rolling_friction"] == 0.05);
+    CHECK(pairs[1]["adhesion"] == "jkr");
+}
+
 TEST_CASE("fit and walls write what they say, and nothing twice; flow wants a run") {
     const Folder folder;
     const std::vector<std::string> fit{"fit", "--cone", "10,12", "--spheres", "12", "--out", "cone.csv"};
@@ -231,6 +267,25 @@ TEST_CASE("fit and walls write what they say, and nothing twice; flow wants a ru
     CHECK(reversed.code == 2);
     CHECK(contains(reversed.err, "--heights: the lowest height, 0.16 m, does not lie below the highest, 0 m"));
     CHECK(contains(reversed.err, "give the lower one first, as in --heights 0,0.16"));
+    const Outcome ending = tumble_in(folder, {"flow", "out/ball", "--picture", "flow.jpg"});
+    CHECK(ending.code == 2);
+    CHECK(contains(ending.err, "'flow.jpg' does not end in .png or .svg"));
+    // What is there stays, unless it is said that it may go.
+    const std::vector<std::string> tables{"flow", "out/ball", "--out", "tables", "--body", "ball"};
+    CHECK(tumble_in(folder, tables).code == 0);
+    CHECK(std::filesystem::exists(folder.path / "tables" / "tracer_ball.csv"));
+    put(folder.path / "tables" / "tracer_ball.csv", "mine");
+    put(folder.path / "flow.png", "mine");
+    const Outcome again = tumble_in(folder, tables);
+    CHECK(again.code == 2);
+    CHECK(contains(again.err, "tables/flow_field.csv: is there already, and nothing is overwritten"));
+    CHECK(content_of(folder.path / "tables" / "tracer_ball.csv") == "mine");
+    CHECK(tumble_in(folder, {"flow", "out/ball", "--picture", "flow.png"}).code == 2);
+    CHECK(content_of(folder.path / "flow.png") == "mine");
+    std::vector<std::string> forced = tables;
+    forced.emplace_back("--force");
+    CHECK(tumble_in(folder, forced).code == 0);
+    CHECK(content_of(folder.path / "tables" / "tracer_ball.csv").starts_with("time_s,"));
 }
 
 } // namespace test_command_line

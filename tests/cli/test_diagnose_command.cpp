@@ -1,6 +1,8 @@
 #include "process.h"
 
+#include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <nlohmann/json.hpp>
 
 namespace test_diagnose_command {
@@ -60,8 +62,9 @@ TEST_CASE("millimetres that are read as metres are a slip, not a cause") {
     put(folder.path / "m.toml",
         "[[series]]\nname = \"a\"\nfile = \"a.csv\"\n[[series.column]]\nhead = \"height\"\nmeasure = "
         "\"centre_of_mass_y\"\nsigma = 0.002\n");
-    const Outcome slip = tumble_in(folder, {"diagnose", scene, "--data", "m.toml"});
+    const Outcome slip = tumble_in(folder, {"diagnose", scene, "--data", "m.toml", "--report", "report"});
     CHECK(slip.code == 2);
+    CHECK_FALSE(std::filesystem::exists(folder.path / "report")); // made before, and empty
     CHECK(contains(slip.err, "times what the simulation does"));
     CHECK(contains(slip.err, "now: fits the baseline")); // in a pipe, too
     const Outcome quiet = tumble_in(folder, {"diagnose", scene, "--data", "m.toml", "--quiet"});
@@ -141,6 +144,28 @@ sigma = 4
     CHECK(contains(page, "centre of mass y"));
     CHECK(!contains(page, "nan"));
     CHECK(contains(content_of(folder.path / "report/residuals.csv"), "condition,measure,unit"));
+
+    // Killed in the midst of its runs, it has lost the one that it was at.
+    const std::vector<std::string> words{"diagnose", "bed.toml", "--data",     "m.toml",  "--seeds",
+                                         "3",        "--table",  "killed.csv", "--quiet", "--json"};
+    Process process(folder.path, words);
+    REQUIRE(eventually([&] {
+        const std::string table = content_of(folder.path / "killed.csv"); // two lines stand above the runs
+        return std::count(table.begin(), table.end(), '\n') >= 4;
+    }));
+    process.send(SIGKILL);
+    CHECK(process.wait().code == 137);
+    auto dry = words;
+    dry.emplace_back("--dry-run");
+    const std::string left = tumble_in(folder, dry).out;
+    const auto at = left.find("; ");
+    REQUIRE(at != std::string::npos);
+    const int kept = std::stoi(left.substr(at + 2));
+    CHECK(kept >= 1);
+    CHECK(kept < 9);
+    const auto last = nlohmann::json::parse(tumble_in(folder, words).out);
+    CHECK(last["runs"] == first["runs"].get<int>() - kept);
+    CHECK(last["beds"] == first["beds"]);
 }
 
 } // namespace test_diagnose_command

@@ -127,6 +127,7 @@ TEST_CASE("a run that is killed at random moments ends in the bits of one that n
         {"crowd", crowd}, {"clumps", sticky_clumps()}, {"stirred", stirred()}};
     std::mt19937 random(7);
     int kills = 0, chains = 0;
+    std::size_t gone_on = 0; // from a checkpoint of a later step than the first
     for (const auto& [name, text] : scenes) {
         CAPTURE(name);
         const Folder folder;
@@ -140,13 +141,17 @@ TEST_CASE("a run that is killed at random moments ends in the bits of one that n
         REQUIRE(tumble_in(folder, run_in("whole", {"--threads", "1"})).code == 0);
         const auto whole = content_of_run(folder.path / "whole");
         const auto end = summary_in(folder.path / "whole");
+        std::size_t gone_on_here = 0;
         const auto check_finished = [&](const std::string& place) {
             const Outcome last =
                 tumble_in(folder, run_in(place, {"--resume", "--threads", std::to_string(1 + random() % 2)}));
             REQUIRE_MESSAGE(last.code == 0, last.err);
             check_same(whole, folder.path / place);
+            const auto summary = summary_in(folder.path / place);
             for (const char* key : {"rows", "frames", "steps", "energy_closure_J", "energy_turnover_J"})
-                CHECK(summary_in(folder.path / place)[key] == end[key]);
+                CHECK(summary[key] == end[key]);
+            for (const auto& resumption : summary["resumed"])
+                gone_on_here += resumption["step"] > 0 ? 1 : 0;
             fs::remove_all(folder.path / place);
         };
         const int share = (kills_wanted() + 2) / static_cast<int>(scenes.size());
@@ -169,8 +174,10 @@ TEST_CASE("a run that is killed at random moments ends in the bits of one that n
             }
         }
         kills += share;
+        gone_on += gone_on_here;
+        CHECK_MESSAGE(gone_on_here > 0, "no kill left a checkpoint that stood in the midst of the run");
     }
-    MESSAGE(kills << " kills in " << chains << " runs");
+    MESSAGE(kills << " kills in " << chains << " runs, which went on from the midst of them " << gone_on << " times");
 }
 
 TEST_CASE("Ctrl-C leaves a checkpoint, from which the same command with --resume goes on") {

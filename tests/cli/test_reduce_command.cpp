@@ -63,4 +63,18 @@ TEST_CASE("wrong words to reduce get exit code 2 and say all that is wrong at on
     CHECK_MESSAGE(contains(refused.err, "reduce"), refused.err);
 }
 
+TEST_CASE("a reference that is no run, or a run of another scene, is refused with exit code 2 before anything runs") {
+    const Folder folder;
+    std::filesystem::create_directory(folder.path / "empty");
+    const Outcome none = tumble_in(folder, reduce({"--reference", "empty"}));
+    CHECK(none.code == 2);
+    CHECK(contains(none.err, "empty: is not the folder of a run"));
+    put(folder.path / "ball.toml", bouncing_ball(0.01));
+    REQUIRE(tumble_in(folder, {"run", "ball.toml", "--out", "ball", "--quiet"}).code == 0);
+    const Outcome other = tumble_in(folder, reduce({"--reference", "ball"}));
+    CHECK(other.code == 2);
+    CHECK(contains(other.err, "it is a run of another scene: "));
+    CHECK_FALSE(std::filesystem::exists(folder.path / "out"));
+}
+
 } // namespace test_reduce_command

@@ -1,6 +1,7 @@
 #include "about.h"
 #include "bricks.h"
 #include "fem/cauchy.h"
+#include "solid/hertz_patch.h"
 
 #include <doctest/doctest.h>
 #include <numbers>
@@ -44,6 +45,44 @@ double deflection(const Box& box, const Elastic& material, Formulation formulati
         }
     const Solution solution = solved(mesh, material, formulation, supports, loads);
     return solution.displacement(3 * box.node(box.bricks[0], 0, 0) + 2, 0);
+}
+
+/// A block of n x n x n / 2 bricks, 20 mm wide, in the half space z >= 0, whose sides and bottom follow Boussinesq's
+/// displacements for 100 N along +z at the origin (1885; Johnson, Contact Mechanics, 3.2): with R the distance
+/// ur = P (1 + nu) / (2 pi E R) (r z / R^2 - (1 - 2 nu) r / (R + z)), uz = P (1 + nu) / (2 pi E R) (2 (1 - nu) +
+/// z^2 / R^2).
+struct HalfSpace {
+    static constexpr double side = 0.02, force = 100;
+    Box box;
+    MeshPtr mesh;
+    Vector3d origin = Vector3d(side / 2, side / 2, 0);
+    std::vector<Support> supports{};
+
+    explicit HalfSpace(int n) : box{{side, side, side / 2}, {n, n, n / 2}}, mesh(box.mesh()) {
+        for (int node = 0; node < static_cast<int>(mesh->nodes.size()); ++node) {
+            const Vector3d at = mesh->nodes[static_cast<std::size_t>(node)] - origin;
+            if (std::max(std::abs(at.x()), std::abs(at.y())) < 0.499 * side && at.z() < 0.499 * side)
+                continue;
+            const double R = at.norm(), z = at.z(), scale = force * 1.3 / (2 * pi * 2e11 * R);
+            const Vector3d across(at.x(), at.y(), 0);
+            test::hold(supports, node,
+                       scale * (across * (z / (R * R) - 0.4 / (R + z)) + Vector3d(0, 0, 1.4 + z * z / (R * R))));
+        }
+    }
+
+    /// sigma_zz on the axis, so many bricks beneath the surface.
+    [[nodiscard]] double beneath(const Solution& solution, int bricks) const {
+        return test::stress_at(solution, box.node(box.bricks[0] / 2, box.bricks[1] / 2, bricks))[2];
+    }
+};
+
+/// The force as Hertz' pressure on a circle, solved.
+Solution under_patch(const HalfSpace& space, double radius) {
+    const auto push =
+        solid::moved_to(*space.mesh, {0, space.origin, {0, 0, HalfSpace::force}}, -Vector3d::UnitZ()).value();
+    const auto points = solid::PatchSpreader(*space.mesh).spread(push, -Vector3d::UnitZ(), radius);
+    const Eigen::Matrix3Xd forces = solid::nodal_loads(*space.mesh, points).value();
+    return solved(space.mesh, steel, Formulation::incompatible, space.supports, forces.reshaped(), 2);
 }
 
 } // namespace
@@ -150,35 +189,37 @@ TEST_CASE("a thick tube under pressure widens as Lame says, and the error falls 
 }
 
 TEST_CASE("beneath a point load the stress falls off as Boussinesq says") {
-    // Half space z >= 0, P along +z at the origin (Boussinesq 1885; Johnson, Contact Mechanics, 3.2): with R the
-    // distance ur = P (1 + nu) / (2 pi E R) (r z / R^2 - (1 - 2 nu) r / (R + z)), uz = P (1 + nu) / (2 pi E R) (2 (1 -
-    // nu) + z^2 / R^2), sigma_zz = -3 P z^3 / (2 pi R^5). The sides and the bottom of a block follow these
-    // displacements.
-    const int n = 16;
-    const double side = 0.02, force = 100;
-    const Box box{{side, side, side / 2}, {n, n, n / 2}};
-    const MeshPtr mesh = box.mesh();
-    const Vector3d origin(side / 2, side / 2, 0);
-    std::vector<Support> supports;
-    for (int node = 0; node < static_cast<int>(mesh->nodes.size()); ++node) {
-        const Vector3d at = mesh->nodes[static_cast<std::size_t>(node)] - origin;
-        if (std::max(std::abs(at.x()), std::abs(at.y())) < 0.499 * side && at.z() < 0.499 * side)
-            continue;
-        const double R = at.norm(), z = at.z(), scale = force * 1.3 / (2 * pi * 2e11 * R);
-        const Vector3d across(at.x(), at.y(), 0);
-        test::hold(supports, node,
-                   scale * (across * (z / (R * R) - 0.4 / (R + z)) + Vector3d(0, 0, 1.4 + z * z / (R * R))));
-    }
-    MatrixXd loads = test::no_loads(*mesh);
-    loads(3 * box.node(n / 2, n / 2, 0) + 2, 0) = force;
+    // sigma_zz = -3 P z^3 / (2 pi R^5).
+    const HalfSpace space(16);
+    MatrixXd loads = test::no_loads(*space.mesh);
+    loads(3 * space.box.node(8, 8, 0) + 2, 0) = HalfSpace::force;
     for (const Formulation formulation : both) {
-        const Solution solution = solved(mesh, steel, formulation, supports, loads);
+        const Solution solution = solved(space.mesh, steel, formulation, space.supports, loads);
         for (const int k : {5, 6}) { // bricks beneath it
-            const double z = k * side / n;
-            const double theory = -3 * force / (2 * pi * z * z);
-            CHECK(test::stress_at(solution, box.node(n / 2, n / 2, k))[2] == about(theory, 0.06));
+            const double z = k * HalfSpace::side / 16;
+            const double theory = -3 * HalfSpace::force / (2 * pi * z * z);
+            CHECK(space.beneath(solution, k) == about(theory, 0.06));
         }
     }
+}
+
+TEST_CASE("beneath Hertz' pressure the stress is Hertz', whatever the mesh, where that of a point is the mesh's") {
+    // On the axis sigma_zz = -3 F / (2 pi a^2) / (1 + z^2 / a^2) (Johnson, 3.4). At four radii, where the block ends,
+    // the patch's displacements differ from the point's by 0.3 (a / R)^2, 2 %.
+    const double a = 0.0025, peak = 3 * HalfSpace::force / (2 * pi * a * a);
+    const HalfSpace coarse(16), fine(24);
+    const Solution on_coarse = under_patch(coarse, a), on_fine = under_patch(fine, a);
+    for (const double z : {0.0025, 0.005}) {
+        CAPTURE(z);
+        const double theory = -peak / (1 + z * z / (a * a));
+        const int deep = static_cast<int>(std::lround(z / HalfSpace::side * 8));
+        CHECK(coarse.beneath(on_coarse, 2 * deep) == about(theory, 0.06));
+        CHECK(fine.beneath(on_fine, 3 * deep) == about(theory, 0.04));
+    }
+    const double point_coarse = coarse.beneath(under_patch(coarse, 0), 0), // at the surface itself
+        point_fine = fine.beneath(under_patch(fine, 0), 0);
+    CHECK(point_fine / point_coarse > 1.8); // (24 / 16)^2 = 2.25 and less: without end
+    CHECK(fine.beneath(on_fine, 0) / coarse.beneath(on_coarse, 0) == about(1, 0.1));
 }
 
 TEST_CASE("every load case is in equilibrium, and its residual is rounding") {

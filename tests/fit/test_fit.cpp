@@ -6,7 +6,9 @@
 
 #include <cmath>
 #include <doctest/doctest.h>
+#include <map>
 #include <numbers>
+#include <string>
 
 namespace test_fit {
 
@@ -55,6 +57,18 @@ TEST_CASE("a cone has the volume and centre of a cone") {
     // Of the round cone: m (3/20 r^2 + 3/80 h^2) across, 3/10 m r^2 along its axis.
     CHECK(solid.second(0, 0) + solid.second(2, 2) == about(0.3 * 25e-6 * solid.volume, 1e-4));
     CHECK(solid.second(1, 1) == about(3.0 / 80 * 144e-6 * solid.volume));
+}
+
+TEST_CASE("the bowl's cone of 36 spheres is what its command makes") {
+    // tumble fit --cone 10,12 --spheres 36 --smallest 0.775 --volume 294.609
+    const auto kept = scene::read_clump(TUMBLE_ROOT "/scenes/clumps/cone-36.csv").value();
+    auto made = spheres_in(Cone{0.010, 0.012}, {36, 0.775e-3}).value();
+    scale_to_volume(made, 294.609e-9);
+    REQUIRE(made.size() == kept.size());
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        CHECK((made[i].centre - kept[i].centre).norm() < 1e-12);
+        CHECK(made[i].radius == about(kept[i].radius, 1e-9));
+    }
 }
 
 TEST_CASE("depth is the distance to the nearest face, negative outside") {
@@ -176,6 +190,27 @@ TEST_CASE("asked for many points, depths are those of each by itself, bit for bi
             CHECK(one[k].radius == depth_in(solid, one[k].centre)); // signs of the grid's points come from few of them
         }
     }
+}
+
+TEST_CASE("a fit counts for whoever listens: each count rises to its end, of a cone's tries and of a mesh's spheres") {
+    std::map<std::string, std::pair<std::int64_t, std::int64_t>> heard; // the last of each
+    const Tally tally = [&](std::string_view what, std::int64_t done, std::int64_t all) {
+        auto& [before, of] = heard[std::string(what)];
+        CHECK(done > before);
+        CHECK(done <= all);
+        before = done;
+        of = all;
+    };
+    const Solid bar = solid_of(box(0.04, 0.01, 0.01)).value();
+    const auto told = spheres_in(bar, {12, 0.001}, 2, nullptr, tally).value();
+    CHECK(told.front().centre == spheres_in(bar, {12, 0.001}).value().front().centre);
+    CHECK(spheres_in(Cone{0.010, 0.012}, {8, 0.0006}, tally).ok());
+    CHECK(heard["spheres chosen"] == std::pair<std::int64_t, std::int64_t>{12, 12});
+    CHECK(heard["layers of the grid measured"].second == 10); // of 40 along the bar's longest side
+    // One ring takes at least 3 of the 8 and leaves 2 to 5 for the axis, two rings at least 6 and leave it 2.
+    CHECK(heard["arrangements tried"] == std::pair<std::int64_t, std::int64_t>{5, 5});
+    for (const auto& [what, counted] : heard)
+        CHECK_MESSAGE(counted.first == counted.second, what);
 }
 
 TEST_CASE("a fit that is told to stop does") {

@@ -91,6 +91,9 @@ TEST_CASE("a run that a full disk ended goes on where there is room again, to th
         again.emplace_back("--resume");
         const Outcome outcome = tumble_in(folder, again);
         CHECK_MESSAGE(outcome.code == 0, outcome.err);
+        const auto summary = nlohmann::json::parse(content_of(folder.path / "disk/run/run.json"));
+        REQUIRE(summary["resumed"].size() == 1);
+        CHECK(summary["resumed"][0]["step"] > 0);
         CHECK(content_of(folder.path / "disk/run/series.csv") == content_of(folder.path / "whole/series.csv"));
         CHECK(files_in(folder.path / "disk/run/frames") == files_in(folder.path / "whole/frames"));
         for (const auto& entry : fs::directory_iterator(folder.path / "whole/frames"))

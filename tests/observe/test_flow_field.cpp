@@ -116,6 +116,24 @@ TEST_CASE(
     CHECK(std::abs(flying.surface()[4] - funnel.surface()[4]) < 0.004);
 }
 
+TEST_CASE("a body that trembles at the face between two layers stays, however often one looks") {
+    // It swings slowly through both layers, 0.8 s a period, and trembles by 0.05 of a layer's 0.5 m meanwhile.
+    for (const double every : {0.01, 0.0025}) {
+        CAPTURE(every);
+        observe::Residence residence(observe::FlowGrid{0, 0, 1, 0, 1, 1, 2});
+        for (int i = 0; i * every < 10; ++i) {
+            observe::Frame frame;
+            frame.layout = open_layout(ball(0.01, 1));
+            frame.time = every * i;
+            add_body(frame, {0, 0.5 + 0.4 * std::sin(2 * pi * frame.time / 0.8 + 0.5) + (i % 2 ? 0.025 : -0.025), 0});
+            residence.add(frame);
+        }
+        CHECK(residence.stays(0) >= 12);
+        CHECK(residence.stays(0) <= 13);
+        CHECK(residence.mean_s(0) == about(0.4, 0.03));
+    }
+}
+
 TEST_CASE(
     "a body that circles through two layers stays half a period in each; the cut-off first and last do not count") {
     const observe::FlowGrid two{0, 0, 1, 0, 1, 1, 2};

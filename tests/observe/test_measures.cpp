@@ -97,6 +97,7 @@ TEST_CASE("names and units are spelled for people") {
     CHECK(observe::spelled_name("kinetic_energy") == "kinetic energy");
     CHECK(observe::spelled_unit("rad_s") == "rad/s");
     CHECK(observe::spelled_unit("m_s") == "m/s");
+    CHECK(observe::spelled_unit("m_s2") == "m/s2");
     CHECK(observe::spelled_unit("deg") == "deg");
     CHECK(observe::spelled_unit("").empty());
 }

@@ -87,12 +87,15 @@ TEST_CASE("a ladder is climbed from its cheapest rung, goes on where it was stop
     CHECK(stopped.stopped);
     CHECK(stopped.rungs[0].standing == Standing::waiting);
     CHECK(stopped.rungs[1].standing == Standing::finished);
+    CHECK(stopped.made == 2);
+    CHECK(stopped.all == 4);
     const Account so_far = account_of("small.toml", stopped, 0.1, 2);
     CHECK(*so_far.reference == 1); // the fullest that there is
     CHECK_FALSE(so_far.reference_is_whole());
 
     const Climb resumed = climbed(broken, second, wishes);
     CHECK(second.kept == 2);
+    CHECK(resumed.made == 4);
     CHECK(values_of(resumed) == values_of(straight)); // bit for bit
     (void)climbed(broken, third, wishes);
     CHECK(third.kept == 4);
@@ -158,6 +161,16 @@ TEST_CASE("runs that were made before stand for the scene as written, if they ar
     const double whole_cost = run::read_summary(run::RunFolder{longer})["processor_s"];
     CHECK(from_longer.rungs[0].runs[0].core_s == about(whole_cost * 0.6 / 0.9, 1e-3)); // to a step
 
+    // What makes a reference look dear is said.
+    CHECK(from_longer.rungs[0].runs[0].doubts.empty());
+    nlohmann::json drawn = run::read_summary(run::RunFolder{longer});
+    drawn["pictures"] = 3;
+    drawn.erase("processor_s");
+    test::put(longer / "run.json", drawn.dump());
+    const Climb doubted = climbed(ladder_folder, for_longer, wishes, {.references = {longer}});
+    REQUIRE(doubted.rungs[0].runs[0].doubts.size() == 2);
+    CHECK(doubted.rungs[0].runs[0].doubts[1].find("includes pictures") != std::string::npos);
+
     const auto refused = [&](const std::vector<std::filesystem::path>& references) {
         Witness nobody;
         const auto tried = reduce::climb(*ladder(test::small_trough(), wishes), *stick,
@@ -182,6 +195,8 @@ TEST_CASE("a budget leaves out what would go beyond it") {
     const Climb climb = climbed(folder, witness, {*read_wish("softening=4")},
                                 {.folder = {}, .seeds = 2, .budget = 1e-3, .threads = 1, .stop = nullptr});
     CHECK(climb.rungs[0].standing == Standing::left_out);
+    CHECK(climb.made == 1);
+    CHECK(climb.all == 1);
     CHECK(climb.rungs[0].reason.find("beyond the budget") != std::string::npos);
     CHECK(witness.began == std::vector<std::string>{"softening 4"});
 }

@@ -69,9 +69,26 @@ TEST_CASE("a rung reduces another when it goes as far in every direction") {
 
 TEST_CASE("wishes that cannot be are refused") {
     CHECK(refusal("softning=4") == "there is no reduction 'softning'\n    did you mean 'softening'?\n");
-    CHECK(refusal("softening=0.5") == "'0.5' is no degree of softening\n    give factors above 1: softening=2,4\n");
-    CHECK(refusal("slice=2") == "'2' is no degree of slice\n    give shares above 0 and below 1: slice=0.5\n");
+    CHECK(refusal("softening=0.5") ==
+          "'0.5' is no degree of softening\n    give factors above 1 (stiffnesses divided by it): softening=2,4\n");
+    CHECK(refusal("slice=2") ==
+          "'2' is no degree of slice\n    give shares above 0 and below 1 (share of the periodic length): slice=0.5\n");
     CHECK(refusal("size=").find("'' is no degree of size") != std::string::npos);
+    CHECK(refusal("spheres=32") == "'32' is no degree of spheres\n    give shares above 0 and below 1 (share of each "
+                                   "body's spheres, fitted anew to its cone): spheres=0.5\n");
+}
+
+TEST_CASE("a share of spheres that leaves too few for a cone is told with the least that does not") {
+    const auto refused = [](const char* scene, const std::string& wish) {
+        return to_string(ladder({TUMBLE_ROOT "/scenes/" + std::string(scene), {}}, {*read_wish(wish)}).problems());
+    };
+    // Of 65 spheres 8 are 12.3 %; a tenth are 6.5, which is 7.
+    CHECK(
+        refused("trough-quick.toml", "spheres=0.1") ==
+        "--try spheres=0.1: that share of the 65 spheres of a body is 7, and a cone needs 8\n    give shares from 0.13 "
+        "on and below 1, the share of each body's spheres\n");
+    CHECK(refused("trough-quick.toml", "spheres=0.13").empty());
+    CHECK(refused("drop.toml", "spheres=0.5").starts_with("--try spheres: no body says which cone"));
 }
 
 } // namespace test_ladder

@@ -75,10 +75,13 @@ TEST_CASE("a bowl's layers, vortex and sensor are read as they were put in") {
     REQUIRE_MESSAGE(stick, to_string(stick.problems()));
     const test::Folder folder;
     std::string rows = "time_s,kinetic_energy_J,rms_velocity_y_m_s,tracer:sensor_y_m\n";
-    for (int row = 0; row <= 400; ++row) {
+    for (int row = 0; row <= 600; ++row) { // a second longer than the scene: what comes then is another motion
         const double time = 0.005 * row + 1e-6;
-        rows += std::to_string(time) + (time > 1.2 ? ",14,0.25," : ",900,900,") +
-                std::to_string(0.08 + 0.03 * std::cos(2 * M_PI * time / 0.4)) + "\n";
+        const bool counts = time > 1.2 && time<2.003, path_counts = time> 0.8 && time < 2.003;
+        rows +=
+            std::to_string(time) + (counts ? ",14,0.25," : ",900,900,") +
+            std::to_string(0.08 + (path_counts ? 0.03 : 0.9) * std::cos(2 * M_PI * time / (path_counts ? 0.4 : 0.1))) +
+            "\n";
     }
     test::put(folder.path / "series.csv", rows);
     test::put(folder.path / "scene.toml", "");

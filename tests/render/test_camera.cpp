@@ -1,8 +1,12 @@
 #include "about.h"
 #include "fixtures.h"
 #include "render/camera.h"
+#include "scene/load.h"
 
+#include <cmath>
+#include <filesystem>
 #include <numbers>
+#include <variant>
 
 namespace test_camera {
 
@@ -111,6 +115,46 @@ TEST_CASE("clip space and the picture agree, and the depth range holds the box")
             CHECK(400 + 400 * at.x() / at.w() == about(expected.x(), 1e-4));
             CHECK(250 - 250 * at.y() / at.w() == about(expected.y(), 1e-4));
             CHECK(std::abs(at.z() / at.w()) < 1);
+        }
+    }
+}
+
+TEST_CASE("the bowls' cameras see the bowl, its collar and its lid whole, and fill the picture with them") {
+    for (const auto& entry : std::filesystem::directory_iterator(TUMBLE_ROOT "/scenes")) {
+        const std::string name = entry.path().filename().string();
+        if (entry.path().extension() != ".toml" || !(name.starts_with("bowl") || name.starts_with("specimen")))
+            continue;
+        CAPTURE(name);
+        const scene::Scene scene = scene::load_scene(entry.path()).value();
+        REQUIRE(scene.render.view);
+        const AlignedBox3d seen(scene.render.view->lo, scene.render.view->hi);
+        AlignedBox3d picture; // of what is seen, in halves of the area's height about its middle
+        const auto add_ring = [&](const Camera& camera, const Vector3d& centre, double radius) {
+            for (int k = 0; k < 360; ++k) {
+                const double angle = k * std::numbers::pi / 180;
+                const Vector3d point = centre + radius * Vector3d(std::cos(angle), 0, std::sin(angle));
+                CHECK(seen.contains(point)); // what is not may be cut off in depth
+                const Vector2d at = (camera.to_picture(point) - camera.centre) / (0.5 * area.height());
+                picture.extend(Vector3d(at.x(), at.y(), 0));
+            }
+        };
+        for (const std::string camera : {"free", "side"}) {
+            scene::Render settings = scene.render;
+            settings.camera = camera;
+            const Camera looking = make_camera(settings, seen, area).value();
+            picture.setEmpty();
+            for (const scene::Wall& wall : scene.walls)
+                if (const auto* bowl = std::get_if<scene::BowlShape>(&wall.shape))
+                    add_ring(looking, bowl->base, bowl->radius);
+                else if (const auto* collar = std::get_if<scene::CylinderShape>(&wall.shape))
+                    add_ring(looking, collar->base + collar->length * collar->axis, collar->radius);
+                else if (const auto* lid = std::get_if<scene::DiscShape>(&wall.shape))
+                    add_ring(looking, lid->centre, lid->radius);
+            REQUIRE_FALSE(picture.isEmpty());
+            const double across = picture.max().cwiseMax(-picture.min()).x() * area.height() / area.width();
+            const double along = picture.max().cwiseMax(-picture.min()).y();
+            CHECK(std::max(across, along) < 0.97); // the margin of cameras that fit themselves is 3 %
+            CHECK(std::max(across, along) > 0.85);
         }
     }
 }

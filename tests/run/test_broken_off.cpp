@@ -145,6 +145,24 @@ TEST_CASE("a run that an exception breaks off is a failed one with whole files, 
     check_same_run(folder.path / "whole", place);
 }
 
+TEST_CASE("a run that fails again before its next checkpoint names the one that it went on from") {
+    const Folder folder;
+    const scene::Scene scene = loaded(pouring);
+    const fs::path place = folder.path / "broken";
+    run::RunOptions options = in(place);
+    options.checkpoint_every = 1e-9;
+    REQUIRE(ran(scene, options, 1000).summary.state == "stopped");
+    REQUIRE(run::list_checkpoints(place / "state").size() == 2);
+    struct OutOfMemory : run::RunListener {
+        void progressed(const run::Progress&) override { throw std::bad_alloc(); }
+    } listener;
+    const auto again = run::run_scene(scene, going_on_in(place), listener);
+    REQUIRE(again.ok());
+    CHECK(again->state == "failed");
+    CHECK(again->checkpoint == newest(place).lexically_relative(place));
+    CHECK(summary_in(place)["checkpoint"] == again->checkpoint.string());
+}
+
 TEST_CASE("of a frame that a full disk cuts off nothing stays in spheres.dump") {
     const Folder folder;
     const scene::Scene scene = loaded(pouring);

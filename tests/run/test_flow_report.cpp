@@ -101,6 +101,23 @@ TEST_CASE("a bouncing ball's cycle is two free falls, in the frames and in its t
     CHECK(run::write_flow(*report, folder.path / "tables").value().size() == 4);
 }
 
+TEST_CASE("the picture of a flow says what its colours and arrows are, with units" *
+          doctest::skip(std::system("gnuplot --version >/dev/null 2>&1") != 0)) {
+    const test::Folder folder;
+    run::RunOptions options;
+    options.folder = folder.path / "run";
+    run::RunListener nobody;
+    REQUIRE(run::run_scene(scene_of(two_balls), options, nobody));
+    run::FlowOptions flow;
+    flow.grid = {.axis_x = 0, .axis_z = 0, .radius = 0.4, .lo = 0, .hi = 0.1, .rings = 4, .layers = 2};
+    const auto report = run::read_flow(options.folder, flow, [](std::int64_t, std::int64_t) {});
+    REQUIRE_MESSAGE(report.ok(), to_string(report.problems()));
+    REQUIRE(run::draw_flow(*report, folder.path / "flow.svg").ok());
+    const std::string drawn = test::content_of(folder.path / "flow.svg");
+    CHECK(drawn.find("tangential velocity, m/s") != std::string::npos);
+    CHECK(drawn.find("radial and vertical velocity, 60 mm are ") != std::string::npos); // 1.2 layers of 50 mm
+}
+
 TEST_CASE("a flow about an axis that no body comes near is refused with where it was looked for") {
     const test::Folder folder;
     run::RunOptions options;

@@ -4,6 +4,7 @@
 #include "observe/series.h"
 #include "run/run_folder.h"
 #include "run/run_scene.h"
+#include "run/simulation.h"
 #include "scenes.h"
 
 #include <doctest/doctest.h>
@@ -191,6 +192,37 @@ TEST_CASE("a run says what check warns of, and run.json keeps it") {
     REQUIRE(ears.heard.size() == 1);
     CHECK(ears.heard[0].starts_with("render.every_s is shorter than a step: every step gets one frame, 101 in all"));
     CHECK(nlohmann::json::parse(content_of(options.folder / "run.json"))["warnings"][0] == ears.heard[0]);
+}
+
+TEST_CASE("while bodies are placed a tally hears of each, whichever solver places them, and a run's listener with it") {
+    for (const scene::Scene& scene : {loaded(pouring), loaded(raining),
+                                      loaded(raining, {"solver=box2d", "domain.periodic=[]"}), loaded(falling_ball)}) {
+        CAPTURE(scene.title);
+        std::int64_t wanted = 0, heard = 0;
+        for (const scene::Fill& fill : scene.fills)
+            wanted += *fill.count;
+        const auto simulation =
+            run::simulate(scene, 1, nullptr, [&](std::string_view what, std::int64_t done, std::int64_t all) {
+                CHECK(what == "bodies placed");
+                CHECK(done == ++heard);
+                CHECK(all == wanted);
+            });
+        REQUIRE_MESSAGE(simulation.ok(), to_string(simulation.problems()));
+        CHECK(heard > 0);
+        CHECK(heard == (*simulation)->books().bodies);
+    }
+    const Folder folder;
+    struct Ears : run::RunListener {
+        std::vector<std::string> heard;
+        void prepares(std::string_view what, std::int64_t done, std::int64_t all) override {
+            heard.push_back(std::to_string(done) + " of " + std::to_string(all) + " " + std::string(what));
+        }
+        void started(const fs::path&, const run::Progress&) override { heard.emplace_back("started"); }
+    } ears;
+    run::RunOptions options;
+    options.folder = folder.path / "ball";
+    REQUIRE(run::run_scene(loaded(falling_ball, {"duration_s=0.001"}), options, ears).ok());
+    CHECK(ears.heard == std::vector<std::string>{"1 of 1 bodies placed", "started"});
 }
 
 TEST_CASE("a body at rest without gravity misses no energy worth a warning") {

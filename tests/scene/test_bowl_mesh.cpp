@@ -170,7 +170,15 @@ TEST_CASE("what cannot be built is named by its key") {
     CHECK(fault_of(no_floor)->key == "rim_width_m");
     BowlShape filled = bowl(12);
     filled.ribs.height = 0.2;
-    CHECK(fault_of(filled).has_value());
+    CHECK(fault_of(filled)->key == "rib_height_m");
+    CHECK(fault_of(filled)->fix.starts_with("make them lower than 0.1575 m, ")); // of 0.21 m the upper three quarters
+    BowlDiscShape steep = disc(12);
+    steep.ribs.height = 0.016; // on a rim of 0.03 m
+    CHECK(fault_of(steep)->key == "rib_height_m");
+    steep.rim_width = 0.05;
+    CHECK(!fault_of(steep));
+    steep.rib_start = 0.55; // 0.0905 of 0.1145 m: 0.024 m of floor
+    CHECK(fault_of(steep)->fix == "make them lower than 0.01201 m, or let them begin farther in (rib_start)");
     for (const int ribs : {0, 12}) {
         CHECK(!fault_of(bowl(ribs)));
         CHECK(!fault_of(disc(ribs)));

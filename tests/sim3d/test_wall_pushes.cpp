@@ -64,6 +64,8 @@ TEST_CASE("what pushes a specimen is what a body loses: momentum, at the facet t
             const Vector3d normal = mesh.area_of(facet).normalized();
             REQUIRE(std::abs(normal.dot(push.foot - mesh.centre_of(facet))) < 1e-12);
             REQUIRE(push.normal.norm() == about(1));
+            REQUIRE(push.patch > 0);
+            REQUIRE(push.patch < 0.002);            // overlaps stay below 1 mm: sqrt(4 mm 1 mm)
             REQUIRE(push.normal.dot(normal) > 0.9); // on the face, or on an edge between two that meet at 6 degrees
             if (touching == 0)
                 CHECK((push.velocity - before).norm() < 0.02);
@@ -76,6 +78,34 @@ TEST_CASE("what pushes a specimen is what a body loses: momentum, at the facet t
     CHECK(wall_pushes_of(*box.world, 0).empty()); // it has left
     const Vector3d lost = mass * (before - box.body_now(0).velocity);
     CHECK((impulse - lost).norm() < 1e-9 * lost.norm());
+}
+
+TEST_CASE("the circle of contact is that of Hertz for the force") {
+    // A ball falls on the tube's round side without losing energy: at the deepest, where no dashpot acts, the force on
+    // the solver's flat facet is F = 4/3 E* a^3 / R.
+    contact::Material media{.name = "media", .density = 1665.71, .youngs_modulus = 4.6e7, .poisson_ratio = 0.2887};
+    contact::PairProperties pair;
+    pair.restitution = 1;
+    Sandbox box{media, pair, 1e-6};
+    const scene::SpecimenShape specimen = tube();
+    const int shape = box.ball(0.004);
+    box.wall(specimen);
+    const Vector3d middle = specimen.place.base + 0.052 * specimen.place.axis;
+    box.start({placed(shape, middle + Vector3d(0, 0.0192, 0), Vector3d(0, -1, 0))});
+    double worst = 0;
+    int touching = 0;
+    for (int step = 0; step < 2000; ++step) {
+        box.run(1);
+        const auto pushes = wall_pushes_of(*box.world, 0);
+        if (pushes.size() != 1)
+            continue;
+        ++touching;
+        const double effective = 4.6e7 / (1 - 0.2887 * 0.2887) / 2; // both of the same material
+        const double hertz = 4.0 / 3 * effective * std::pow(pushes[0].patch, 3) / 0.004;
+        worst = std::max(worst, std::abs(-pushes[0].force.dot(pushes[0].normal) / hertz - 1));
+    }
+    REQUIRE(touching > 100);
+    CHECK(worst < 1e-9);
 }
 
 TEST_CASE("looking at the pushes changes nothing, and two threads see the same") {

@@ -68,6 +68,9 @@ TEST_CASE("a ball's weight goes through the part into its support, and the books
     CHECK(last.strongest->normal == about(test::weight_of_ball, 1e-4));
     // It lies at x = 3 mm, where bricks are 4.8 / 2 mm wide, and at z = 2 mm, where they are 5.4 / 4 mm wide.
     CHECK(last.facet_normal == about(test::weight_of_ball / (0.0024 * 0.00135), 1e-4));
+    // A prism of 50 x 15 x 15 mm has 34.5 cm2, one held end included.
+    CHECK(last.surface_normal == about(test::weight_of_ball / (4 * 0.05 * 0.015 + 2 * 0.015 * 0.015), 1e-4));
+    CHECK(last.surface_shear < 0.01 * last.surface_normal);
     CHECK(study.slices.size() == 3);
     CHECK(study.warnings.empty());
 }

@@ -90,7 +90,8 @@ Sight last_of(const std::string& folder) {
     const scene::Scene scene = bench::value_or_refuse(scene::load_scene(folder + "/scene.toml"));
     const run::Recording recording = bench::value_or_refuse(run::open_recording(folder, {}));
     return {scene.render, recording.layout,
-            bench::value_or_refuse(observe::read_frame(recording.frames.back(), recording.layout)), recording.bounds};
+            bench::value_or_refuse(observe::read_frame(recording.frames.back().file, recording.layout)),
+            recording.bounds};
 }
 
 std::int64_t spheres_in(const observe::Frame& frame) {

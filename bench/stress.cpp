@@ -90,7 +90,7 @@ run::PartLoads contacts(const solid::HexMesh& mesh, int cases, int each) {
 /// s that ccx takes for so many of the cases; 0 where it is not installed.
 double by_calculix(const scene::SpecimenShape& specimen, const run::PartLoads& loads, int cases,
                    const std::filesystem::path& folder) {
-    auto forces = stress::nodal_cases(specimen, loads, false).value();
+    auto forces = stress::nodal_cases(specimen, loads, false, 1).value();
     forces.resize(static_cast<std::size_t>(cases));
     stress::Recorded recorded;
     recorded.scene.walls.emplace_back().shape = specimen;

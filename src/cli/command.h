@@ -26,5 +26,6 @@ void add_reduce_command(CLI::App& program, Action& action);
 void add_view_command(CLI::App& program, Action& action);
 void add_stress_command(CLI::App& program, Action& action);
 void add_gallery_command(CLI::App& program, Action& action);
+void add_plot_command(CLI::App& program, Action& action);
 
 } // namespace tumble::cli

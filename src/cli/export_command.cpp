@@ -2,6 +2,7 @@
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/flag_checks.h"
+#include "cli/patch_flag.h"
 #include "cli/progress_line.h"
 #include "cli/scene_arguments.h"
 #include "cli/stop_flag.h"
@@ -119,12 +120,7 @@ void add_export_command(CLI::App& program, Action& action) {
         ->type_name("NAME")
         ->check(one_of({"incompatible", "standard"}));
     command->add_flag("--means", arguments->means, "Steps are the means between instants instead of the instants");
-    command
-        ->add_option("--patch", arguments->patch,
-                     "Radius of the circles in which bodies touch, times that of the run: (E/E')^(1/3) for media of "
-                     "modulus E' run with E; 0: forces act at points; 1 without it")
-        ->type_name("X")
-        ->check(number_from(0, 100));
+    add_patch_flag(*command, arguments->patch);
     command->add_option("--part", arguments->part, "The specimen, where the scene has several")->type_name("WALL");
     command->add_option("--time", arguments->time, "Only frames from A to B, s; either may be missing")
         ->type_name("A:B");

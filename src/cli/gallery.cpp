@@ -16,7 +16,7 @@ Words run_of(const std::string& scene, const Words& sets) {
     return words;
 }
 
-/// Several frames in one picture, or one without what stands beside a frame.
+/// Several frames in one picture, or one without what stands beside a frame; or a drawing of the last.
 Words strip_of(const std::string& run, const Words& flags) {
     Words words{"render", "{" + run + "}"};
     words.insert(words.end(), flags.begin(), flags.end());
@@ -40,7 +40,9 @@ const std::vector<GalleryRun>& gallery_runs() {
         {"smooth", run_of("drum-2d.toml", {"duration_s=3", "render.every_s=0.02", "pair.glass-glass.friction=0.1"})},
         {"hopper", run_of("hopper-2d.toml", {"duration_s=2", "render.every_s=0.1"})},
         {"cones", run_of("settle-cones.toml", {"observe.contacts=true", "render.every_s=0.05"})},
-        {"empty", run_of("bowl-quick.toml", {"duration_s=1e-5"})},
+        // One body to run with, and nothing above the bowl's rim that would be seen.
+        {"empty", run_of("bowl-quick.toml", {"duration_s=1e-5", "fill.0.count=1", "fill.0.region_hi_m.1=0.2",
+                                             "wall.collar.length_m=0.001", "wall.lid.centre_m.1=0.211"})},
         {"sensor", {"lab", "sensor", "--out", "{folder}"}},
         {"trough", run_of("trough-quick.toml", {"duration_s=2.2"}), 1},
         {"bowl", run_of("bowl-quick.toml", {}), 3},
@@ -76,21 +78,23 @@ const std::vector<GalleryPicture>& gallery_pictures() {
          frames_of("drum", {"--beside={smooth}", "--labels=friction 0.5,friction 0.1",
                             "--time=2.99:", "--background=white", "--size=1200x600"}),
          "{folder}/frame_000150.png"},
+        {"flow.png",
+         "mean flow in the reduced bowl",
+         {"flow", "{bowl}", "--time", "1.0:", "--radius", "0.1665", "--heights", "0,0.16", "--rings", "10", "--layers",
+          "8", "--picture", "{file}"}},
         {"paper.png", "a picture for print, 85 mm wide",
          strip_of("drum", {"--strip=1", "--size-mm=85x85", "--dpi=200", "--font-pt=8"})},
+        {"lines.svg", "the same as lines", strip_of("drum", {"--size-mm=85x85", "--font-pt=8"})},
         {"trough-quick.png", "cones in a vibrating trough", frames_of("trough", {"--time=2.195:", "--size=880x495"}),
          "{folder}/frame_000220.png"},
         {"drum-2d.png", "discs in a turning drum", frames_of("drum", {"--time=2.99:"}), "{folder}/frame_000150.png"},
         {"bowl-empty.png", "bowl and disc without media",
          frames_of("empty", {"--time=:0", "--clip-lo=-1,-1,-1", "--clip-hi=1,-0.9,1", "--color=none",
                              "--background=white", "--set=title=The bowl: ribbed wall, disc with inclined rim and ribs",
-                             "--set=render.eye_m=[0.36,0.56,0.3]", "--set=wall.bowl.opacity=0.5",
-                             "--set=wall.collar.opacity=0", "--set=wall.lid.opacity=0", "--size=960x540"}),
+                             "--set=render.projection=orthographic", "--set=render.eye_m=[0.36,0.56,0.3]",
+                             "--set=render.plot=false", "--set=wall.bowl.opacity=0.5", "--set=wall.collar.opacity=0",
+                             "--set=wall.lid.opacity=0", "--size=960x540"}),
          "{folder}/frame_000000.png"},
-        {"bowl-flow.png",
-         "mean flow in the reduced bowl",
-         {"flow", "{bowl}", "--time", "1.0:", "--radius", "0.1665", "--heights", "0,0.16", "--rings", "10", "--layers",
-          "8", "--picture", "{file}"}},
         {"excitation-orbit.png",
          "how a wall moves, from an accelerometer's record",
          {"excitation", "{sensor}/sensor-1.csv", "--out", "{folder}"},

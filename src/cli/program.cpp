@@ -104,10 +104,11 @@ int run_program(int count, char** words) {
     program.set_version_flag("--version", "tumble " + run::version(), "Print the version and leave");
     program.require_subcommand(1);
     Action action;
-    for (const auto add : {add_run_command, add_render_command, add_check_command, add_list_command, add_lesson_command,
-                           add_excitation_command, add_lab_command, add_export_command, add_walls_command,
-                           add_fit_command, add_flow_command, add_diagnose_command, add_reveal_command,
-                           add_reduce_command, add_stress_command, add_view_command, add_gallery_command})
+    for (const auto add :
+         {add_run_command, add_render_command, add_check_command, add_list_command, add_lesson_command,
+          add_excitation_command, add_lab_command, add_export_command, add_walls_command, add_fit_command,
+          add_flow_command, add_diagnose_command, add_reveal_command, add_reduce_command, add_stress_command,
+          add_view_command, add_plot_command, add_gallery_command})
         add(program, action);
     if (const auto code = check_command(program, count, words))
         return *code;

@@ -9,6 +9,7 @@
 #include "cli/scene_arguments.h"
 #include "cli/stop_flag.h"
 #include "cli/time_range.h"
+#include "render/drawing_file.h"
 #include "run/beside.h"
 #include "run/redraw.h"
 #include "run/run_scene.h"
@@ -24,6 +25,8 @@ namespace tumble::cli {
 
 namespace {
 
+constexpr std::int64_t most_parts = 100; // pictures in one, along each side
+
 struct RenderArguments {
     std::filesystem::path what;   // a run's folder or a scene file
     std::filesystem::path beside; // another run's folder; empty: none
@@ -32,8 +35,8 @@ struct RenderArguments {
     std::filesystem::path out;
     std::filesystem::path video;
     std::string time;
-    std::string strip; // "6" or "3x2"
-    int sections = 0;
+    std::string strip;    // "6" or "3x2"
+    std::string sections; // "6", or places in m as "0,0.027"
     bool frames = false;
     bool force = false;
     bool quiet = false;
@@ -42,6 +45,7 @@ struct RenderArguments {
 
 int tell_replayed(const run::Replayed& done, const run::PictureTargets& targets, const scene::Render& settings,
                   const RenderArguments& arguments) {
+    const bool as_lines = !targets.drawing.empty();
     for (const std::string& warning : done.warnings)
         if (!arguments.quiet)
             note("warning: " + warning);
@@ -50,12 +54,15 @@ int tell_replayed(const run::Replayed& done, const run::PictureTargets& targets,
                                         {"first_s", done.first},
                                         {"last_s", done.last},
                                         {"stopped", done.stopped},
-                                        {"pictures", targets.folder.string()},
+                                        {"pictures", (as_lines ? targets.drawing : targets.folder).string()},
                                         {"video", targets.video.string()},
                                         {"warnings", done.warnings}});
     else if (!arguments.quiet)
         say(fmt::format("{}: {} from t = {:.4g} to {:.4g} s{}{}",
-                        targets.folder.empty() ? targets.video.string() : targets.folder.string(),
+                        (as_lines                 ? targets.drawing
+                         : targets.folder.empty() ? targets.video
+                                                  : targets.folder)
+                            .string(),
                         counted(done.frames, "picture", "pictures"), done.first, done.last,
                         done.stopped ? ", where it was stopped before its end" : "",
                         targets.video.empty() ? "" : "; the video " + video_pace(settings.slowdown())));
@@ -64,6 +71,8 @@ int tell_replayed(const run::Replayed& done, const run::PictureTargets& targets,
 
 /// Folder and file that pictures go to; `name` is that of the folder for PNG files where none was given.
 run::PictureTargets targets_of(const RenderArguments& arguments, const std::string& name) {
+    if (render::is_drawing_file(arguments.out))
+        return {.folder = {}, .video = {}, .drawing = arguments.out};
     run::PictureTargets targets{{}, arguments.video};
     if (arguments.frames || arguments.video.empty() || !arguments.out.empty())
         targets.folder = !arguments.out.empty() ? arguments.out : arguments.what / "redrawn" / name;
@@ -104,20 +113,26 @@ int draw_both(const RenderArguments& arguments, const scene::Scene& scene) {
     return tell_drawn(done, options.targets, options.settings, arguments);
 }
 
+std::optional<Problem> refuse_with_lines(const RenderArguments& arguments) {
+    if (render::is_drawing_file(arguments.out) && (arguments.frames || !arguments.video.empty()))
+        return Problem{.what = fmt::format("{} is one drawing, of the last frame", arguments.out.string()),
+                       .fix = "leave --video and --frames away; --time :B takes another frame"};
+    return std::nullopt;
+}
+
 /// "6", or columns and rows as "3x2"; nothing for other words.
 std::optional<render::StripPlan> read_plan(const std::string& text) {
     const std::size_t cross = text.find('x');
     const auto columns = parse_integer(text.substr(0, cross));
     const auto rows = cross == std::string::npos ? Result<std::int64_t>(1) : parse_integer(text.substr(cross + 1));
-    constexpr std::int64_t most = 100;
-    if (!columns || !rows || *columns < 1 || *rows < 1 || *columns > most || *rows > most)
+    if (!columns || !rows || *columns < 1 || *rows < 1 || *columns > most_parts || *rows > most_parts)
         return std::nullopt;
     return render::StripPlan{.cells = static_cast<int>(*columns * *rows),
                              .columns = cross == std::string::npos ? 0 : static_cast<int>(*columns)};
 }
 
 std::optional<Problem> refuse_with_strip(const RenderArguments& arguments) {
-    if (!arguments.strip.empty() && arguments.sections > 0)
+    if (!arguments.strip.empty() && !arguments.sections.empty())
         return Problem{.what = "--strip and --sections are two ways to put pictures into one",
                        .fix = "leave one of them away; --time B: chooses when sections are taken"};
     if (!arguments.beside.empty() || !arguments.video.empty() || arguments.frames)
@@ -126,23 +141,52 @@ std::optional<Problem> refuse_with_strip(const RenderArguments& arguments) {
     return std::nullopt;
 }
 
+/// A whole number is one of sections; with a comma or a point it is their places, m.
+Result<Done> read_sections(const std::string& text, run::StripOptions& options) {
+    const Problem unreadable{
+        .what = fmt::format("--sections {} is neither a number of pictures nor places", excerpt(text)),
+        .fix = fmt::format("write --sections 6 for 1 to {} of them, or places in m as --sections 0,0.027", most_parts)};
+    if (text.find_first_of(",.") == std::string::npos) {
+        const auto count = parse_integer(text);
+        if (!count || *count < 1 || *count > most_parts)
+            return unreadable;
+        options.plan.cells = static_cast<int>(*count);
+        return Done{};
+    }
+    for (const std::string_view part : split(text, ',')) {
+        const auto place = parse_number(trimmed(part));
+        if (!place || static_cast<std::int64_t>(options.places.size()) == most_parts)
+            return unreadable;
+        options.places.push_back(*place);
+    }
+    options.plan.cells = static_cast<int>(options.places.size());
+    return Done{};
+}
+
+Result<Done> read_parts(const RenderArguments& arguments, run::StripOptions& options) {
+    if (const auto problem = refuse_with_strip(arguments))
+        return *problem;
+    options.sections = !arguments.sections.empty();
+    if (options.sections)
+        return read_sections(arguments.sections, options);
+    const auto plan = read_plan(arguments.strip);
+    if (!plan)
+        return Problem{.what = fmt::format("--strip {} is no number of pictures", arguments.strip),
+                       .fix = "write --strip 6, or columns and rows as --strip 3x2"};
+    options.plan = *plan;
+    return Done{};
+}
+
 int draw_parts(const RenderArguments& arguments, run::RedrawOptions&& redraw) {
     run::StripOptions options;
     options.redraw = std::move(redraw);
-    options.sections = arguments.sections > 0;
-    if (const auto problem = refuse_with_strip(arguments))
-        return refuse({*problem}, arguments.json, wrong);
-    const auto plan = options.sections ? render::StripPlan{.cells = arguments.sections} : read_plan(arguments.strip);
-    if (!plan)
-        return refuse({{.what = fmt::format("--strip {} is no number of pictures", arguments.strip),
-                        .fix = "write --strip 6, or columns and rows as --strip 3x2"}},
-                      arguments.json, wrong);
-    options.plan = *plan;
+    if (const auto read = read_parts(arguments, options); !read)
+        return refuse(read.problems(), arguments.json, wrong);
     const scene::Render& settings = options.redraw.settings;
     options.out = !arguments.out.empty() ? arguments.out
                                          : arguments.what / "redrawn" /
                                                fmt::format("{}_{}_{}_{}.png", settings.camera, settings.color,
-                                                           options.sections ? "sections" : "strip", plan->cells);
+                                                           options.sections ? "sections" : "strip", options.plan.cells);
     ProgressLine line(arguments.quiet);
     const auto done =
         run::draw_strip(arguments.what, options, [&](std::int64_t n, std::int64_t all) { line.frames(n, all); });
@@ -159,7 +203,9 @@ int redraw_run(RenderArguments& arguments) {
     const Result<scene::Scene> scene = arguments.scene.load();
     if (!scene)
         return refuse(scene.problems(), arguments.json, wrong);
-    if (!arguments.beside.empty() && arguments.strip.empty() && arguments.sections == 0)
+    if (const auto problem = refuse_with_lines(arguments))
+        return refuse({*problem}, arguments.json, wrong);
+    if (!arguments.beside.empty() && arguments.strip.empty() && arguments.sections.empty())
         return draw_both(arguments, *scene);
     if (!arguments.labels.empty())
         return refuse({{.what = "--labels names two runs side by side, and this is one",
@@ -177,7 +223,7 @@ int redraw_run(RenderArguments& arguments) {
     const auto problem = read_time_range(arguments.time, options.when.from, options.when.to);
     if (problem)
         return refuse({*problem}, arguments.json, wrong);
-    if (!arguments.strip.empty() || arguments.sections > 0)
+    if (!arguments.strip.empty() || !arguments.sections.empty())
         return draw_parts(arguments, std::move(options));
     options.targets = targets_of(arguments, fmt::format("{}_{}", options.settings.camera, options.settings.color));
     ProgressLine line(arguments.quiet);
@@ -196,9 +242,14 @@ int draw_scene(RenderArguments& arguments) {
         return refuse({{.what = "--beside stands two runs side by side, and this is a scene",
                         .fix = "run it first, then give the run's folder"}},
                       arguments.json, wrong);
-    if (!arguments.strip.empty() || arguments.sections > 0)
+    if (!arguments.strip.empty() || !arguments.sections.empty())
         return refuse({{.what = "--strip and --sections draw a run that is over, and this is a scene",
                         .fix = "run it first, then give the run's folder"}},
+                      arguments.json, wrong);
+    if (render::is_drawing_file(arguments.out))
+        return refuse({{.file = arguments.out.string(),
+                        .what = "a drawing shows a run that is over, and this is a scene",
+                        .fix = "run it first, then give the run's folder; --out names the run's folder here"}},
                       arguments.json, wrong);
     if (!arguments.time.empty())
         return refuse({{.what = "--time chooses among the frames of a run, and this is a scene",
@@ -244,13 +295,15 @@ void add_render_command(CLI::App& program, Action& action) {
         ->type_name("N");
     command
         ->add_option("--sections", arguments->sections,
-                     "N cuts through the bodies at the last frame, across the way the camera looks, in one picture")
-        ->type_name("N")
-        ->check(whole_number_from(1, 100));
+                     "N cuts through the bodies at the last frame, across the way the camera looks, in one picture; or "
+                     "their places along the camera's axis, m, such as 0,0.027,0.054")
+        ->type_name("N|M,M,...");
     command
-        ->add_option("--out", arguments->out,
-                     "Folder for the PNG files, or for the run of a scene; of a strip or sections the picture where it "
-                     "ends in .png, else a folder with a picture each")
+        ->add_option(
+            "--out", arguments->out,
+            "Folder for the PNG files, or for the run of a scene; of a strip or sections the picture where it "
+            "ends in .png, else a folder with a picture each. A name that ends in .svg or .pdf: the last frame, "
+            "the two runs or the strip drawn as lines (two dimensions)")
         ->type_name("DIR")
         ->check(refuse_no_place);
     command->add_option("--time", arguments->time, "Only frames from A to B, s; either may be missing")

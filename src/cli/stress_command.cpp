@@ -3,6 +3,7 @@
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/flag_checks.h"
+#include "cli/patch_flag.h"
 #include "cli/progress_line.h"
 #include "cli/scene_arguments.h"
 #include "cli/sheet_flags.h"
@@ -191,12 +192,7 @@ void add_stress_command(CLI::App& program, Action& action) {
         ->expected(1)
         ->take_all();
     command->add_flag("--means", study.means, "Solve the mean loads between the instants instead of the instants");
-    command
-        ->add_option("--patch", study.patch,
-                     "Radius of the circles in which bodies touch, times that of the run: (E/E')^(1/3) for media of "
-                     "modulus E' run with E; 0: forces act at points; 1 without it")
-        ->type_name("X")
-        ->check(number_from(0, 100));
+    add_patch_flag(*command, study.patch);
     command->add_flag("--pictures", arguments->draw,
                       "Draw the worst case: the part among the media, cuts through it, its slices rolled out");
     command

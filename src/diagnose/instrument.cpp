@@ -1,7 +1,6 @@
 #include "diagnose/instrument.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace tumble::diagnose {
 
@@ -16,10 +15,9 @@ double truth_time(const Instrument& instrument, double time) {
 std::vector<double> seen_through(const Instrument& instrument, const Signal& truth, std::span<const double> times) {
     Signal signal = instrument.low_pass > 0 ? truth.low_passed(instrument.low_pass, truth.value.front()) : truth;
     if (instrument.high_pass > 0) {
-        Signal quick = signal.low_passed(1 / instrument.high_pass, 0); // the slow part yet
-        for (std::size_t k = 0; k < quick.value.size(); ++k)
-            quick.value[k] = signal.at(quick.time[k]) - quick.value[k];
-        signal = std::move(quick);
+        const Signal slow = signal.low_passed(1 / instrument.high_pass, 0);
+        for (std::size_t k = 0; k < signal.value.size(); ++k)
+            signal.value[k] -= slow.value[k];
     }
     const auto [lowest, highest] = std::minmax_element(signal.value.begin(), signal.value.end());
     const double ceiling = *highest - instrument.clipping * (*highest - *lowest);

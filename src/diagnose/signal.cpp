@@ -10,7 +10,6 @@ namespace {
 
 constexpr std::size_t rows_of_side = 4; // of a third-order polynomial
 constexpr double least_kink = 3;        // times the bend to either side
-constexpr double most_parts = 32;       // of a row, for a filter
 
 /// Where a function changes its sign between two places, by bisection down to rounding; none where it does not.
 template <class Function> std::optional<double> root_of(Function function, double lo, double hi) {
@@ -80,30 +79,15 @@ double Signal::rate_at(double t) const {
     return (at(t + row) - at(t - row)) / (2 * row);
 }
 
-Signal Signal::refined(double step) const {
-    Signal fine{{time.front()}, {value.front()}};
-    for (std::size_t k = 1; k < time.size(); ++k) {
-        const double row = time[k] - time[k - 1], parts = std::clamp(std::ceil(row / step), 1.0, most_parts);
-        for (double part = 1; part < parts; ++part) {
-            fine.time.push_back(time[k - 1] + part / parts * row);
-            fine.value.push_back(at(fine.time.back()));
-        }
-        fine.time.push_back(time[k]);
-        fine.value.push_back(value[k]);
-    }
-    return fine;
-}
-
 Signal Signal::low_passed(double time_constant, double from) const {
-    const Signal put_in = refined(time_constant / 3);
-    Signal passed = put_in;
+    Signal passed{time, value};
     passed.value.front() = from;
-    for (std::size_t k = 1; k < passed.time.size(); ++k) {
+    for (std::size_t k = 1; k < time.size(); ++k) {
         // y' = (x - y) / tau with x straight between the rows.
-        const double step = (passed.time[k] - passed.time[k - 1]) / time_constant;
+        const double step = (time[k] - time[k - 1]) / time_constant;
         const double decay = std::exp(-step);
-        const double before = put_in.value[k - 1], now = put_in.value[k], slope = (now - before) / step;
-        passed.value[k] = now - slope + (passed.value[k - 1] - before + slope) * decay;
+        const double slope = (value[k] - value[k - 1]) / step;
+        passed.value[k] = value[k] - slope + (passed.value[k - 1] - value[k - 1] + slope) * decay;
     }
     return passed;
 }

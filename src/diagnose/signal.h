@@ -16,13 +16,11 @@ struct Signal {
     [[nodiscard]] double at(double t) const;
     /// Change per second about t, over one row to either side.
     [[nodiscard]] double rate_at(double t) const;
-    /// The same passed through a first-order low pass of that time constant (s); it starts at `from`. Where rows are
-    /// farther apart than a third of that, more of them stand between, so that kinks go into the filter sharp.
+    /// The same passed through a first-order low pass of that time constant (s), exactly for straight lines between
+    /// rows; it starts at `from`.
     [[nodiscard]] Signal low_passed(double time_constant, double from) const;
 
 private:
-    /// With rows between its rows, equally far apart and no farther than `step` (s), but at most 31 to a row.
-    [[nodiscard]] Signal refined(double step) const;
     /// Second divided difference at row k.
     [[nodiscard]] double bend(std::size_t k) const;
     /// Between rows k and k + 1 the slope jumps.

@@ -67,8 +67,9 @@ sheet::Figure orbit_figure(const Record& record, const Excitation& found, std::s
                          .title = fmt::format("Orbit of the wall in the {}-{} plane", a, b),
                          .x = {fmt::format("displacement along {}", a), "mm"},
                          .y = {fmt::format("displacement along {}", b), "mm"},
-                         .curves = {{"order 1 alone", sheet::Style::dashes},
-                                    {"all orders", sheet::Style::line},
+                         // The dashes last: where both are one, they are seen upon the line.
+                         .curves = {{"all orders", sheet::Style::line},
+                                    {"order 1 alone", sheet::Style::dashes},
                                     {"the record begins", sheet::Style::points},
                                     {"a tenth of a turn later", sheet::Style::points}},
                          .stretch = 1};
@@ -80,8 +81,8 @@ sheet::Figure orbit_figure(const Record& record, const Excitation& found, std::s
         const auto of_first = [&](std::size_t channel) {
             return 1e3 * (displacement(first, channel) * std::polar(1.0, turn * turns)).imag();
         };
-        figure.curves[0].add(of_first(across), of_first(up));
-        figure.curves[1].add(1e3 * place_at(found, across, turns), 1e3 * place_at(found, up, turns));
+        figure.curves[0].add(1e3 * place_at(found, across, turns), 1e3 * place_at(found, up, turns));
+        figure.curves[1].add(of_first(across), of_first(up));
     }
     for (std::size_t k = 0; k < 2; ++k) {
         const double turns = 0.1 * static_cast<double>(k);

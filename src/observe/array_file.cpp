@@ -8,6 +8,7 @@
 #include <bit>
 #include <cstring>
 #include <fmt/format.h>
+#include <fstream>
 
 namespace tumble::observe {
 
@@ -51,7 +52,7 @@ std::string four_bytes(std::uint32_t number) {
     return bytes;
 }
 
-std::uint32_t number_at(const std::string& bytes, std::size_t offset) {
+std::uint32_t number_at(std::string_view bytes, std::size_t offset) {
     std::uint32_t number = 0;
     std::memcpy(&number, bytes.data() + offset, 4);
     return number;
@@ -146,38 +147,102 @@ std::string to_bytes(const ArrayFile& content) {
     return bytes;
 }
 
-Result<ArrayFile> from_bytes(const std::string& bytes, const std::string& kind, const std::filesystem::path& file) {
-    const auto wrong = [&](std::string what, std::string fix = "give a file that tumble wrote") {
-        return Problem{.file = file.string(), .what = std::move(what), .fix = std::move(fix)};
-    };
-    const std::string again = "remove this file, or run the scene again";
-    if (bytes.size() < magic.size() || std::string_view(bytes).substr(0, magic.size()) != magic)
-        return wrong("is no tumble file (its first eight bytes differ)");
-    if (bytes.size() < preamble + trailer)
-        return wrong("is cut off", again);
+namespace {
+
+/// Problems are of that file.
+struct In {
+    const std::filesystem::path& file;
+
+    [[nodiscard]] Problem wrong(std::string what, std::string fix = "give a file that tumble wrote") const {
+        return {.file = file.string(), .what = std::move(what), .fix = std::move(fix)};
+    }
+    [[nodiscard]] Problem cut_off(std::string what = "is cut off") const {
+        return wrong(std::move(what), "remove this file, or run the scene again");
+    }
+};
+
+/// Length of the head of a file that begins with these bytes and has `size` of them.
+Result<std::size_t> head_size(std::string_view bytes, std::uintmax_t size, const In& in) {
+    if (bytes.substr(0, magic.size()) != magic)
+        return in.wrong("is no tumble file (its first eight bytes differ)");
+    if (size < preamble + trailer || bytes.size() < preamble)
+        return in.cut_off();
     if (number_at(bytes, 8) != version)
-        return wrong(
+        return in.wrong(
             fmt::format("has version {} of the format, this program reads version {}", number_at(bytes, 8), version));
-    const std::size_t head_size = number_at(bytes, 12);
-    if (head_size > bytes.size() - preamble - trailer)
-        return wrong("is cut off", again);
+    const std::size_t length = number_at(bytes, 12);
+    if (length > size - preamble - trailer)
+        return in.cut_off();
+    return length;
+}
+
+Result<nlohmann::json> head_of(std::string_view text, const std::string& kind, const In& in) {
+    nlohmann::json head = nlohmann::json::parse(text.begin(), text.end(), nullptr, false);
+    if (!head.is_object() || !head.contains("arrays") || !head["arrays"].is_array())
+        return in.wrong("has a head that is no JSON object with arrays");
+    const std::string found = head.contains("kind") && head["kind"].is_string() ? head["kind"] : "";
+    if (found != kind)
+        return in.wrong(fmt::format("holds a '{}', not a '{}'", found, kind));
+    return head;
+}
+
+Problem not_in_it(const nlohmann::json& array, const In& in) {
+    return in.wrong("describes an array that is not in it: " + excerpt(array.dump(), 200));
+}
+
+} // namespace
+
+Result<ArrayFile> from_bytes(const std::string& bytes, const std::string& kind, const std::filesystem::path& file) {
+    const In in{file};
+    const auto length = head_size(bytes, bytes.size(), in);
+    if (!length)
+        return length.problems();
     if (crc32(std::string_view(bytes).substr(0, bytes.size() - trailer)) != number_at(bytes, bytes.size() - trailer))
-        return wrong("is cut off or was changed: its checksum does not fit", again);
-    ArrayFile content;
-    content.head = nlohmann::json::parse(bytes.data() + preamble, bytes.data() + preamble + head_size, nullptr, false);
-    if (!content.head.is_object() || !content.head.contains("arrays") || !content.head["arrays"].is_array())
-        return wrong("has a head that is no JSON object with arrays");
-    content.kind = content.head.contains("kind") && content.head["kind"].is_string() ? content.head["kind"] : "";
-    if (content.kind != kind)
-        return wrong(fmt::format("holds a '{}', not a '{}'", content.kind, kind));
-    const std::size_t start = preamble + head_size;
+        return in.cut_off("is cut off or was changed: its checksum does not fit");
+    auto head = head_of(std::string_view(bytes).substr(preamble, *length), kind, in);
+    if (!head)
+        return head.problems();
+    ArrayFile content{kind, std::move(*head), {}};
+    const std::size_t start = preamble + *length;
     for (const nlohmann::json& json : content.head["arrays"]) {
         const std::optional<Entry> entry = entry_of(json, bytes.size() - trailer - start);
         if (!entry)
-            return wrong("describes an array that is not in it: " + excerpt(json.dump(), 200));
+            return not_in_it(json, in);
         content.arrays.push_back(array_of(*entry, bytes.data() + start));
     }
     return content;
+}
+
+Result<nlohmann::json> read_head(const std::filesystem::path& file, const std::string& kind) {
+    const In in{file};
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    std::ifstream stream(file, std::ios::binary);
+    std::string bytes(preamble, '\0');
+    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    if (error || (!stream && !stream.eof()))
+        return Problem{.file = file.string(), .what = "cannot be read", .fix = "look at who may read it"};
+    bytes.resize(static_cast<std::size_t>(stream.gcount()));
+    const auto length = head_size(bytes, size, in);
+    if (!length)
+        return length.problems();
+    std::string text(*length, '\0');
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    if (!stream)
+        return in.cut_off();
+    auto head = head_of(text, kind, in);
+    if (!head)
+        return head.problems();
+    std::size_t end = 0; // of the arrays
+    for (const nlohmann::json& json : (*head)["arrays"]) {
+        const std::optional<Entry> entry = entry_of(json, size - trailer - preamble - *length);
+        if (!entry)
+            return not_in_it(json, in);
+        end = std::max(end, entry->offset + entry->rows * entry->width * entry->type.size);
+    }
+    if (end != size - trailer - preamble - *length)
+        return in.cut_off("is not as long as it says");
+    return head;
 }
 
 } // namespace tumble::observe

@@ -42,4 +42,9 @@ std::string to_bytes(const ArrayFile& content);
 /// `file` only names the file in problems.
 Result<ArrayFile> from_bytes(const std::string& bytes, const std::string& kind, const std::filesystem::path& file);
 
+/// What a file says of itself: its head, without any array's content. Its length must be that which the head asks for,
+/// so that a file that was cut off is found out; what was changed is not, because the checksum is one of all bytes and
+/// is left to from_bytes. Problems: else as from_bytes.
+Result<nlohmann::json> read_head(const std::filesystem::path& file, const std::string& kind);
+
 } // namespace tumble::observe

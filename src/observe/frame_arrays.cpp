@@ -47,7 +47,7 @@ void read_wall_places(Taker& taker, Frame& frame) {
 }
 
 std::vector<Array> contact_arrays(const std::vector<FrameContact>& contacts) {
-    std::vector<Array> arrays{whole("contact_bodies", 2), whole("contact_wall", 1), reals("contact_point_m", 3),
+    std::vector<Array> arrays{whole(contacts_array, 2), whole("contact_wall", 1), reals("contact_point_m", 3),
                               reals("contact_normal", 3), reals("contact_force_N", 3)};
     for (const FrameContact& contact : contacts) {
         arrays[0].integers.insert(arrays[0].integers.end(), {contact.a, contact.b});
@@ -61,10 +61,10 @@ std::vector<Array> contact_arrays(const std::vector<FrameContact>& contacts) {
 
 /// Frames have them only where a run was asked to keep them.
 void read_contacts(Taker& taker, const ArrayFile& content, Frame& frame) {
-    const auto kept = [](const Array& array) { return array.name == "contact_bodies"; };
+    const auto kept = [](const Array& array) { return array.name == contacts_array; };
     if (std::none_of(content.arrays.begin(), content.arrays.end(), kept))
         return;
-    const Array& bodies = taker.take("contact_bodies", 2, true);
+    const Array& bodies = taker.take(contacts_array, 2, true);
     const Array& wall = taker.take("contact_wall", 1, true);
     const Array& point = taker.take("contact_point_m", 3, false);
     const Array& normal = taker.take("contact_normal", 3, false);
@@ -90,6 +90,15 @@ void read_contacts(Taker& taker, const ArrayFile& content, Frame& frame) {
 }
 
 } // namespace
+
+bool take_instant(const nlohmann::json& head, double& time, std::int64_t& step) {
+    if (!head.contains("time_s") || !head["time_s"].is_number() || !head.contains("step") ||
+        !head["step"].is_number_integer())
+        return false;
+    time = head["time_s"];
+    step = head["step"];
+    return true;
+}
 
 ArrayFile to_arrays(const Frame& frame) {
     Array id = whole("id", 1), shape = whole("shape", 1), orientation = reals("orientation_wxyz", 4);
@@ -125,16 +134,12 @@ Result<Frame> frame_from(const ArrayFile& content, const std::shared_ptr<const F
     taker.within(shape, static_cast<std::int64_t>(layout->shapes.size()));
     for (const Array* array : {&position, &orientation, &velocity, &spin})
         taker.finite(*array);
-    const bool timed = content.head.contains("time_s") && content.head["time_s"].is_number() &&
-                       content.head.contains("step") && content.head["step"].is_number_integer();
-    if (!timed)
+    Frame frame;
+    frame.layout = layout;
+    if (!take_instant(content.head, frame.time, frame.step))
         taker.say("has no time_s and step in its head");
     if (!taker.problems.empty())
         return taker.problems;
-    Frame frame;
-    frame.layout = layout;
-    frame.time = content.head["time_s"];
-    frame.step = content.head["step"];
     frame.id = id.integers;
     frame.shape.assign(shape.integers.begin(), shape.integers.end());
     frame.position = vectors_of(position);

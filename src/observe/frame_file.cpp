@@ -57,6 +57,19 @@ Result<Frame> read_frame(const std::filesystem::path& file, const std::shared_pt
     return frame;
 }
 
+Result<FrameHead> read_frame_head(const std::filesystem::path& file) {
+    const auto head = read_head(file, "frame");
+    if (!head)
+        return head.problems();
+    FrameHead frame;
+    if (!take_instant(*head, frame.time, frame.step))
+        return Problem{
+            .file = file.string(), .what = "has no time_s and step in its head", .fix = "run the scene again"};
+    for (const nlohmann::json& array : (*head)["arrays"])
+        frame.contacts = frame.contacts || array["name"] == contacts_array;
+    return frame;
+}
+
 std::filesystem::path frame_path(const std::filesystem::path& folder, std::int64_t number) {
     return folder / fmt::format("{}{:06}{}", prefix, number, suffix);
 }

@@ -20,6 +20,17 @@ Result<Done> write_frame(const std::filesystem::path& file, const Frame& frame);
 /// Problems: as read_layout, and shapes or walls that the layout does not have.
 Result<Frame> read_frame(const std::filesystem::path& file, const std::shared_ptr<const FrameLayout>& layout);
 
+/// What the head of a frame says.
+struct FrameHead {
+    double time = 0; // s
+    std::int64_t step = 0;
+    bool contacts = false; // it has kept who touches whom
+};
+
+/// Without reading what it is the head of: whether that is whole and unchanged only read_frame knows. Problems: those
+/// of read_head; no time or step.
+Result<FrameHead> read_frame_head(const std::filesystem::path& file);
+
 /// "frame_000012.tumble" in the folder.
 std::filesystem::path frame_path(const std::filesystem::path& folder, std::int64_t number);
 /// "layout.tumble" in the folder.

@@ -42,13 +42,22 @@ Result<double> read_cell(std::string_view cell) {
     return parse_number(trimmed(cell));
 }
 
+const std::vector<std::string> units{"J", "m", "deg", "rad_s", "m_s", "m_s2", "s"};
+
 } // namespace
+
+std::string unit_in(const std::string& head) {
+    std::string longest; // "m_s", not "s"
+    for (const std::string& unit : units)
+        if (head.ends_with("_" + unit) && unit.size() > longest.size())
+            longest = unit;
+    return longest;
+}
 
 const std::vector<double>* Series::find(const std::string& name) const {
     for (std::size_t i = 0; i < columns.size(); ++i)
         if (columns[i] == name)
             return &values[i];
-    static const std::vector<std::string> units{"J", "m", "deg", "rad_s", "m_s", "m_s2", "s"};
     for (std::size_t i = 0; i < columns.size(); ++i)
         for (const std::string& unit : units)
             if (columns[i] == fmt::format("{}_{}", name, unit))

@@ -20,6 +20,10 @@ struct Series {
     void append(const std::vector<double>& row);
 };
 
+/// The unit that a column's head ends with, as heads write it: "m_s" of "tracer:ball_vx_m_s". Empty: none that is
+/// known.
+std::string unit_in(const std::string& head);
+
 /// Writes a CSV file row by row. Each row reaches the system in one piece, so a killed run leaves whole lines; a row
 /// that does not fit on the disk is taken back.
 class SeriesWriter {

@@ -91,14 +91,17 @@ sheet::Figure figure_of(const Account& account) {
             }
         figure.curves.push_back(std::move(curve));
     }
-    sheet::Curve limits{
-        .label = fmt::format("{:.3g} %", 100 * account.tolerance), .style = sheet::Style::dashes, .color = 5};
-    const double limit = 100 * account.tolerance, beyond = 0.05 * std::max(most - 1, 0.1);
-    const double first = 1 - beyond, last = most + beyond;
-    for (const auto& [x, y] :
-         {std::pair(first, -limit), {last, -limit}, {last, limit}, {first, limit}, {first, -limit}})
-        limits.add(x, y);
-    figure.curves.push_back(std::move(limits));
+    const double beyond = 0.05 * std::max(most - 1, 0.1);
+    for (const double limit : {100 * account.tolerance, -100 * account.tolerance})
+        figure.curves.push_back({.label = limit > 0 ? fmt::format("limits, {:.3g} %", limit) : "",
+                                 .style = sheet::Style::dashes,
+                                 .x = {1 - beyond, most + beyond},
+                                 .y = {limit, limit},
+                                 .color = 5});
+    for (std::size_t k = 0; k < account.priced.size(); ++k)
+        if (account.priced[k] != account.reference) // whose errors are none
+            figure.places.emplace_back(account.prices.rungs[k].speed_up,
+                                       account.climb.rungs[account.priced[k]].rung.name);
     return figure;
 }
 

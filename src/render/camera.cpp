@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/core.h>
 #include <numbers>
+#include <utility>
 
 namespace tumble::render {
 
@@ -172,22 +173,62 @@ Result<Camera> make_camera(const scene::Render& settings, const Eigen::AlignedBo
     return camera;
 }
 
-Eigen::AlignedBox3d bounds_of(const observe::Frame& frame) {
-    Eigen::AlignedBox3d box;
-    const observe::FrameLayout& layout = *frame.layout;
-    for (std::size_t b = 0; b < frame.bodies(); ++b) {
-        const observe::FrameShape& shape = layout.shapes[static_cast<std::size_t>(frame.shape[b])];
+BoundsOver::BoundsOver(std::shared_ptr<const observe::FrameLayout> layout) : layout_(std::move(layout)) {
+    // Roundings at its rim must not make the reach too short to pass a body over.
+    constexpr double ample = 1 + 1e-9;
+    for (const observe::FrameShape& shape : layout_->shapes) {
+        double& reach = reach_.emplace_back(0);
         for (std::size_t s = 0; s < shape.centres.size(); ++s) {
-            const Vector3d centre = frame.position[b] + frame.orientation[b] * shape.centres[s];
-            box.extend(Eigen::AlignedBox3d(centre.array() - shape.radii[s], centre.array() + shape.radii[s]));
+            reach = std::max(reach, ample * (shape.centres[s].norm() + shape.radii[s]));
         }
     }
-    for (std::size_t w = 0; w < layout.walls.size() && w < frame.walls.size(); ++w) {
-        for (const Vector3d& vertex : layout.walls[w].vertices) {
-            box.extend(frame.walls[w].rotation * vertex + frame.walls[w].translation);
-        }
+}
+
+void BoundsOver::take_in_body(const observe::Frame& frame, std::size_t body) {
+    const auto shape = static_cast<std::size_t>(frame.shape[body]);
+    const Vector3d& place = frame.position[body];
+    if (box_.contains(Eigen::AlignedBox3d(place.array() - reach_[shape], place.array() + reach_[shape]))) {
+        return;
     }
-    return box.isEmpty() ? Eigen::AlignedBox3d(layout.domain_lo, layout.domain_hi) : box;
+    const observe::FrameShape& spheres = layout_->shapes[shape];
+    for (std::size_t s = 0; s < spheres.centres.size(); ++s) {
+        const Vector3d centre = place + frame.orientation[body] * spheres.centres[s];
+        box_.extend(Eigen::AlignedBox3d(centre.array() - spheres.radii[s], centre.array() + spheres.radii[s]));
+    }
+}
+
+void BoundsOver::take_in_wall(const observe::Frame& frame, std::size_t wall) {
+    const observe::WallPlace& place = frame.walls[wall];
+    if (wall < walls_.size() && walls_[wall].rotation == place.rotation &&
+        walls_[wall].translation == place.translation) {
+        return;
+    }
+    for (const Vector3d& vertex : layout_->walls[wall].vertices) {
+        box_.extend(place.rotation * vertex + place.translation);
+    }
+}
+
+void BoundsOver::take_in(const observe::Frame& frame) {
+    const std::size_t walls = std::min(layout_->walls.size(), frame.walls.size());
+    const auto has_spheres = [&](int shape) { return reach_[static_cast<std::size_t>(shape)] > 0; };
+    bool any = std::any_of(frame.shape.begin(), frame.shape.end(), has_spheres);
+    for (std::size_t w = 0; w < walls; ++w) {
+        any = any || !layout_->walls[w].vertices.empty();
+        take_in_wall(frame, w);
+    }
+    walls_ = frame.walls;
+    for (std::size_t b = 0; b < frame.bodies(); ++b) {
+        take_in_body(frame, b);
+    }
+    if (!any) {
+        box_.extend(Eigen::AlignedBox3d(layout_->domain_lo, layout_->domain_hi));
+    }
+}
+
+Eigen::AlignedBox3d bounds_of(const observe::Frame& frame) {
+    BoundsOver over(frame.layout);
+    over.take_in(frame);
+    return over.box();
 }
 
 } // namespace tumble::render

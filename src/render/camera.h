@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <memory>
+#include <vector>
 
 namespace tumble::render {
 
@@ -37,7 +39,25 @@ struct Camera {
     void enclose(const Eigen::AlignedBox3d& everything);
 };
 
-/// All bodies and walls of a frame, m; the domain where there are neither.
+/// The box about all bodies and walls of the frames of one layout, m; of a frame that has neither its domain. Bodies
+/// whose reach lies within what was seen before are not looked at more closely: in a run nearly all.
+class BoundsOver {
+public:
+    explicit BoundsOver(std::shared_ptr<const observe::FrameLayout> layout);
+    void take_in(const observe::Frame& frame);
+    [[nodiscard]] const Eigen::AlignedBox3d& box() const { return box_; }
+
+private:
+    void take_in_body(const observe::Frame& frame, std::size_t body);
+    void take_in_wall(const observe::Frame& frame, std::size_t wall);
+
+    std::shared_ptr<const observe::FrameLayout> layout_;
+    std::vector<double> reach_;             // m, per shape: of a ball about its centre of mass that holds it
+    std::vector<observe::WallPlace> walls_; // as last seen
+    Eigen::AlignedBox3d box_;
+};
+
+/// The same of a single frame.
 Eigen::AlignedBox3d bounds_of(const observe::Frame& frame);
 
 /// The camera that settings ask for. front looks along +x (y up, z to the right), side along -z (y up, x to the right),

@@ -10,10 +10,6 @@
 
 namespace tumble::render {
 
-// Letters of the two larger sizes, pixels at 1280 x 720.
-constexpr double normal_letters = 19;
-constexpr double large_letters = 23;
-
 // Dear ImGui keeps its current context in one variable for all threads.
 static std::mutex one_at_a_time;
 
@@ -30,7 +26,7 @@ static std::string find_font() {
     return {};
 }
 
-static Pen::Fonts load_fonts(ImFontAtlas& atlas, double unit) {
+static ScreenPen::Fonts load_fonts(ImFontAtlas& atlas, double unit) {
     // Latin, Greek, dashes and quotes, raised digits, arrows and the minus sign.
     static constexpr std::array<ImWchar, 15> letters{0x20,   0xff,   0x370,  0x3ff,  0x2010, 0x2027, 0x2070, 0x208e,
                                                      0x2190, 0x2193, 0x2212, 0x2212, 0x2248, 0x2248, 0};
@@ -47,7 +43,7 @@ static Pen::Fonts load_fonts(ImFontAtlas& atlas, double unit) {
         }
         return font;
     };
-    Pen::Fonts fonts{load(small_letters), load(normal_letters), load(large_letters), false};
+    ScreenPen::Fonts fonts{load(small_letters), load(normal_letters), load(large_letters), false};
     atlas.Build();
     fonts.complete = fonts.small->FindGlyphNoFallback(0x2212) != nullptr;
     return fonts;

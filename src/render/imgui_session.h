@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/pen.h"
+#include "render/screen_pen.h"
 
 #include <memory>
 #include <mutex>
@@ -18,7 +18,7 @@ public:
     ImGuiSession& operator=(const ImGuiSession&) = delete;
     ~ImGuiSession();
 
-    [[nodiscard]] const Pen::Fonts& fonts() const { return fonts_; }
+    [[nodiscard]] const ScreenPen::Fonts& fonts() const { return fonts_; }
 
     /// While it lives, ImGui's functions mean this session: there is one current context for all threads.
     class Current {
@@ -31,7 +31,7 @@ public:
 
 private:
     ImGuiContext* context_ = nullptr;
-    Pen::Fonts fonts_;
+    ScreenPen::Fonts fonts_;
 };
 
 } // namespace tumble::render

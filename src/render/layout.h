@@ -7,8 +7,14 @@
 
 namespace tumble::render {
 
-/// Units, the height of the smallest letters from their lowest to their highest reach.
+/// Units, the heights of letters from their lowest to their highest reach.
 constexpr double small_letters = 17;
+constexpr double normal_letters = 19;
+constexpr double large_letters = 23;
+
+/// Of what typographers call the letters' size: hhea table of DejaVu Sans, ascent 1901 and descent 483 of 2048.
+constexpr double ascent_of_letters = 1901.0 / 2048.0;
+constexpr double reach_of_letters = (1901.0 + 483.0) / 2048.0;
 
 /// Where everything stands in a picture. Areas do not overlap and lie wholly inside.
 struct Layout {

@@ -9,15 +9,7 @@ namespace tumble::render {
 using Eigen::Vector2d;
 
 static void draw_bar(Pen& pen, const Area& bar, const Legend& legend, bool upright) {
-    const auto count = static_cast<int>(legend.map.points.size()) - 1;
-    for (int i = 0; i < count; ++i) {
-        const double from = static_cast<double>(i) / count;
-        const double to = static_cast<double>(i + 1) / count;
-        const Area part =
-            upright ? Area{bar.left, bar.bottom - to * bar.height(), bar.right, bar.bottom - from * bar.height()}
-                    : Area{bar.left + from * bar.width(), bar.top, bar.left + to * bar.width(), bar.bottom};
-        pen.shade(part, legend.map.at(upright ? to : from), legend.map.at(upright ? from : to), upright);
-    }
+    pen.ramp(bar, legend.map, upright);
     // Values beyond an end are seen at a point instead of a straight end.
     const double tip = 0.55 * (upright ? bar.width() : bar.height());
     const Eigen::Vector3d low = legend.map.at(0);
@@ -82,11 +74,11 @@ Area draw_legend(Pen& pen, const Area& area, const Legend& legend, const Theme& 
         const double share = (ticks[i] - span.lo) / (span.hi - span.lo);
         if (upright) {
             const double y = bar.bottom - share * bar.height();
-            pen.line({bar.right + u, y}, {bar.right + 6 * u, y}, 1, theme.faint);
+            pen.line({bar.right + u, y}, {bar.right + 6 * u, y}, pen.hair(), theme.faint);
             pen.text(bar.right + 10 * u, y - 0.5 * line, labels[i], Lettering::small, Align::left, theme.text);
         } else {
             const double x = bar.left + share * bar.width();
-            pen.line({x, bar.bottom + u}, {x, bar.bottom + 5 * u}, 1, theme.faint);
+            pen.line({x, bar.bottom + u}, {x, bar.bottom + 5 * u}, pen.hair(), theme.faint);
             pen.text(x, bar.bottom + 6 * u, labels[i], Lettering::small, Align::middle, theme.text);
         }
     }
@@ -126,10 +118,12 @@ double draw_scale_bar(Pen& pen, const Area& area, double pixels_per_metre, const
                       const std::array<Vector2d, 3>& axes, const Theme& theme) {
     const double u = pen.unit();
     const double line = pen.height(Lettering::small);
-    draw_axes(pen, {area.right - 1.15 * area.height(), area.top, area.right, area.bottom}, axes, theme);
+    const auto draw_axes_from = [&](double x) { draw_axes(pen, {x, area.top, area.right, area.bottom}, axes, theme); };
+    const double axes_begin = area.right - 1.15 * area.height();
     const double left = std::round(area.left);
     const double room = area.width() - 1.45 * area.height();
     if (!(pixels_per_metre > 0) || !std::isfinite(pixels_per_metre) || room <= 4 * u) {
+        draw_axes_from(axes_begin);
         return 0;
     }
     const double length = round_down(room / pixels_per_metre);
@@ -144,9 +138,13 @@ double draw_scale_bar(Pen& pen, const Area& area, double pixels_per_metre, const
     }
     // Where there is no room for the note a sign says that the length does not hold everywhere.
     const std::string plain = fmt::format("{:.12g} {}", length * shown.factor, shown.unit);
-    const double text_room = area.width() - 1.2 * area.height(); // up to the axes, whatever the bar leaves
+    double text_room = area.width() - 1.2 * area.height(); // up to the axes, whatever the bar leaves
     const bool fits = pen.width(plain + note, Lettering::small) <= room;
     const std::string words = note.empty() || fits ? plain + note : "\u2248 " + plain;
+    // Of a length that would be cut off the axes give away some of their room.
+    const double more = std::clamp(pen.width(words, Lettering::small) - text_room, 0.0, 0.45 * area.height());
+    draw_axes_from(axes_begin + more);
+    text_room += more;
     pen.text(left, bar.top - 6 * u - line, pen.shortened(words, Lettering::small, text_room), Lettering::small,
              Align::left, theme.text);
     return length;

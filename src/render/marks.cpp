@@ -1,7 +1,5 @@
 #include "render/marks.h"
 
-#include "render/strokes.h"
-
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -142,6 +140,7 @@ void MarkMaker::add_to_field(const observe::Frame& frame, const MarkView& view) 
         if (const auto place = marked_at(view, frame.position[b]); place && velocity.allFinite()) {
             Cell& cell = field_[cell_at(*place, field_spacing * view.unit)];
             cell.mass += mass_of(frame, b);
+            cell.moment += mass_of(frame, b) * *place;
             cell.momentum += mass_of(frame, b) * velocity;
         }
     }
@@ -155,7 +154,7 @@ std::vector<MarkMaker::FieldArrow> MarkMaker::means() const {
     std::vector<FieldArrow> arrows;
     for (const auto& [place, cell] : field_) {
         if (cell.mass >= emptiest_cell * mass / static_cast<double>(field_.size())) {
-            arrows.push_back({place.first, place.second, cell.momentum / cell.mass});
+            arrows.push_back({cell.moment / cell.mass, cell.momentum / cell.mass});
         }
     }
     return arrows;
@@ -271,24 +270,36 @@ void MarkMaker::follow(const observe::Frame& frame) {
     }
 }
 
-std::vector<Patch> MarkMaker::patches(const observe::Frame& frame, const MarkView& view) const {
-    std::vector<Patch> patches;
+std::vector<Stroke> MarkMaker::strokes(const observe::Frame& frame, const MarkView& view) const {
+    std::vector<Stroke> strokes;
     if (wanted_.chains) {
-        add_chains(frame, view, patches);
+        add_chains(frame, view, strokes);
     }
     if (wanted_.arrows == "bodies") {
-        add_arrows(frame, view, patches);
+        add_arrows(frame, view, strokes);
     }
     if (wanted_.arrows == "field") {
-        add_field(view, patches);
+        add_field(view, strokes);
     }
-    add_trails(frame, view, patches);
+    add_trails(frame, view, strokes);
+    return strokes;
+}
+
+std::vector<Patch> MarkMaker::patches(const observe::Frame& frame, const MarkView& view) const {
+    std::vector<Patch> patches;
+    for (const Stroke& stroke : strokes(frame, view)) {
+        add_patches(stroke, patches);
+    }
     return patches;
+}
+
+static Stroke arrow_from(const MarkView& view, const Vector2d& tail, const Vector2d& way) {
+    return {Stroke::Kind::arrow, {tail, tail + way}, 0, {view.unit, view.theme.arrow, view.theme.background}};
 }
 
 /// Of the bodies within one square of the grid one has its arrow: in space the one nearest to the eye, which hides
 /// others; in the plane the one nearest to the square's middle.
-void MarkMaker::add_arrows(const observe::Frame& frame, const MarkView& view, std::vector<Patch>& patches) const {
+void MarkMaker::add_arrows(const observe::Frame& frame, const MarkView& view, std::vector<Stroke>& strokes) const {
     struct Chosen {
         std::size_t body = 0;
         double merit = 0;
@@ -312,18 +323,16 @@ void MarkMaker::add_arrows(const observe::Frame& frame, const MarkView& view, st
     const double pixels = arrow_length * view.unit / speed_;
     for (const auto& [cell, one] : chosen) {
         const Vector2d velocity = in_picture(view.camera, frame.velocity[one.body]);
-        add_arrow(patches, *seen_at(view, frame.position[one.body]), pixels * Vector2d(velocity.x(), -velocity.y()),
-                  {view.unit, view.theme.arrow, view.theme.background});
+        strokes.push_back(
+            arrow_from(view, *seen_at(view, frame.position[one.body]), pixels * Vector2d(velocity.x(), -velocity.y())));
     }
 }
 
-void MarkMaker::add_field(const MarkView& view, std::vector<Patch>& patches) const {
-    const double width = field_spacing * view.unit;
+void MarkMaker::add_field(const MarkView& view, std::vector<Stroke>& strokes) const {
     const double pixels = arrow_length * view.unit / speed_;
     for (const FieldArrow& arrow : means()) {
         const Vector2d way = pixels * Vector2d(arrow.velocity.x(), -arrow.velocity.y());
-        const Vector2d middle{(arrow.column + 0.5) * width, (arrow.row + 0.5) * width};
-        add_arrow(patches, middle - 0.5 * way, way, {view.unit, view.theme.arrow, view.theme.background});
+        strokes.push_back(arrow_from(view, arrow.middle - 0.5 * way, way));
     }
 }
 
@@ -372,7 +381,7 @@ std::vector<std::pair<std::int64_t, std::size_t>> sorted_ids(const observe::Fram
 
 /// From centre to contact and on to the other centre; across a periodic side half a line on either side. The strongest
 /// lie on top.
-void MarkMaker::add_chains(const observe::Frame& frame, const MarkView& view, std::vector<Patch>& patches) const {
+void MarkMaker::add_chains(const observe::Frame& frame, const MarkView& view, std::vector<Stroke>& strokes) const {
     if (!frame.contacts) {
         return;
     }
@@ -401,14 +410,18 @@ void MarkMaker::add_chains(const observe::Frame& frame, const MarkView& view, st
     std::stable_sort(pieces.begin(), pieces.end(),
                      [](const ChainPiece& one, const ChainPiece& other) { return one.thickness < other.thickness; });
     for (const ChainPiece& piece : pieces) {
-        add_line(patches, piece.from, piece.to, piece.thickness, {view.unit, view.theme.chain, view.theme.background});
+        strokes.push_back({Stroke::Kind::line,
+                           {piece.from, piece.to},
+                           piece.thickness,
+                           {view.unit, view.theme.chain, view.theme.background}});
     }
 }
 
-/// What of a trail is to be seen, in pixels; steps that stay within one pixel of where the line stands are passed over.
+/// What of a trail is to be seen, in pixels, from each even point to the next; steps that stay within one pixel of
+/// where the line stands are passed over.
 template <class Step>
-static std::vector<std::pair<Vector2d, Vector2d>> lines_of(const observe::FrameLayout& layout, const MarkView& view,
-                                                           const std::vector<Step>& steps) {
+static std::vector<Vector2d> lines_of(const observe::FrameLayout& layout, const MarkView& view,
+                                      const std::vector<Step>& steps) {
     const auto shown_at = [&](std::size_t k) {
         return within_clip(view, steps[k].place) ? seen_at(view, steps[k].place) : std::nullopt;
     };
@@ -417,7 +430,7 @@ static std::vector<std::pair<Vector2d, Vector2d>> lines_of(const observe::FrameL
         return k < steps.size() && !steps[k].leapt &&
                periods_between(layout, steps[k].place - steps[k - 1].place).isZero() && shown_at(k);
     };
-    std::vector<std::pair<Vector2d, Vector2d>> lines;
+    std::vector<Vector2d> lines;
     std::optional<Vector2d> stands = steps.empty() ? std::nullopt : shown_at(0);
     for (std::size_t k = 1; k < steps.size(); ++k) {
         const auto to = shown_at(k);
@@ -425,7 +438,7 @@ static std::vector<std::pair<Vector2d, Vector2d>> lines_of(const observe::FrameL
             stands = to;
         } else if ((*to - *stands).norm() >= 1 || !goes_on(k + 1)) {
             if (reaches(view.window, *stands, *to, trail_thickness * view.unit)) {
-                lines.emplace_back(*stands, *to);
+                lines.insert(lines.end(), {*stands, *to});
             }
             stands = to;
         }
@@ -433,21 +446,15 @@ static std::vector<std::pair<Vector2d, Vector2d>> lines_of(const observe::FrameL
     return lines;
 }
 
-void MarkMaker::add_trails(const observe::Frame& frame, const MarkView& view, std::vector<Patch>& patches) const {
+void MarkMaker::add_trails(const observe::Frame& frame, const MarkView& view, std::vector<Stroke>& strokes) const {
     const double thickness = trail_thickness * view.unit;
     for (std::size_t t = 0; t < trails_.size(); ++t) {
         const Ink ink{view.unit, trail_color(t), view.theme.background};
         const Trail& steps = trails_[t];
-        const std::vector<std::pair<Vector2d, Vector2d>> lines = lines_of(*frame.layout, view, steps);
-        for (const bool halo : {true, false}) {
-            for (const auto& [from, to] : lines) {
-                add_bare_line(patches, from, to, halo ? thickness + 2 * halo_width * view.unit : thickness,
-                              halo ? ink.halo : ink.color);
-            }
-        }
+        strokes.push_back({Stroke::Kind::way, lines_of(*frame.layout, view, steps), thickness, ink});
         if (!steps.empty() && within_clip(view, steps.back().place)) {
             if (const auto place = seen_at(view, steps.back().place)) {
-                add_dot(patches, *place, trail_dot * view.unit, ink);
+                strokes.push_back({Stroke::Kind::dot, {*place}, trail_dot * view.unit, ink});
             }
         }
     }

@@ -5,6 +5,7 @@
 #include "render/camera.h"
 #include "render/color_range.h"
 #include "render/patch.h"
+#include "render/strokes.h"
 #include "render/theme.h"
 #include "scene/scene.h"
 
@@ -77,17 +78,19 @@ public:
     /// A frame whose turn has come, drawn or not.
     void take_in(const observe::Frame& frame, const MarkView& view);
 
-    /// The patches of the frame taken in last, in the order to draw.
+    /// The marks of the frame taken in last, in the order to draw, and the same in flat pieces.
+    [[nodiscard]] std::vector<Stroke> strokes(const observe::Frame& frame, const MarkView& view) const;
     [[nodiscard]] std::vector<Patch> patches(const observe::Frame& frame, const MarkView& view) const;
     [[nodiscard]] MarkKey key(const observe::FrameLayout& layout, const MarkView& view) const;
 
 private:
     struct Cell {
         double mass = 0;                                    // kg, summed over frames
+        Eigen::Vector2d moment = Eigen::Vector2d::Zero();   // kg times pixels from the picture's left and top
         Eigen::Vector2d momentum = Eigen::Vector2d::Zero(); // kg m/s, right and up in the picture
     };
     struct FieldArrow {
-        int column = 0, row = 0;                            // of the grid in the picture
+        Eigen::Vector2d middle = Eigen::Vector2d::Zero();   // pixels, the centre of what the cell holds
         Eigen::Vector2d velocity = Eigen::Vector2d::Zero(); // m/s, right and up
     };
     struct Step {
@@ -107,10 +110,10 @@ private:
     bool leaps_to(double time);
     [[nodiscard]] std::vector<FieldArrow> means() const;
     [[nodiscard]] std::vector<double> mean_speeds() const;
-    void add_arrows(const observe::Frame& frame, const MarkView& view, std::vector<Patch>& patches) const;
-    void add_field(const MarkView& view, std::vector<Patch>& patches) const;
-    void add_chains(const observe::Frame& frame, const MarkView& view, std::vector<Patch>& patches) const;
-    void add_trails(const observe::Frame& frame, const MarkView& view, std::vector<Patch>& patches) const;
+    void add_arrows(const observe::Frame& frame, const MarkView& view, std::vector<Stroke>& strokes) const;
+    void add_field(const MarkView& view, std::vector<Stroke>& strokes) const;
+    void add_chains(const observe::Frame& frame, const MarkView& view, std::vector<Stroke>& strokes) const;
+    void add_trails(const observe::Frame& frame, const MarkView& view, std::vector<Stroke>& strokes) const;
 
     scene::Marks wanted_;
     ColorRange speeds_{std::nullopt, false};

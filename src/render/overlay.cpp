@@ -30,7 +30,15 @@ Result<Overlay> Overlay::open(const Layout& layout, const Theme& theme) {
     return overlay;
 }
 
-static Area draw_panels(Pen& pen, const OverlayContent& content, const Layout& layout, const Theme& theme) {
+void OverlayContent::look_with(const Camera& camera) {
+    pixels_per_metre = camera.pixels_per_metre(camera.target);
+    scale_note = camera.perspective ? " at the centre" : "";
+    for (int i = 0; i < 3; ++i) {
+        axes[static_cast<std::size_t>(i)] = {camera.axes(0, i), -camera.axes(1, i)};
+    }
+}
+
+Area write_panels(Pen& pen, const OverlayContent& content, const Layout& layout, const Theme& theme) {
     if (!content.title.empty()) {
         const std::string title = pen.shortened(content.title, Lettering::large, layout.title.width());
         pen.text(layout.title.left, layout.title.top, title, Lettering::large, Align::left, theme.text);
@@ -67,8 +75,8 @@ Area Overlay::draw(const OverlayContent& content, const Layout& layout, int widt
     io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
     io.DeltaTime = 0.04F;
     ImGui::NewFrame();
-    Pen pen(*ImGui::GetBackgroundDrawList(), inside.session.fonts(), layout.unit);
-    const Area bar = draw_panels(pen, content, layout, inside.theme);
+    ScreenPen pen(*ImGui::GetBackgroundDrawList(), inside.session.fonts(), layout.unit);
+    const Area bar = write_panels(pen, content, layout, inside.theme);
     ImGui::Render();
     inside.drawer->draw(*ImGui::GetDrawData(), width, height);
     return bar;

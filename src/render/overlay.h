@@ -29,7 +29,13 @@ struct OverlayContent {
     double pixels_per_metre = 0;           // for the scale bar
     std::string scale_note;                // behind the bar's length
     std::array<Eigen::Vector2d, 3> axes{}; // the world's x, y, z on the picture, right and down
+
+    /// The scale bar and the axes are those of that camera.
+    void look_with(const Camera& camera);
 };
+
+/// The panels with all that is written in them. Returns where the colour bar lies.
+Area write_panels(Pen& pen, const OverlayContent& content, const Layout& layout, const Theme& theme);
 
 /// Lettering through Dear ImGui without a window. A context must be current from open() to the end.
 class Overlay {
@@ -37,7 +43,7 @@ public:
     /// Loads DejaVu Sans where the system has it, else the small font inside Dear ImGui, in sizes for the layout.
     static Result<Overlay> open(const Layout& layout, const Theme& theme);
 
-    /// Into the bound framebuffer of that size (pixels). Returns where the colour bar lies.
+    /// write_panels into the bound framebuffer of that size (pixels).
     Area draw(const OverlayContent& content, const Layout& layout, int width, int height);
 
 private:

@@ -1,16 +1,14 @@
 #include "render/painter.h"
 
+#include "render/composition.h"
 #include "render/draw_crew.h"
 #include "render/drawers.h"
 #include "render/gl_context.h"
-#include "render/mark_key.h"
 #include "render/overlay.h"
 #include "render/paper.h"
 #include "render/phase_clock.h"
-#include "render/style.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <new>
 #include <optional>
@@ -19,24 +17,13 @@
 namespace tumble::render {
 
 using Eigen::AlignedBox3d;
-using Eigen::Vector3d;
 
 constexpr int fine_samples = 4;   // a pixel
 constexpr int sketch_samples = 0; // one, as OpenGL says it: Mesa makes four of 1
-// Outlines of discs, pixels at a picture's usual size; on small discs no more than this share of the smallest radius.
-constexpr double disc_line = 1.2;
-constexpr double disc_line_share = 0.25;
 
-struct Painter::Inside {
+struct Painter::Inside : Composition {
     GlContext context;
-    scene::Render settings;
-    PainterOptions options;
-    std::shared_ptr<const observe::FrameLayout> layout;
-    Style style;
-    MarkMaker mark_maker;
     std::vector<std::vector<int>> showing;
-    std::vector<double> reach;     // per shape, m: radius about the centre of mass that holds it
-    std::vector<double> spokes;    // per shape, m, in two dimensions
     std::map<int, Drawers> opened; // by samples a pixel
     Drawers* drawers = nullptr;    // those at work
     bool sketching = false;
@@ -44,18 +31,12 @@ struct Painter::Inside {
     SphereRaster raster;
     std::unique_ptr<Crew> crew; // that draws beside the graphics library
     PhaseClock clock;
-
-    AlignedBox3d fitted;
-    bool arranged = false;
-    Layout arrangement;
-    Camera camera;
     Area legend_bar;
-    Span span;
 
     Inside(GlContext made, const scene::Render& wanted, const PainterOptions& chosen,
            std::shared_ptr<const observe::FrameLayout> scenery, Style shown, std::unique_ptr<Crew> threads)
-        : context(std::move(made)), settings(wanted), options(chosen), layout(std::move(scenery)),
-          style(std::move(shown)), mark_maker(wanted.marks), crew(std::move(threads)) {}
+        : Composition(wanted, chosen, std::move(scenery), std::move(shown)), context(std::move(made)),
+          crew(std::move(threads)) {}
     Inside(const Inside&) = delete;
     Inside& operator=(const Inside&) = delete;
     ~Inside() {
@@ -64,23 +45,14 @@ struct Painter::Inside {
         opened.clear();
     }
 
-    /// What must be in the picture.
-    [[nodiscard]] AlignedBox3d box() const {
-        return settings.view ? AlignedBox3d(settings.view->lo, settings.view->hi) : fitted;
-    }
     /// Opens them where there are none yet of so many samples; false with problems.
     bool take_drawers(int samples, Problems& problems);
-    void arrange();
-    void enclose(const observe::Frame& frame);
-    std::vector<std::uint32_t> colors_of(const observe::Frame& frame, Legend& legend);
-    std::vector<std::uint32_t> take_in(const observe::Frame& frame, Legend& legend);
+    void settle_with_letters(const observe::Frame& frame);
     void draw_bodies(const observe::Frame& frame, const std::vector<std::uint32_t>& colors);
     void draw_spheres(const observe::Frame& frame, const std::vector<std::uint32_t>& colors);
     void draw_discs(const observe::Frame& frame, const std::vector<std::uint32_t>& colors);
     void shade_crevices();
-    [[nodiscard]] MarkView mark_view() const;
     void draw_marks(const observe::Frame& frame);
-    void write(const observe::Frame& frame, const PlotLine& plot, const Legend& legend);
 };
 
 Result<Painter> Painter::open(const scene::Render& settings, std::shared_ptr<const observe::FrameLayout> layout,
@@ -105,13 +77,6 @@ Result<Painter> Painter::open(const scene::Render& settings, std::shared_ptr<con
         return problems;
     }
     inside->showing = showing_spheres(*inside->layout);
-    for (const observe::FrameShape& shape : inside->layout->shapes) {
-        double& reach = inside->reach.emplace_back(0);
-        for (std::size_t s = 0; s < shape.centres.size(); ++s) {
-            reach = std::max(reach, shape.centres[s].norm() + shape.radii[s]);
-        }
-        inside->spokes.push_back(inside->layout->dimension == 2 ? spoke_length(shape) : 0);
-    }
     return Painter(std::move(inside));
 }
 
@@ -167,102 +132,25 @@ Painter& Painter::operator=(Painter&&) noexcept = default;
 Painter::~Painter() = default;
 
 Result<Done> Painter::restyle(const scene::Render& settings) {
-    Inside& in = *inside_;
-    scene::Render wanted = settings;
-    wanted.width = in.settings.width;
-    wanted.height = in.settings.height;
-    wanted.background = in.settings.background;
-    wanted.paper = in.settings.paper;
-    wanted.plot = in.settings.plot;
-    auto style = find_style(wanted, in.layout->dimension);
-    if (!style) {
-        return style.problems();
-    }
-    if (wanted.color != in.settings.color || wanted.range != in.settings.range) {
-        in.style.range = style->range; // else what an automatic range has seen goes on to count
-    }
-    const bool was_plain = in.style.plain();
-    in.style.quantity = style->quantity;
-    in.style.map = style->map;
-    in.settings = std::move(wanted);
-    const int rows = in.mark_maker.key(*in.layout, in.mark_view()).rows();
-    in.mark_maker.restyle(in.settings.marks);
-    if (in.mark_maker.key(*in.layout, in.mark_view()).rows() != rows || in.style.plain() != was_plain) {
-        in.arranged = false; // their key takes or leaves room
-    } else if (in.arranged) {
-        in.camera = *make_camera(in.settings, in.box(), in.arrangement.scene);
-    }
-    return Done{};
+    return inside_->restyle(settings);
 }
 
 void Painter::fit(const AlignedBox3d& box) {
-    inside_->fitted.extend(box);
-    inside_->arranged = false;
+    inside_->fit(box);
 }
 
-/// Settles panels and camera for what has been fitted.
-void Painter::Inside::arrange() {
-    const auto look = [&](const Area& area) { return *make_camera(settings, box(), area); };
-    const auto zoom = [&](const Area& area) {
-        const Camera tried = look(area);
-        return tried.pixels_per_metre(tried.target);
-    };
-    arrangement = make_layout(settings.width, settings.height, settings.plot, zoom,
-                              settings.paper ? std::optional(letter_unit(*settings.paper)) : std::nullopt);
-    if (settings.paper) {
-        leave_out_title(arrangement);
+void Painter::Inside::settle_with_letters(const observe::Frame& frame) {
+    if (fitted.isEmpty() || !arranged) {
+        overlay.reset();
     }
-    take_key(arrangement, mark_maker.key(*layout, mark_view()).rows(), !style.plain());
-    if (!options.lettering) {
-        arrangement = Layout{};
-        arrangement.lettered = false;
-        arrangement.unit = options.unit;
-        arrangement.scene = {0, 0, static_cast<double>(settings.width), static_cast<double>(settings.height)};
-        arrangement.window = arrangement.scene;
-    }
-    camera = look(arrangement.scene);
-    overlay.reset();
-    if (arrangement.lettered) {
+    settle_for(frame);
+    if (arrangement.lettered && !overlay) {
         auto letters = Overlay::open(arrangement, style.theme);
         if (!letters) {
             throw std::bad_alloc(); // the one reason left: open() has shown that it can be done
         }
         overlay = std::move(*letters);
     }
-    arranged = true;
-}
-
-/// Nearest and farthest about all bodies and walls of this frame, wherever they have gone.
-void Painter::Inside::enclose(const observe::Frame& frame) {
-    AlignedBox3d box;
-    for (std::size_t b = 0; b < frame.bodies(); ++b) {
-        if (frame.position[b].allFinite()) {
-            const double r = reach[static_cast<std::size_t>(frame.shape[b])];
-            box.extend(AlignedBox3d(frame.position[b].array() - r, frame.position[b].array() + r));
-        }
-    }
-    for (std::size_t w = 0; w < layout->walls.size() && w < frame.walls.size(); ++w) {
-        for (const Vector3d& vertex : layout->walls[w].vertices) {
-            box.extend(frame.walls[w].rotation * vertex + frame.walls[w].translation);
-        }
-    }
-    if (!box.isEmpty()) {
-        camera.enclose(box);
-    }
-}
-
-std::vector<std::uint32_t> Painter::Inside::colors_of(const observe::Frame& frame, Legend& legend) {
-    const std::vector<double> values = values_of(style.quantity, frame);
-    span = style.range.next(values, frame.time);
-    legend = {style.quantity.label, style.quantity.unit, span, style.map};
-    std::vector<std::uint32_t> colors;
-    colors.reserve(values.size());
-    for (const double value : values) {
-        colors.push_back(style.map.bytes_at((value - span.lo) / (span.hi - span.lo)));
-        legend.below = legend.below || value < span.lo;
-        legend.above = legend.above || value > span.hi;
-    }
-    return colors;
 }
 
 void Painter::Inside::draw_bodies(const observe::Frame& frame, const std::vector<std::uint32_t>& colors) {
@@ -287,17 +175,9 @@ void Painter::Inside::draw_spheres(const observe::Frame& frame, const std::vecto
 }
 
 void Painter::Inside::draw_discs(const observe::Frame& frame, const std::vector<std::uint32_t>& colors) {
-    double smallest = std::numeric_limits<double>::infinity();
-    for (const observe::FrameShape& shape : layout->shapes) {
-        for (const double radius : shape.radii) {
-            smallest = std::min(smallest, radius);
-        }
-    }
-    const double pixels = smallest * camera.pixels_per_metre(camera.target);
     // Bodies without a colour step back behind what is drawn over them.
     const bool plain = style.plain();
-    const DiscLook look{plain ? style.theme.plain_edge : style.theme.outline,
-                        std::min(disc_line * std::max(1.0, arrangement.unit), disc_line_share * pixels)};
+    const DiscLook look{plain ? style.theme.plain_edge : style.theme.outline, disc_line()};
     const auto turns = plain ? std::vector<SpokeMark>{} : collect_spokes(frame, spokes, camera);
     glBindFramebuffer(GL_FRAMEBUFFER, drawers->canvas.samples.name());
     drawers->discs.draw(collect_discs(frame, colors, camera), turns, camera, drawers->canvas.width,
@@ -313,41 +193,6 @@ void Painter::Inside::shade_crevices() {
     drawers->crevices.draw(drawers->canvas, camera, crevice_radius * size, crevice_strength, *crew);
 }
 
-void Painter::Inside::write(const observe::Frame& frame, const PlotLine& plot, const Legend& legend) {
-    OverlayContent content;
-    content.title = settings.paper ? "" : layout->title;
-    content.time = time_stamp(frame.time, settings.every);
-    content.legend = legend;
-    content.key = mark_maker.key(*layout, mark_view());
-    content.plot = settings.plot && !plot.label.empty() ? &plot : nullptr;
-    content.now = frame.time;
-    content.pixels_per_metre = camera.pixels_per_metre(camera.target);
-    content.scale_note = camera.perspective ? " at the centre" : "";
-    for (int i = 0; i < 3; ++i) {
-        const Vector3d axis = camera.axes.col(i);
-        content.axes[static_cast<std::size_t>(i)] = {axis.x(), -axis.y()};
-    }
-    legend_bar = overlay->draw(content, arrangement, settings.width, settings.height);
-}
-
-/// What a frame changes for those after it: the depth that the camera sees, the range of the colours.
-std::vector<std::uint32_t> Painter::Inside::take_in(const observe::Frame& frame, Legend& legend) {
-    if (!arranged) {
-        arrange();
-    }
-    enclose(frame);
-    mark_maker.take_in(frame, mark_view());
-    return colors_of(frame, legend);
-}
-
-MarkView Painter::Inside::mark_view() const {
-    MarkView view{camera, arrangement.window, arrangement.unit, style.theme, {}};
-    if (settings.clip && layout->dimension == 3) {
-        view.clip.emplace(settings.clip->lo, settings.clip->hi);
-    }
-    return view;
-}
-
 void Painter::Inside::draw_marks(const observe::Frame& frame) {
     if (!mark_maker.any()) {
         return;
@@ -359,20 +204,13 @@ void Painter::Inside::draw_marks(const observe::Frame& frame) {
 
 void Painter::foresee(const observe::Frame& frame) {
     const GlContext::Current current(inside_->context);
-    if (inside_->fitted.isEmpty()) {
-        fit(bounds_of(frame));
-    }
-    if (!inside_->arranged) {
-        inside_->arrange();
-    }
+    inside_->settle_with_letters(frame);
     inside_->mark_maker.foresee(frame, inside_->mark_view());
 }
 
 void Painter::pass_over(const observe::Frame& frame) {
     const GlContext::Current current(inside_->context);
-    if (inside_->fitted.isEmpty()) {
-        fit(bounds_of(frame));
-    }
+    inside_->settle_with_letters(frame);
     Legend legend;
     (void)inside_->take_in(frame, legend);
 }
@@ -381,9 +219,7 @@ Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
     Inside& in = *inside_;
     const GlContext::Current current(in.context);
     in.clock.start(in.options.time_phases);
-    if (in.fitted.isEmpty()) {
-        fit(bounds_of(frame));
-    }
+    in.settle_with_letters(frame);
     Legend legend;
     const std::vector<std::uint32_t> colors = in.take_in(frame, legend);
 
@@ -403,17 +239,16 @@ Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
     glDisable(GL_SCISSOR_TEST); // shade needs its surroundings, and there is none where nothing has been drawn
     in.shade_crevices();
     in.clock.lap("crevices");
-    const double thickness = in.layout->dimension == 2 ? 2.0 : 1.0; // walls are nothing but their lines
-    const double line = thickness * std::max(1.2, 1.5 * in.arrangement.unit);
     keep_to_window(canvas, in.arrangement.window);
-    in.drawers->walls.draw_translucent(frame, in.camera, canvas, line);
+    in.drawers->walls.draw_translucent(frame, in.camera, canvas, in.wall_line());
     in.draw_marks(frame);
     glDisable(GL_SCISSOR_TEST);
     in.clock.lap("walls");
     resolve_samples(canvas, GL_COLOR_BUFFER_BIT);
     if (in.overlay) {
         glBindFramebuffer(GL_FRAMEBUFFER, canvas.resolved.name());
-        in.write(frame, plot, legend);
+        const OverlayContent content = in.content(frame, plot, legend);
+        in.legend_bar = in.overlay->draw(content, in.arrangement, canvas.width, canvas.height);
     }
     in.clock.lap("letters");
     Picture picture = read_picture(canvas);

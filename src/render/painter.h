@@ -7,6 +7,7 @@
 #include "render/camera.h"
 #include "render/layout.h"
 #include "render/marks.h"
+#include "render/painter_options.h"
 #include "render/picture.h"
 #include "render/plot_line.h"
 #include "render/ticks.h"
@@ -15,15 +16,6 @@
 #include <memory>
 
 namespace tumble::render {
-
-/// What a caller with an own surface (a viewer, a test) may leave out of the pictures.
-struct PainterOptions {
-    bool lettering = true;    // title, time, legend, scale bar, plot
-    bool lighting = true;     // false: bodies in the bare colours of the colour map
-    double unit = 1;          // pixels: what lines over the bodies go by without lettering (render/layout.h)
-    bool skip_hidden = true;  // false: draws spheres that lie behind others too, for the same picture
-    bool time_phases = false; // true: waits after each phase of a picture to see how long it took
-};
 
 /// Draws frames of one run. The view and, with an automatic range, the meaning of the colours stay the same from
 /// picture to picture, so that pictures make a video; for that, frames are drawn in the order of their time. One thread

@@ -1,15 +1,11 @@
 #include "render/pair_painter.h"
 
-#include "render/gl_context.h"
-#include "render/gl_objects.h"
 #include "render/mark_key.h"
-#include "render/overlay.h"
 #include "render/paper.h"
 #include "render/quantity.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace tumble::render {
 
@@ -79,28 +75,31 @@ scene::Render of_half(scene::Render settings, const Area& half) {
 
 } // namespace
 
-struct PairPainter::Inside {
-    GlContext context;
+template <class Medium> struct PairPainterOf<Medium>::Inside {
     scene::Render settings;
     std::array<std::string, 2> labels;
-    Theme theme;
     ColorMap map;
     std::array<Quantity, 2> quantities; // of scenes that may differ in their dimension
-    std::array<Painter, 2> painters;
+    std::array<typename Medium::Artist, 2> artists;
     PairArrangement arrangement;
-    std::optional<Canvas> canvas;
-    std::optional<Overlay> overlay;
+    typename Medium::Sheet sheet;
 
-    ~Inside() {
-        const GlContext::Current current(context);
-        overlay.reset();
-        canvas.reset();
+    [[nodiscard]] Legend legend_for(const observe::Frame& left, const observe::Frame& right) const {
+        const Span span{(*settings.range)[0], (*settings.range)[1]};
+        Legend legend{quantities[0].label, quantities[0].unit, span, map};
+        for (std::size_t side = 0; side < 2; ++side)
+            for (const double value : values_of(quantities[side], side == 0 ? left : right)) {
+                legend.below = legend.below || value < span.lo;
+                legend.above = legend.above || value > span.hi;
+            }
+        return legend;
     }
-    [[nodiscard]] Legend legend_for(const observe::Frame& left, const observe::Frame& right) const;
 };
 
-Result<PairPainter> PairPainter::open(const scene::Render& settings, const Layouts& layouts,
-                                      const std::array<std::string, 2>& labels) {
+template <class Medium>
+Result<PairPainterOf<Medium>> PairPainterOf<Medium>::open(const scene::Render& wanted, const Layouts& layouts,
+                                                          const std::array<std::string, 2>& labels) {
+    const scene::Render settings = Medium::settings_for(wanted);
     if (settings.width < least_width || settings.height < least_height)
         return Problem{.key = "render.width_px",
                        .what = "two runs side by side need a picture of 480 x 240 pixels or more",
@@ -115,93 +114,64 @@ Result<PairPainter> PairPainter::open(const scene::Render& settings, const Layou
                        .fix = "give the speed of the legend's arrow"};
     PairArrangement arrangement = arrange(settings, *layouts[0]);
     const auto theme = theme_of(settings);
-    auto context = GlContext::open();
-    if (!context)
-        return context.problems();
     const PainterOptions bare_half{.lettering = false, .unit = settings.paper ? arrangement.lettering.unit : 1};
-    std::array<Result<Painter>, 2> painters{
-        Painter::open(of_half(settings, arrangement.halves[0]), layouts[0], bare_half),
-        Painter::open(of_half(settings, arrangement.halves[1]), layouts[1], bare_half)};
-    for (const Result<Painter>& painter : painters)
-        if (!painter)
-            return painter.problems();
+    std::array<Result<typename Medium::Artist>, 2> artists{
+        Medium::Artist::open(of_half(settings, arrangement.halves[0]), layouts[0], bare_half),
+        Medium::Artist::open(of_half(settings, arrangement.halves[1]), layouts[1], bare_half)};
+    for (const auto& artist : artists)
+        if (!artist)
+            return artist.problems();
     std::array<Quantity, 2> quantities{*find_quantity(settings.color, layouts[0]->dimension),
                                        *find_quantity(settings.color, layouts[1]->dimension)};
-    take_key(arrangement.lettering, painters[0]->mark_key().rows(), !quantities[0].label.empty());
+    take_key(arrangement.lettering, artists[0]->mark_key().rows(), !quantities[0].label.empty());
+    auto sheet = Medium::Sheet::open(settings, settings.height, arrangement.lettering, *theme);
+    if (!sheet)
+        return sheet.problems();
     const ColorMap map = *map_of(settings, quantities[0], *theme);
-    std::shared_ptr<Inside> inside(new Inside{*context,
-                                              settings,
-                                              labels,
-                                              *theme,
-                                              map,
-                                              std::move(quantities),
-                                              {std::move(*painters[0]), std::move(*painters[1])},
-                                              arrangement,
-                                              {},
-                                              {}});
-    const GlContext::Current current(inside->context);
-    auto canvas = make_canvas(settings.width, settings.height, 1);
-    auto overlay = Overlay::open(arrangement.lettering, *theme);
-    if (!canvas || !overlay)
-        return canvas ? overlay.problems() : canvas.problems();
-    inside->canvas = std::move(*canvas);
-    inside->overlay = std::move(*overlay);
-    return PairPainter(std::move(inside));
+    return PairPainterOf(std::shared_ptr<Inside>(new Inside{settings,
+                                                            labels,
+                                                            map,
+                                                            std::move(quantities),
+                                                            {std::move(*artists[0]), std::move(*artists[1])},
+                                                            std::move(arrangement),
+                                                            std::move(*sheet)}));
 }
 
-void PairPainter::fit(const Eigen::AlignedBox3d& box) {
-    for (Painter& painter : inside_->painters)
-        painter.fit(box);
+template <class Medium> void PairPainterOf<Medium>::fit(const Eigen::AlignedBox3d& box) {
+    for (auto& artist : inside_->artists)
+        artist.fit(box);
 }
 
-void PairPainter::foresee(std::size_t side, const observe::Frame& frame) {
-    inside_->painters.at(side).foresee(frame);
+template <class Medium> void PairPainterOf<Medium>::foresee(std::size_t side, const observe::Frame& frame) {
+    inside_->artists.at(side).foresee(frame);
 }
 
-Legend PairPainter::Inside::legend_for(const observe::Frame& left, const observe::Frame& right) const {
-    const Span span{(*settings.range)[0], (*settings.range)[1]};
-    Legend legend{quantities[0].label, quantities[0].unit, span, map};
-    for (std::size_t side = 0; side < 2; ++side)
-        for (const double value : values_of(quantities[side], side == 0 ? left : right)) {
-            legend.below = legend.below || value < span.lo;
-            legend.above = legend.above || value > span.hi;
-        }
-    return legend;
+template <class Medium> void PairPainterOf<Medium>::pass_over(std::size_t side, const observe::Frame& frame) {
+    inside_->artists.at(side).pass_over(frame);
 }
 
-Picture PairPainter::draw(const observe::Frame& left, const observe::Frame& right) {
+template <class Medium>
+typename Medium::Work PairPainterOf<Medium>::draw(const observe::Frame& left, const observe::Frame& right) {
     Inside& in = *inside_;
-    const std::array<Picture, 2> halves{in.painters[0].draw(left), in.painters[1].draw(right)};
-    const Camera& camera = in.painters[0].camera();
+    std::vector<typename Medium::Work> halves;
+    halves.push_back(in.artists[0].draw(left));
+    halves.push_back(in.artists[1].draw(right));
     OverlayContent content;
     content.title = in.labels[0];
     content.headings = {{in.arrangement.second_label, in.labels[1]}};
     content.time = time_stamp(left.time, in.settings.every);
     content.legend = in.legend_for(left, right);
-    content.key = in.painters[0].mark_key();
+    content.key = in.artists[0].mark_key();
     content.now = left.time;
-    content.pixels_per_metre = camera.pixels_per_metre(camera.target);
-    content.scale_note = camera.perspective ? " at the centre" : "";
-    for (int i = 0; i < 3; ++i)
-        content.axes[static_cast<std::size_t>(i)] = {camera.axes(0, i), -camera.axes(1, i)};
-
-    const GlContext::Current current(in.context);
-    glViewport(0, 0, in.canvas->width, in.canvas->height);
-    glBindFramebuffer(GL_FRAMEBUFFER, in.canvas->resolved.name());
-    const Eigen::Vector3f back = in.theme.background.cast<float>();
-    glClearColor(back.x(), back.y(), back.z(), 1);
-    glClear(GL_COLOR_BUFFER_BIT);
-    in.overlay->draw(content, in.arrangement.lettering, in.canvas->width, in.canvas->height);
-    Picture picture = read_picture(*in.canvas);
-    for (std::size_t side = 0; side < 2; ++side)
-        paste(halves[side], static_cast<int>(in.arrangement.halves[side].left),
-              static_cast<int>(in.arrangement.halves[side].top), picture);
-    picture.dots_per_metre = dots_per_metre(in.settings);
-    return picture;
+    content.look_with(in.artists[0].camera());
+    return in.sheet.put_together(halves, in.arrangement.halves, content);
 }
 
-const std::array<Area, 2>& PairPainter::halves() const {
+template <class Medium> const std::array<Area, 2>& PairPainterOf<Medium>::halves() const {
     return inside_->arrangement.halves;
 }
+
+template class PairPainterOf<Pixels>;
+template class PairPainterOf<Lines>;
 
 } // namespace tumble::render

@@ -87,7 +87,7 @@ Picture PanelCanvas::paint() {
     return read_picture(canvas);
 }
 
-const Pen::Fonts& PanelCanvas::fonts() const {
+const ScreenPen::Fonts& PanelCanvas::fonts() const {
     return inside_->session.fonts();
 }
 double PanelCanvas::unit() const {

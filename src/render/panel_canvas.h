@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/problem.h"
-#include "render/pen.h"
 #include "render/picture.h"
+#include "render/screen_pen.h"
 
 #include <functional>
 #include <memory>
@@ -30,7 +30,7 @@ public:
     Picture paint();
 
     /// For drawing with a Pen among the widgets.
-    [[nodiscard]] const Pen::Fonts& fonts() const;
+    [[nodiscard]] const ScreenPen::Fonts& fonts() const;
     [[nodiscard]] double unit() const;
 
 private:

@@ -7,13 +7,8 @@
 
 namespace tumble::render {
 
-constexpr double mm_per_inch = 25.4;
-constexpr double points_per_inch = 72;
-// The height that Dear ImGui gives a font is from its lowest to its highest reach, which in DejaVu Sans is that much of
-// what typographers call its size (hhea table: ascent 1901, descent 483 of 2048).
-constexpr double reach_of_letters = (1901.0 + 483.0) / 2048.0;
-
 double letter_unit(const scene::Paper& paper) {
+    // Layout measures letters by their reach, typographers by their size.
     return paper.font_pt / points_per_inch * paper.dpi * reach_of_letters / small_letters;
 }
 

@@ -9,6 +9,9 @@
 /// What a picture for print has in place of a screen's: white, sized in mm, letters in points.
 namespace tumble::render {
 
+constexpr double mm_per_inch = 25.4;
+constexpr double points_per_inch = 72;
+
 /// Pixels a unit (render/layout.h) so that the numbers at scales have that many points.
 double letter_unit(const scene::Paper& paper);
 

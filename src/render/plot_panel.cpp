@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
+#include <optional>
 
 namespace tumble::render {
 
@@ -74,16 +75,46 @@ static void draw_axes(Pen& pen, const Area& box, const std::vector<double>& acro
     const auto row = tick_labels(along);
     for (std::size_t i = 0; i < along.size(); ++i) {
         const double y = std::round(box.bottom - (along[i] - values.lo) / (values.hi - values.lo) * box.height()) + 0.5;
-        pen.line({box.left, y}, {box.right, y}, 1, theme.faint, 0.35);
+        pen.line({box.left, y}, {box.right, y}, pen.hair(), theme.faint, 0.35);
         pen.text(box.left - 6 * u, y - 0.5 * line, row[i], Lettering::small, Align::right, theme.text);
     }
     const auto column = tick_labels(across);
     for (std::size_t i = 0; i < across.size(); ++i) {
         const double x = std::round(box.left + (across[i] - times.lo) / (times.hi - times.lo) * box.width()) + 0.5;
-        pen.line({x, box.bottom}, {x, box.bottom + 4 * u}, 1, theme.faint);
+        pen.line({x, box.bottom}, {x, box.bottom + 4 * u}, pen.hair(), theme.faint);
         pen.text(x, box.bottom + 5 * u, column[i], Lettering::small, Align::middle, theme.text);
     }
-    pen.line({box.left, box.bottom + 0.5}, {box.right, box.bottom + 0.5}, 1, theme.faint);
+    pen.line({box.left, box.bottom + 0.5}, {box.right, box.bottom + 0.5}, pen.hair(), theme.faint);
+}
+
+/// The last value up to now; nothing before the first, and where it is not known.
+static std::optional<double> present_value(const PlotLine& line, std::size_t count, double now) {
+    const auto end = line.times.begin() + static_cast<std::ptrdiff_t>(count);
+    const auto after = std::upper_bound(line.times.begin(), end, now * (1 + 1e-9) + 1e-12);
+    if (after == line.times.begin()) {
+        return std::nullopt;
+    }
+    const double value = line.values[static_cast<std::size_t>(after - line.times.begin()) - 1];
+    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+/// With digits down to about a hundredth of the axis, as many at all times: what changes every picture must not jump.
+static std::string value_words(double value, const Span& shown) {
+    const double largest = std::max(std::abs(shown.lo), std::abs(shown.hi));
+    const int digits = std::clamp(2 - static_cast<int>(std::floor(std::log10(largest))), 0, 12);
+    const std::string words = fmt::format("{:.{}f}", std::abs(value), digits);
+    const bool is_zero = words.find_first_not_of("0.") == std::string::npos;
+    return (value < 0 && !is_zero ? "\u2212" : "") + words;
+}
+
+/// "kinetic energy [mJ]" on the left, the present value on the right.
+static void write_head(Pen& pen, const Area& area, const std::string& name, const std::string& value,
+                       const Theme& theme) {
+    const double room = value.empty() ? 0 : pen.width(value, Lettering::small) + pen.height(Lettering::small);
+    pen.text(area.left, area.top, pen.shortened(name, Lettering::small, area.width() - room), Lettering::small,
+             Align::left, theme.text);
+    pen.text(area.right - 0.6 * pen.height(Lettering::small), area.top, value, Lettering::small, Align::right,
+             theme.text);
 }
 
 void draw_plot(Pen& pen, const Area& area, const PlotLine& line, double now, const Theme& theme) {
@@ -102,12 +133,12 @@ void draw_plot(Pen& pen, const Area& area, const PlotLine& line, double now, con
     const Span shown{values.lo * unit.factor, values.hi * unit.factor};
 
     const std::string name = unit.unit.empty() ? line.label : fmt::format("{} [{}]", line.label, unit.unit);
-    pen.text(area.left, area.top, pen.shortened(name, Lettering::small, area.width()), Lettering::small, Align::left,
-             theme.text);
+    const auto present = present_value(line, count, now);
+    write_head(pen, area, name, present && !all_zero ? value_words(*present * unit.factor, shown) : "", theme);
     Area box{area.left, area.top + 1.95 * letter, area.right - 0.6 * letter, area.bottom - 2.45 * letter};
     // Nothing but zeros has no scale; the 1 that such an axis ends at is no value worth a number.
     const auto along = all_zero ? std::vector<double>{0}
-                                : ticks_in(shown, std::clamp(static_cast<int>(box.height() / (1.4 * letter)), 2, 6));
+                                : ticks_in(shown, std::clamp(static_cast<int>(box.height() / (1.4 * letter)), 3, 6));
     double widest = 0;
     for (const std::string& label : tick_labels(along)) {
         widest = std::max(widest, pen.width(label, Lettering::small));

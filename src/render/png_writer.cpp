@@ -144,6 +144,15 @@ Result<Done> PngWriter::add(std::filesystem::path file, Picture picture) {
     return Inside::verdict(in.problems);
 }
 
+std::optional<Result<Done>> PngWriter::outcome() {
+    Inside& in = *inside_;
+    const std::lock_guard lock(in.mutex);
+    if (!in.waiting.empty() || in.busy) {
+        return std::nullopt;
+    }
+    return Inside::verdict(std::exchange(in.problems, {}));
+}
+
 Result<Done> PngWriter::finish() {
     Inside& in = *inside_;
     std::unique_lock lock(in.mutex);

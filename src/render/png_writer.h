@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace tumble::render {
@@ -26,6 +27,9 @@ public:
 
     /// The problem of an earlier picture comes back with the next call; nothing is written after it until finish().
     Result<Done> add(std::filesystem::path file, Picture picture);
+
+    /// What finish() would say, without waiting: nothing while a picture is still at work.
+    std::optional<Result<Done>> outcome();
 
     /// Waits until all files are written, and tells of what was not; after that all begins anew.
     Result<Done> finish();

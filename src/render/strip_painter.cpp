@@ -1,16 +1,12 @@
 #include "render/strip_painter.h"
 
-#include "render/gl_context.h"
-#include "render/gl_objects.h"
 #include "render/mark_key.h"
-#include "render/overlay.h"
 #include "render/paper.h"
 #include "render/quantity.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
-#include <optional>
 
 namespace tumble::render {
 
@@ -119,32 +115,24 @@ StripArrangement arrange_strip(const scene::Render& settings, const Eigen::Align
 
 } // namespace
 
-struct StripPainter::Inside {
-    GlContext context;
+template <class Medium> struct StripPainterOf<Medium>::Inside {
     scene::Render settings;
     std::shared_ptr<const observe::FrameLayout> layout;
-    Theme theme;
-    ColorMap map;
     Quantity quantity;
-    Painter painter;
+    typename Medium::Artist artist;
     StripArrangement arrangement;
-    std::optional<Canvas> canvas;
-    std::optional<Overlay> overlay;
-
-    std::vector<Picture> drawn;
-    std::vector<std::string> words;
+    typename Medium::Sheet sheet;
     Legend legend;
 
-    ~Inside() {
-        const GlContext::Current current(context);
-        overlay.reset();
-        canvas.reset();
-    }
+    std::vector<typename Medium::Work> drawn{};
+    std::vector<std::string> words{};
 };
 
-Result<StripPainter> StripPainter::open(const scene::Render& settings,
-                                        std::shared_ptr<const observe::FrameLayout> layout,
-                                        const Eigen::AlignedBox3d& box, const StripPlan& plan) {
+template <class Medium>
+Result<StripPainterOf<Medium>> StripPainterOf<Medium>::open(const scene::Render& wanted,
+                                                            std::shared_ptr<const observe::FrameLayout> layout,
+                                                            const Eigen::AlignedBox3d& box, const StripPlan& plan) {
+    const scene::Render settings = Medium::settings_for(wanted);
     if (!settings.range)
         return Problem{.key = "render.range",
                        .what = "pictures in one strip need one range of colours",
@@ -167,49 +155,30 @@ Result<StripPainter> StripPainter::open(const scene::Render& settings,
     of_cell.width = static_cast<int>(arrangement.cells[0].width());
     of_cell.height = static_cast<int>(arrangement.cells[0].height());
     of_cell.plot = false;
-    auto context = GlContext::open();
-    if (!context)
-        return context.problems();
-    auto painter = Painter::open(of_cell, layout, {.lettering = false, .unit = arrangement.lettering.unit});
-    if (!painter)
-        return painter.problems();
-    painter->fit(box);
-    take_key(arrangement.lettering, painter->mark_key().rows(), !quantity->label.empty());
-    const Span span{(*settings.range)[0], (*settings.range)[1]};
-    std::shared_ptr<Inside> inside(new Inside{*context,
-                                              of_cell,
-                                              std::move(layout),
-                                              *theme,
-                                              *map,
-                                              *quantity,
-                                              std::move(*painter),
-                                              std::move(arrangement),
-                                              {},
-                                              {},
-                                              {},
-                                              {},
-                                              {quantity->label, quantity->unit, span, *map}});
-    const GlContext::Current current(inside->context);
-    auto canvas = make_canvas(settings.width, inside->arrangement.height, 1);
-    auto overlay = Overlay::open(inside->arrangement.lettering, *theme);
-    if (!canvas || !overlay)
-        return canvas ? overlay.problems() : canvas.problems();
-    inside->canvas = std::move(*canvas);
-    inside->overlay = std::move(*overlay);
-    return StripPainter(std::move(inside));
+    auto artist = Medium::Artist::open(of_cell, layout, {.lettering = false, .unit = arrangement.lettering.unit});
+    if (!artist)
+        return artist.problems();
+    artist->fit(box);
+    take_key(arrangement.lettering, artist->mark_key().rows(), !quantity->label.empty());
+    auto sheet = Medium::Sheet::open(settings, arrangement.height, arrangement.lettering, *theme);
+    if (!sheet)
+        return sheet.problems();
+    const Legend legend{quantity->label, quantity->unit, {(*settings.range)[0], (*settings.range)[1]}, *map};
+    return StripPainterOf(std::shared_ptr<Inside>(new Inside{of_cell, std::move(layout), *quantity, std::move(*artist),
+                                                             std::move(arrangement), std::move(*sheet), legend}));
 }
 
-void StripPainter::foresee(const observe::Frame& frame) {
-    inside_->painter.foresee(frame);
+template <class Medium> void StripPainterOf<Medium>::foresee(const observe::Frame& frame) {
+    inside_->artist.foresee(frame);
 }
 
-void StripPainter::pass_over(const observe::Frame& frame) {
-    inside_->painter.pass_over(frame);
+template <class Medium> void StripPainterOf<Medium>::pass_over(const observe::Frame& frame) {
+    inside_->artist.pass_over(frame);
 }
 
-void StripPainter::add(const observe::Frame& frame, const std::string& words) {
+template <class Medium> void StripPainterOf<Medium>::add(const observe::Frame& frame, const std::string& words) {
     Inside& in = *inside_;
-    in.drawn.push_back(in.painter.draw(frame));
+    in.drawn.push_back(in.artist.draw(frame));
     in.words.push_back(words);
     for (const double value : values_of(in.quantity, frame)) {
         in.legend.below = in.legend.below || value < in.legend.span.lo;
@@ -217,47 +186,36 @@ void StripPainter::add(const observe::Frame& frame, const std::string& words) {
     }
 }
 
-Result<Done> StripPainter::add(const observe::Frame& frame, const std::string& words, const scene::Box& clip) {
+template <class Medium>
+Result<Done> StripPainterOf<Medium>::add(const observe::Frame& frame, const std::string& words,
+                                         const scene::Box& clip) {
     inside_->settings.clip = clip;
-    if (auto restyled = inside_->painter.restyle(inside_->settings); !restyled)
+    if (auto restyled = inside_->artist.restyle(inside_->settings); !restyled)
         return restyled;
     add(frame, words);
     return Done{};
 }
 
-Picture StripPainter::finish() {
+template <class Medium> typename Medium::Work StripPainterOf<Medium>::finish() {
     Inside& in = *inside_;
-    const Camera& camera = in.painter.camera();
     OverlayContent content;
     content.title = in.settings.paper ? "" : in.layout->title;
     content.legend = in.legend;
-    content.key = in.painter.mark_key();
-    content.pixels_per_metre = camera.pixels_per_metre(camera.target);
-    content.scale_note = camera.perspective ? " at the centre" : "";
-    for (int i = 0; i < 3; ++i)
-        content.axes[static_cast<std::size_t>(i)] = {camera.axes(0, i), -camera.axes(1, i)};
+    content.key = in.artist.mark_key();
+    content.look_with(in.artist.camera());
     for (std::size_t k = 0; k < in.drawn.size(); ++k) {
         Area under = in.arrangement.cells[k];
         under.top = under.bottom + 3 * in.arrangement.lettering.unit;
         content.captions.push_back({under, in.words[k]});
     }
-    const GlContext::Current current(in.context);
-    glViewport(0, 0, in.canvas->width, in.canvas->height);
-    glBindFramebuffer(GL_FRAMEBUFFER, in.canvas->resolved.name());
-    const Eigen::Vector3f back = in.theme.background.cast<float>();
-    glClearColor(back.x(), back.y(), back.z(), 1);
-    glClear(GL_COLOR_BUFFER_BIT);
-    in.overlay->draw(content, in.arrangement.lettering, in.canvas->width, in.canvas->height);
-    Picture picture = read_picture(*in.canvas);
-    for (std::size_t k = 0; k < in.drawn.size(); ++k)
-        paste(in.drawn[k], static_cast<int>(in.arrangement.cells[k].left),
-              static_cast<int>(in.arrangement.cells[k].top), picture);
-    picture.dots_per_metre = dots_per_metre(in.settings);
-    return picture;
+    return in.sheet.put_together(in.drawn, in.arrangement.cells, content);
 }
 
-const std::vector<Area>& StripPainter::cells() const {
+template <class Medium> const std::vector<Area>& StripPainterOf<Medium>::cells() const {
     return inside_->arrangement.cells;
 }
+
+template class StripPainterOf<Pixels>;
+template class StripPainterOf<Lines>;
 
 } // namespace tumble::render

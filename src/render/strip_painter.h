@@ -1,9 +1,8 @@
 #pragma once
 
-#include "render/painter.h"
+#include "render/sheet.h"
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,14 +14,16 @@ struct StripPlan {
     int columns = 0;
 };
 
-/// Draws several pictures of one run into one: a view, a scale and a legend for all, a few words under each.
-class StripPainter {
+/// Draws several pictures of one run into one: a view, a scale and a legend for all, a few words under each. Of pixels
+/// or of lines.
+template <class Medium> class StripPainterOf {
 public:
     /// `box` (m) must be in each cell. The picture is as wide as the settings say, and no higher than it needs to be.
-    /// Problems: those of Painter::open, settings without a range (all cells need the same colours), cells too small to
-    /// be told apart.
-    static Result<StripPainter> open(const scene::Render& settings, std::shared_ptr<const observe::FrameLayout> layout,
-                                     const Eigen::AlignedBox3d& box, const StripPlan& plan);
+    /// Problems: those of the medium's artist, settings without a range (all cells need the same colours), cells too
+    /// small to be told apart.
+    static Result<StripPainterOf> open(const scene::Render& settings,
+                                       std::shared_ptr<const observe::FrameLayout> layout,
+                                       const Eigen::AlignedBox3d& box, const StripPlan& plan);
 
     /// As those of Painter, for frames in between.
     void foresee(const observe::Frame& frame);
@@ -34,15 +35,18 @@ public:
     Result<Done> add(const observe::Frame& frame, const std::string& words, const scene::Box& clip);
 
     /// All cells with the lettering.
-    Picture finish();
+    typename Medium::Work finish();
 
     /// Where the cells lie, pixels.
     [[nodiscard]] const std::vector<Area>& cells() const;
 
 private:
     struct Inside;
-    explicit StripPainter(std::shared_ptr<Inside> inside) : inside_(std::move(inside)) {}
+    explicit StripPainterOf(std::shared_ptr<Inside> inside) : inside_(std::move(inside)) {}
     std::shared_ptr<Inside> inside_;
 };
+
+using StripPainter = StripPainterOf<Pixels>;
+using StripDrafter = StripPainterOf<Lines>;
 
 } // namespace tumble::render

@@ -56,10 +56,16 @@ std::vector<double> ticks_in(const Span& span, int most) {
     if (!meets_both_ends(span, step) || ticks_count(span, step) < std::min(3, limit)) {
         step = finest;
     }
+    while (ticks_count(span, step) < 2) { // one number is no scale
+        step = round_up(0.5 * step);
+    }
     std::vector<double> ticks;
     const double last = std::floor(span.hi / step + slack);
     for (double n = std::ceil(span.lo / step - slack); n <= last; n += 1) {
         ticks.push_back(n == 0 ? 0.0 : n * step);
+    }
+    if (ticks.size() > static_cast<std::size_t>(limit)) { // three of the finer step, where two are the most
+        ticks = {ticks.front(), ticks.back()};
     }
     return ticks;
 }
@@ -74,9 +80,15 @@ std::vector<std::string> tick_labels(const std::vector<double>& ticks) {
         }
     }
     step = step > 0 ? step : std::max(largest, 1.0);
+    const auto needs_more = [&](int digits) {
+        const double power = std::pow(10, digits);
+        const auto has_rest = [&](double value) {
+            return std::abs(value * power - std::round(value * power)) > 1e-6 * step * power;
+        };
+        return has_rest(step) || std::any_of(ticks.begin(), ticks.end(), has_rest);
+    };
     int digits = 0;
-    while (digits < 12 && std::abs(step * std::pow(10, digits) - std::round(step * std::pow(10, digits))) >
-                              1e-6 * step * std::pow(10, digits)) {
+    while (digits < 12 && needs_more(digits)) {
         ++digits;
     }
     std::vector<std::string> labels;

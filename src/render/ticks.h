@@ -19,8 +19,8 @@ double round_up(double value);
 /// The largest 1, 2 or 5 times a power of ten that is not above a positive value (within 1e-9 of it).
 double round_down(double value);
 
-/// Multiples of a round step inside the span, at most `most` of them (at least 2); a coarser step that meets both ends
-/// of the span is taken before a finer one that does not.
+/// Multiples of a round step inside the span, at most `most` of them and never fewer than two: one number is no scale.
+/// A coarser step that meets both ends of the span is taken before a finer one that does not.
 std::vector<double> ticks_in(const Span& span, int most);
 
 /// The ticks as numbers with just the digits that their step needs; a true minus sign.

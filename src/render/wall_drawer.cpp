@@ -22,6 +22,7 @@ struct WallDrawer::Corner {
 struct WallDrawer::Stroke {
     Vector3f from; // m, view space
     Vector3f to;
+    Eigen::Vector2f beyond; // the ends, of half the thickness
 };
 
 static const char* const surface_vertex = R"(#version 400 core
@@ -66,6 +67,7 @@ void main() {
 static const char* const edge_vertex = R"(#version 400 core
 layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 to;
+layout(location = 2) in vec2 beyond;
 uniform mat4 clip;
 uniform vec2 size;
 uniform float thickness;
@@ -82,8 +84,9 @@ void main() {
     vec2 across = vec2(-along.y, along.x) * ((gl_VertexID & 1) * 2.0 - 1.0);
     float end = (gl_VertexID >> 1) * 2.0 - 1.0;
     vec4 place = end < 0.0 ? a : b;
-    // Half the thickness longer at both ends, so that corners close; a little nearer, to lie on its own surface.
-    place.xy += (across + 0.5 * end * along) * thickness / size * place.w;
+    // Longer at both ends, so that corners close; a little nearer, to lie on its own surface.
+    float more = end < 0.0 ? beyond.x : beyond.y;
+    place.xy += (across + more * end * along) * thickness / size * place.w;
     place.z -= 2e-4 * place.w;
     gl_Position = place;
 }
@@ -135,7 +138,8 @@ Result<WallDrawer> WallDrawer::open(const observe::FrameLayout& layout, const Th
     glBindBuffer(GL_ARRAY_BUFFER, drawer.edge_buffer_.name());
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Stroke), at(offsetof(Stroke, from)));
     glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(Stroke), at(offsetof(Stroke, to)));
-    for (GLuint i = 0; i < 2; ++i) {
+    glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, sizeof(Stroke), at(offsetof(Stroke, beyond)));
+    for (GLuint i = 0; i < 3; ++i) {
         glEnableVertexAttribArray(i);
         glVertexAttribDivisor(i, 1);
     }
@@ -178,7 +182,8 @@ std::vector<WallDrawer::Stroke> WallDrawer::collect_edges(const observe::Frame& 
             // Seen exactly from its side a surface has no outline but its rims.
             const bool turns_away = one * other < 0 && std::max(std::abs(one), std::abs(other)) > 1e-3;
             if (edge.sharp || turns_away) {
-                strokes.push_back({from.cast<float>(), to.cast<float>()});
+                strokes.push_back({from.cast<float>(), to.cast<float>(),
+                                   Eigen::Vector2d(edge.beyond[0], edge.beyond[1]).cast<float>()});
             }
         }
     }

@@ -116,19 +116,47 @@ static void add_edges(const std::vector<Face>& faces, WallSurface& surface) {
     }
 }
 
+/// Where two lines meet whose ways differ by an angle, their outer sides meet beyond the end by tan(angle / 2) of half
+/// the thickness; of bends sharper than a right one no more than half the thickness is drawn.
+static double beyond_bend(const Vector3d& to_corner, const Vector3d& from_corner) {
+    const double cosine = std::clamp(to_corner.dot(from_corner), -1.0, 1.0);
+    return cosine > 0 ? std::sqrt((1 - cosine) / (1 + cosine)) : 1;
+}
+
+static void add_lines(const observe::FrameWall& wall, WallSurface& surface) {
+    struct End {
+        std::size_t line = 0;
+        std::size_t side = 0;
+    };
+    const std::vector<int> names = weld(wall.vertices);
+    std::map<int, std::vector<End>> corners;
+    for (const std::array<int, 2>& line : wall.lines) {
+        WallSurface::Edge edge;
+        edge.normals = {Vector3d::Zero(), Vector3d::Zero()};
+        edge.sharp = true;
+        for (std::size_t side = 0; side < 2; ++side) {
+            const auto v = static_cast<std::size_t>(line[side]);
+            edge.ends[side] = wall.vertices[v];
+            corners[names[v]].push_back({surface.edges.size(), side});
+        }
+        surface.edges.push_back(edge);
+    }
+    const auto towards = [&](const End& end) {
+        const WallSurface::Edge& edge = surface.edges[end.line];
+        return Vector3d((edge.ends[end.side] - edge.ends[1 - end.side]).normalized());
+    };
+    for (const auto& [corner, ends] : corners)
+        if (ends.size() == 2)
+            for (std::size_t k = 0; k < 2; ++k)
+                surface.edges[ends[k].line].beyond[ends[k].side] = beyond_bend(towards(ends[k]), -towards(ends[1 - k]));
+}
+
 WallSurface make_wall_surface(const observe::FrameWall& wall) {
     const std::vector<Face> faces = faces_of(wall);
     WallSurface surface;
     add_triangles(faces, surface);
     add_edges(faces, surface);
-    for (const std::array<int, 2>& line : wall.lines) {
-        WallSurface::Edge edge;
-        edge.ends = {wall.vertices[static_cast<std::size_t>(line[0])],
-                     wall.vertices[static_cast<std::size_t>(line[1])]};
-        edge.normals = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
-        edge.sharp = true;
-        surface.edges.push_back(edge);
-    }
+    add_lines(wall, surface);
     return surface;
 }
 

@@ -19,6 +19,8 @@ struct WallSurface {
         std::array<Eigen::Vector3d, 2> ends;
         std::array<Eigen::Vector3d, 2> normals; // unit, of the two triangles
         bool sharp = false;                     // a rim, or a bend of more than 30 degrees
+        // How far a line of some thickness goes on beyond the ends, of half its thickness, so that corners close.
+        std::array<double, 2> beyond{0.5, 0.5};
     };
     std::vector<Triangle> triangles;
     std::vector<Edge> edges;
@@ -26,7 +28,7 @@ struct WallSurface {
 
 /// Corners closer than 1e-7 of the wall's size count as one, so that a soup of triangles gets smooth normals too.
 /// Triangles without area and indices out of range are left out. The lines of a wall in two dimensions become sharp
-/// edges.
+/// edges, which go on just as far as the bend to the next needs: where lines lie over each other they would be darker.
 WallSurface make_wall_surface(const observe::FrameWall& wall);
 
 } // namespace tumble::render

@@ -43,7 +43,7 @@ std::string plot_of(const BedNumber& one) {
         intervals.push_back({"extended", color_of(0), one.extended, two_sided_95 * one.extended_error});
     const std::string unit = observe::spelled_unit(one.unit);
     return svg_of(fmt::format("{}{}", one.condition, one.held_out ? ", held out" : ""), intervals,
-                  observe::spelled_name(one.measure) + (unit.empty() ? "" : ", in " + unit));
+                  observe::spelled_name(one.measure) + (unit.empty() ? "" : " [" + unit + "]"));
 }
 
 } // namespace

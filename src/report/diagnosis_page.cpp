@@ -5,6 +5,7 @@
 #include "report/bed_section.h"
 #include "report/svg_plot.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
@@ -30,6 +31,13 @@ svg{max-width:100%;height:auto}svg text{font-family:"DejaVu Sans",Verdana,sans-s
 
 struct Looks {
     std::vector<std::string> conditions;
+    bool named = false; // in a legend, each once
+
+    /// For the first trace of a condition, before its index is asked for.
+    [[nodiscard]] std::string label(const std::string& condition) const {
+        const bool is_new = std::find(conditions.begin(), conditions.end(), condition) == conditions.end();
+        return named && is_new ? condition : "";
+    }
 
     std::size_t index(const std::string& condition) {
         for (std::size_t k = 0; k < conditions.size(); ++k)
@@ -47,11 +55,12 @@ bool has_extension(const Diagnosis& diagnosis) {
 
 std::string axis_of(const Curve& curve) {
     return curve.unit.empty() ? curve.head
-                              : fmt::format("{}, in {}", curve.head.substr(0, curve.head.rfind('_')), curve.unit);
+                              : fmt::format("{} [{}]", curve.head.substr(0, curve.head.rfind('_')), curve.unit);
 }
 
 Trace residual_trace(const Curve& curve, const std::vector<double>& model, const std::vector<double>& x, Looks& looks) {
-    Trace trace{.label = "", .x = x, .y = {}, .color = color_of(looks.index(curve.condition))};
+    Trace trace{
+        .label = looks.label(curve.condition), .x = x, .y = {}, .color = color_of(looks.index(curve.condition))};
     for (std::size_t k = 0; k < x.size(); ++k)
         trace.y.push_back(curve.left_out[k] ? std::nan("") : (curve.measured[k] - model[k]) / curve.sigma);
     return trace;
@@ -64,21 +73,24 @@ std::vector<double> rates(const Curve& curve) {
     return rate;
 }
 
+const std::string over_time = "time [s]";
+
 /// Residuals in standard errors, of all records that show the same measure as the first.
-Plot residuals(const Diagnosis& diagnosis, const std::string& title, const std::string& against, bool extended) {
+Plot residuals(const Diagnosis& diagnosis, const std::string& title, const std::string& against, bool extended,
+               bool with_legend = false) {
     Plot plot{.title = title,
               .x_label = against,
-              .y_label = "residual, in standard errors",
+              .y_label = "residual [standard errors]",
               .traces = {},
               .levels = {},
               .band = std::array{-2.0, 2.0},
               .y_range = {}};
-    Looks looks;
+    Looks looks{.conditions = {}, .named = with_legend};
     for (const Curve& curve : diagnosis.curves) {
         if (curve.head != diagnosis.curves[0].head)
             continue;
         const std::vector<double>& model = extended && !curve.extended.empty() ? curve.extended : curve.baseline;
-        const std::vector<double> x = against == "time, in s"        ? curve.time
+        const std::vector<double> x = against == over_time           ? curve.time
                                       : against.starts_with("speed") ? rates(curve)
                                                                      : curve.baseline;
         plot.traces.push_back(residual_trace(curve, model, x, looks));
@@ -100,7 +112,7 @@ std::string measured_section(const Diagnosis& diagnosis) {
     std::string out = "<h2>What was measured, and what the scene gives</h2><div class=\"plots\">";
     for (const Curve& curve : diagnosis.curves) {
         Plot plot{.title = curve.record,
-                  .x_label = "time, in s",
+                  .x_label = over_time,
                   .y_label = axis_of(curve),
                   .traces = {},
                   .levels = {},
@@ -128,11 +140,11 @@ std::string residual_section(const Diagnosis& diagnosis) {
                       "errors of a reading; 95 % of pure noise lies in the grey band. Colours are conditions; lone "
                       "outliers are not drawn.</p><div class=\"plots\">";
     const std::string unit = diagnosis.curves.empty() ? "" : diagnosis.curves[0].unit;
-    out += svg_of(residuals(diagnosis, "against time", "time, in s", false));
-    out += svg_of(residuals(diagnosis, "against speed", fmt::format("speed, in {}/s", unit), false));
-    out += svg_of(residuals(diagnosis, "against the reading", fmt::format("reading, in {}", unit), false));
+    out += svg_of(residuals(diagnosis, "against time", over_time, false, true));
+    out += svg_of(residuals(diagnosis, "against speed", fmt::format("speed [{}/s]", unit), false));
+    out += svg_of(residuals(diagnosis, "against the reading", fmt::format("reading [{}]", unit), false));
     if (has_extension(diagnosis)) {
-        Plot after = residuals(diagnosis, "with the extended scene, against time", "time, in s", true);
+        Plot after = residuals(diagnosis, "with the extended scene, against time", over_time, true);
         const double most = largest_residual(diagnosis) * 1.05;
         after.y_range = std::array{-most, most};
         out += svg_of(after);

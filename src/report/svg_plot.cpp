@@ -9,9 +9,10 @@ namespace tumble::report {
 
 namespace {
 
-constexpr int left = 62, right = 12, top = 30, bottom = 44; // px around the axes
-constexpr double room = 0.04;                               // of the range, beyond the traces
-constexpr std::size_t most_points = 1500;                   // of a trace that are drawn
+constexpr int left = 62, right = 12, above_axes = 30, bottom = 44; // px around the axes
+constexpr int legend_row = 14;                                     // px
+constexpr double room = 0.04;                                      // of the range, beyond the traces
+constexpr std::size_t most_points = 1500;                          // of a trace that are drawn
 
 struct Range {
     double lo = std::numeric_limits<double>::infinity();
@@ -54,13 +55,14 @@ public:
         y_.widen();
         if (plot.y_range)
             y_ = {(*plot.y_range)[0], (*plot.y_range)[1]};
+        lay_out_legend();
     }
 
     std::string draw() {
         out_ = fmt::format("<svg viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" "
                            "xmlns=\"http://www.w3.org/2000/svg\">"
                            "<title>{2}</title><text class=\"h\" x=\"{3}\" y=\"16\">{2}</text>",
-                           plot_.width, plot_.height, escaped(plot_.title), left);
+                           plot_.width, height(), escaped(plot_.title), left);
         if (plot_.band)
             out_ += fmt::format("<rect class=\"band\" x=\"{}\" y=\"{:.1f}\" width=\"{}\" height=\"{:.1f}\"/>", left,
                                 py((*plot_.band)[1]), inner_width(), py((*plot_.band)[0]) - py((*plot_.band)[1]));
@@ -77,22 +79,26 @@ public:
     }
 
 private:
+    /// A legend of several rows makes the picture higher and leaves the axes as they are.
+    [[nodiscard]] int more() const { return legend_row * std::max(static_cast<int>(legend_.size()) - 1, 0); }
+    [[nodiscard]] int height() const { return plot_.height + more(); }
+    [[nodiscard]] int top() const { return above_axes + more(); }
     [[nodiscard]] int inner_width() const { return plot_.width - left - right; }
     [[nodiscard]] double px(double x) const { return left + (x - x_.lo) / (x_.hi - x_.lo) * inner_width(); }
     [[nodiscard]] double py(double y) const {
-        return plot_.height - bottom - (y - y_.lo) / (y_.hi - y_.lo) * (plot_.height - top - bottom);
+        return height() - bottom - (y - y_.lo) / (y_.hi - y_.lo) * (height() - top() - bottom);
     }
     [[nodiscard]] bool inside(double x, double y) const {
         return std::isfinite(x) && std::isfinite(y) && y >= y_.lo && y <= y_.hi;
     }
 
     void axes() {
-        const int floor = plot_.height - bottom;
+        const int floor = height() - bottom;
         for (double step = tick_step(x_.hi - x_.lo), x = std::ceil(x_.lo / step) * step; x <= x_.hi; x += step)
             out_ += fmt::format(
                 "<line class=\"grid\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2}\"/><text class=\"t\" "
                 "x=\"{0:.1f}\" y=\"{3}\" text-anchor=\"middle\">{4}</text>",
-                px(x), top, floor, floor + 15, tick_word(x, step));
+                px(x), top(), floor, floor + 15, tick_word(x, step));
         for (double step = tick_step(y_.hi - y_.lo), y = std::ceil(y_.lo / step) * step; y <= y_.hi; y += step)
             out_ += fmt::format(
                 "<line class=\"grid\" x1=\"{1}\" x2=\"{2}\" y1=\"{0:.1f}\" y2=\"{0:.1f}\"/><text class=\"t\" "
@@ -101,7 +107,7 @@ private:
         out_ +=
             fmt::format("<text class=\"a\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>"
                         "<text class=\"a\" transform=\"translate(13 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
-                        left + inner_width() / 2, plot_.height - 8, escaped(plot_.x_label), (top + floor) / 2,
+                        left + inner_width() / 2, height() - 8, escaped(plot_.x_label), (top() + floor) / 2,
                         escaped(plot_.y_label));
     }
 
@@ -128,21 +134,41 @@ private:
         out_ += "</g>";
     }
 
-    void legend() {
-        int x = plot_.width - right;
-        for (auto trace = plot_.traces.rbegin(); trace != plot_.traces.rend(); ++trace) {
-            if (trace->label.empty())
+    static int entry_width(const Trace& trace) {
+        return 26 + static_cast<int>(6.6 * static_cast<double>(trace.label.size()));
+    }
+
+    void lay_out_legend() {
+        int spare = 0;
+        for (const Trace& trace : plot_.traces) {
+            if (trace.label.empty())
                 continue;
-            x -= 26 + static_cast<int>(6.6 * static_cast<double>(trace->label.size()));
-            out_ +=
-                fmt::format("<rect x=\"{}\" y=\"{}\" width=\"10\" height=\"3\" fill=\"{}\"/><text class=\"t\" x=\"{}\" "
-                            "y=\"{}\">{}</text>",
-                            x, top - 10, trace->color, x + 13, top - 5, escaped(trace->label));
+            if (legend_.empty() || entry_width(trace) > spare) {
+                legend_.emplace_back();
+                spare = inner_width();
+            }
+            legend_.back().push_back(&trace);
+            spare -= entry_width(trace);
+        }
+    }
+
+    void legend() {
+        for (std::size_t row = 0; row < legend_.size(); ++row) {
+            const int y = above_axes - 10 + legend_row * static_cast<int>(row);
+            int x = plot_.width - right;
+            for (auto trace = legend_[row].rbegin(); trace != legend_[row].rend(); ++trace) {
+                x -= entry_width(**trace);
+                out_ += fmt::format(
+                    "<rect x=\"{}\" y=\"{}\" width=\"10\" height=\"3\" fill=\"{}\"/><text class=\"t\" x=\"{}\" "
+                    "y=\"{}\">{}</text>",
+                    x, y, (*trace)->color, x + 13, y + 5, escaped((*trace)->label));
+            }
         }
     }
 
     const Plot& plot_;
     Range x_, y_;
+    std::vector<std::vector<const Trace*>> legend_; // in rows that fit between the axes
     std::string out_;
 };
 

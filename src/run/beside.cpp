@@ -2,6 +2,7 @@
 
 #include "observe/frame_file.h"
 #include "render/pair_painter.h"
+#include "run/drawing_sink.h"
 #include "run/run_folder.h"
 #include "run/target.h"
 
@@ -22,39 +23,26 @@ constexpr double same_instant = 0.4;
 
 using Recordings = std::array<Recording, 2>;
 
-struct Dated {
-    double time = 0; // s
-    fs::path file;
-};
-
 struct Moment {
     fs::path left, right;
 };
 
-/// Those that can be read.
-std::vector<Dated> dated(const Recording& recording) {
-    std::vector<Dated> frames;
-    for (const fs::path& file : recording.frames)
-        if (const Result<observe::Frame> frame = observe::read_frame(file, recording.layout))
-            frames.push_back({frame->time, file});
-    return frames;
-}
-
-double spacing_of(const std::vector<Dated>& frames) {
+double spacing_of(const std::vector<RecordedFrame>& frames) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 1; k < frames.size(); ++k)
         least = std::min(least, frames[k].time - frames[k - 1].time);
     return least;
 }
 
-std::vector<Moment> common(const std::vector<Dated>& left, const std::vector<Dated>& right) {
+std::vector<Moment> common(const std::vector<RecordedFrame>& left, const std::vector<RecordedFrame>& right) {
     std::vector<Moment> moments;
     // A single frame goes with whatever stands beside it.
     const double apart = same_instant * std::max(spacing_of(left), spacing_of(right));
-    for (const Dated& frame : left) {
-        const auto nearest = std::min_element(right.begin(), right.end(), [&](const Dated& a, const Dated& b) {
-            return std::abs(a.time - frame.time) < std::abs(b.time - frame.time);
-        });
+    for (const RecordedFrame& frame : left) {
+        const auto nearest =
+            std::min_element(right.begin(), right.end(), [&](const RecordedFrame& a, const RecordedFrame& b) {
+                return std::abs(a.time - frame.time) < std::abs(b.time - frame.time);
+            });
         if (nearest != right.end() && std::abs(nearest->time - frame.time) <= apart)
             moments.push_back({frame.file, nearest->file});
     }
@@ -84,8 +72,7 @@ Result<Comparison> compare(const std::array<fs::path, 2>& runs, const BesideOpti
     if (!left || !right)
         return (left ? right : left).problems();
     Comparison found{{std::move(*left), std::move(*right)}, {}, {}};
-    const std::array<std::vector<Dated>, 2> sides{dated(found.recordings[0]), dated(found.recordings[1])};
-    found.moments = common(sides[0], sides[1]);
+    found.moments = common(found.recordings[0].frames, found.recordings[1].frames);
     if (found.moments.empty())
         return Problem{.file = runs[1].string(),
                        .what = "no frame of it is of the same time as one of " + runs[0].string(),
@@ -93,41 +80,84 @@ Result<Comparison> compare(const std::array<fs::path, 2>& runs, const BesideOpti
     for (std::size_t side = 0; side < 2; ++side) {
         for (const std::string& warning : found.recordings[side].warnings)
             found.warnings.push_back(runs[side].string() + ": " + warning);
-        if (const std::size_t alone = sides[side].size() - found.moments.size(); alone > 0)
+        if (const std::size_t alone = found.recordings[side].frames.size() - found.moments.size(); alone > 0)
             found.warnings.push_back(
                 fmt::format("{}: {} of its frames have none beside them", runs[side].string(), alone));
     }
     return found;
 }
 
-/// Both frames of a moment; a problem where one cannot be read again.
-Result<Done> draw(const Moment& moment, const Recordings& recordings, render::PairPainter& painter, PictureFiles& files,
-                  Replayed& done) {
+/// Reads both frames of a moment and hands them to show(left, right); a problem where one cannot be read again.
+template <class Show>
+Result<Done> show_moment(const Moment& moment, const Recordings& recordings, Replayed& done, Show&& show) {
     const Result<observe::Frame> left = observe::read_frame(moment.left, recordings[0].layout);
     const Result<observe::Frame> right = observe::read_frame(moment.right, recordings[1].layout);
     if (!left || !right)
         return (left ? right : left).problems();
     done.first = done.frames == 0 ? left->time : done.first;
     done.last = left->time;
-    const std::int64_t number = observe::frame_number(moment.left).value_or(done.frames);
     ++done.frames;
-    return files.add(painter.draw(*left, *right), number);
+    return show(*left, *right);
+}
+
+bool is_stopped(const BesideOptions& options, Replayed& done) {
+    return done.stopped = stop_wanted(options.when.stop);
 }
 
 /// Until the last moment, a stop or a problem.
 void draw_all(const Comparison& shown, const BesideOptions& options, render::PairPainter& painter, PictureFiles& files,
               const TellFrames& tell, Replayed& done) {
     for (const Moment& moment : shown.moments) {
-        done.stopped = options.when.stop && options.when.stop->load(std::memory_order_relaxed);
-        if (done.stopped)
+        if (is_stopped(options, done))
             break;
-        done.reason = draw(moment, shown.recordings, painter, files, done).problems();
+        const std::int64_t number = observe::frame_number(moment.left).value_or(done.frames);
+        done.reason = show_moment(moment, shown.recordings, done, [&](const auto& left, const auto& right) {
+                          return files.add(painter.draw(left, right), number);
+                      }).problems();
         if (!done.reason.empty())
             break;
         tell(done.frames, static_cast<std::int64_t>(shown.moments.size()));
     }
     if (const Problems problems = files.finish().problems(); done.reason.empty())
         done.reason = problems;
+}
+
+/// The last moment; trails come from those before it.
+void draw_last(const Comparison& shown, const BesideOptions& options, render::PairDrafter& drafter,
+               const TellFrames& tell, Replayed& done) {
+    if (!options.settings.marks.trails.empty())
+        for (auto moment = shown.moments.begin(); moment + 1 != shown.moments.end() && done.reason.empty(); ++moment) {
+            if (is_stopped(options, done))
+                return;
+            done.reason = show_moment(*moment, shown.recordings, done, [&](const auto& left, const auto& right) {
+                              drafter.pass_over(0, left);
+                              drafter.pass_over(1, right);
+                              return Result<Done>(Done{});
+                          }).problems();
+        }
+    done.frames = 0; // that were drawn
+    if (!done.reason.empty())
+        return;
+    done.reason = show_moment(shown.moments.back(), shown.recordings, done, [&](const auto& left, const auto& right) {
+                      return save(drafter.draw(left, right), options.targets.drawing);
+                  }).problems();
+    tell(1, 1);
+}
+
+/// Fitted to both runs, and with their mean fields where those are drawn.
+template <class Medium>
+Result<render::PairPainterOf<Medium>> open_pair(const Comparison& shown, const scene::Render& settings,
+                                                const std::array<std::string, 2>& labels) {
+    const Recordings& recordings = shown.recordings;
+    auto painter = render::PairPainterOf<Medium>::open(settings, {recordings[0].layout, recordings[1].layout}, labels);
+    if (!painter)
+        return painter.problems();
+    painter->fit(recordings[0].bounds.merged(recordings[1].bounds));
+    for (std::size_t side = 0; settings.marks.arrows == "field" && side < 2; ++side)
+        for (const Moment& moment : shown.moments)
+            if (const auto frame = observe::read_frame(side == 0 ? moment.left : moment.right, recordings[side].layout))
+                painter->foresee(side, *frame);
+    return painter;
 }
 
 } // namespace
@@ -142,28 +172,32 @@ Result<Replayed> draw_beside(const std::array<fs::path, 2>& runs, const BesideOp
     if (!settled)
         return settled.problems();
     const scene::Render& settings = *settled;
-    Target pictures(options.targets.folder), video(options.targets.video);
-    for (auto [target, extension] : {std::pair{&pictures, ".png"}, std::pair{&video, ".mp4"}})
+    const auto labels = labels_for(runs, recordings, options.labels);
+    Target pictures(options.targets.folder), video(options.targets.video), drawing(options.targets.drawing);
+    for (auto [target, extension] :
+         {std::pair{&pictures, ".png"}, std::pair{&video, ".mp4"}, std::pair{&drawing, ".svg"}})
         if (const auto problem = target->claim(options.overwrite, extension))
             return *problem;
-    Result<render::PairPainter> painter = render::PairPainter::open(
-        settings, {recordings[0].layout, recordings[1].layout}, labels_for(runs, recordings, options.labels));
-    if (!painter)
-        return painter.problems();
-    painter->fit(recordings[0].bounds.merged(recordings[1].bounds));
-    for (std::size_t side = 0; settings.marks.arrows == "field" && side < 2; ++side)
-        for (const Moment& moment : shown->moments)
-            if (const auto frame = observe::read_frame(side == 0 ? moment.left : moment.right, recordings[side].layout))
-                painter->foresee(side, *frame);
-    Result<PictureFiles> files = PictureFiles::open(settings, options.targets);
-    if (!files)
-        return files.problems();
     Replayed done;
     done.warnings = shown->warnings;
-    draw_all(*shown, options, *painter, *files, tell, done);
+    if (!options.targets.drawing.empty()) {
+        auto drafter = open_pair<render::Lines>(*shown, settings, labels);
+        if (!drafter)
+            return of_run(drafter.problems(), runs[recordings[0].layout->dimension == 2 ? 1 : 0]);
+        draw_last(*shown, options, *drafter, tell, done);
+    } else {
+        auto painter = open_pair<render::Pixels>(*shown, settings, labels);
+        if (!painter)
+            return painter.problems();
+        Result<PictureFiles> files = PictureFiles::open(settings, options.targets);
+        if (!files)
+            return files.problems();
+        draw_all(*shown, options, *painter, *files, tell, done);
+    }
     if (done.reason.empty()) {
         pictures.keep();
         video.keep();
+        drawing.keep();
     }
     return done;
 }

@@ -49,22 +49,19 @@ double arrow_speed(const observe::FlowField& field) {
     return 10 * decade;
 }
 
-std::string script_of(const FlowReport& report, const std::filesystem::path& file) {
+std::string script_of(const FlowReport& report, const std::filesystem::path& file, const sheet::Canvas& canvas) {
     const observe::FlowGrid& grid = report.field.grid();
     const double speed = arrow_speed(report.field);
     const double length = 1.2e3 * std::min(grid.ring_width(), grid.layer_height());
-    const bool svg = file.extension() == ".svg";
-    std::string script = svg ? "set terminal svg size 900,640 font 'DejaVu Sans,13'"
-                             : "set terminal pngcairo size 1350,960 font 'DejaVu Sans,15'";
-    script += " background 'white' noenhanced rounded\n";
-    script += fmt::format("set output {}\nset title {}\n", sheet::in_gnuplots_quotes(file.string()),
+    std::string script = sheet::open_canvas(canvas, file);
+    script += fmt::format("set title {}\n",
                           sheet::in_gnuplots_quotes(fmt::format("Mean flow from {:.4g} to {:.4g} s",
                                                                 report.replayed.first, report.replayed.last)));
     script += data_of(report.field, length / speed);
     script += fmt::format("set xrange [0:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\nset size ratio -1\n", 1e3 * grid.radius,
                           1e3 * grid.lo, 1e3 * grid.hi);
-    script += "set xlabel 'distance from the axis, mm'\nset ylabel 'height, mm'\n"
-              "set cblabel 'tangential velocity, m/s'\nset key below\n"
+    script += "set xlabel 'distance from the axis [mm]'\nset ylabel 'height [mm]'\n"
+              "set cblabel 'tangential velocity [m/s]'\nset key below\n"
               "set bmargin 5.5\n"
               "set palette defined (0 '#440154', 0.25 '#3b528b', 0.5 '#21918c', 0.75 '#5ec962', 1 '#fde725')\n"
               "plot $cells using 1:2:3:4:5:6:7 with boxxyerror fillstyle solid noborder lc palette notitle, "
@@ -78,8 +75,9 @@ std::string script_of(const FlowReport& report, const std::filesystem::path& fil
 
 } // namespace
 
-Result<Done> draw_flow(const FlowReport& report, const std::filesystem::path& file) {
-    return sheet::run_gnuplot(script_of(report, file), file, "leave --picture away: the tables need no gnuplot");
+Result<Done> draw_flow(const FlowReport& report, const std::filesystem::path& file, const sheet::Canvas& canvas) {
+    return sheet::run_gnuplot(script_of(report, file, canvas), file,
+                              "leave --picture away: the tables need no gnuplot");
 }
 
 } // namespace tumble::run

@@ -144,7 +144,9 @@ observe::Cycle Path::cycle() const {
 }
 
 Result<FlowReport> read_flow(const std::filesystem::path& run, const FlowOptions& options, const TellFrames& tell) {
-    const Result<Recording> recording = open_recording(run, options.when);
+    // A grid that is given needs no bounds: each frame is then read once.
+    const bool fits = options.fit_radius || options.fit_heights;
+    const Result<Recording> recording = open_recording(run, options.when, fits ? Reading::whole : Reading::heads);
     if (!recording)
         return recording.problems();
     if (recording->layout->dimension == 2)
@@ -161,6 +163,11 @@ Result<FlowReport> read_flow(const std::filesystem::path& run, const FlowOptions
     FrameSinks sinks;
     sinks.push_back(std::make_unique<FlowSink>(report, *shapes));
     report.replayed = replay(*recording, options.when, sinks, tell);
+    if (report.replayed.frames == 0 && !report.replayed.stopped)
+        return Problem{.file = run.string(),
+                       .what = "no frame in this time can be read",
+                       .fix =
+                           report.replayed.warnings.empty() ? "run the scene again" : report.replayed.warnings.back()};
     double mass = 0;
     for (int layer = 0; layer < grid.layers; ++layer)
         mass += report.field.layer(layer).mass;

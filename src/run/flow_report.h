@@ -4,6 +4,7 @@
 #include "observe/cycle.h"
 #include "observe/flow_field.h"
 #include "run/replay.h"
+#include "sheet/canvas.h"
 
 #include <filesystem>
 #include <optional>
@@ -51,8 +52,9 @@ std::vector<std::filesystem::path> flow_files(const std::filesystem::path& folde
 Result<std::vector<std::filesystem::path>> write_flow(const FlowReport& report, const std::filesystem::path& folder);
 
 /// The mean field in the plane of radius and height: coloured by the tangential velocity, arrows of radial and vertical
-/// velocity, the surface as a line; PNG or SVG by the file's name, through gnuplot. Problems: gnuplot is missing or
-/// failed.
-Result<Done> draw_flow(const FlowReport& report, const std::filesystem::path& file);
+/// velocity, the surface as a line; through gnuplot, of the kind that the file's name says (sheet/canvas.h).
+/// Problems: gnuplot is missing or failed.
+Result<Done> draw_flow(const FlowReport& report, const std::filesystem::path& file,
+                       const sheet::Canvas& canvas = {.width_mm = 238, .height_mm = 169});
 
 } // namespace tumble::run

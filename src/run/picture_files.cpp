@@ -6,6 +6,15 @@
 
 namespace tumble::run {
 
+Result<Done> save(render::Picture picture, const std::filesystem::path& file) {
+    if (const auto made = make_folder(std::filesystem::absolute(file).parent_path()); !made)
+        return made.problems();
+    render::PngWriter writer;
+    if (auto added = writer.add(file, std::move(picture)); !added)
+        return added;
+    return writer.finish();
+}
+
 Result<PictureFiles> PictureFiles::open(const scene::Render& settings, const PictureTargets& targets) {
     PictureFiles files;
     files.folder_ = targets.folder;

@@ -12,9 +12,13 @@ namespace tumble::run {
 
 /// Where pictures go; an empty path: nowhere.
 struct PictureTargets {
-    std::filesystem::path folder; // PNG files frame_000000.png and so on
-    std::filesystem::path video;  // MP4
+    std::filesystem::path folder;    // PNG files frame_000000.png and so on
+    std::filesystem::path video;     // MP4
+    std::filesystem::path drawing{}; // SVG or PDF, of the last frame, in place of the others
 };
+
+/// One picture as a PNG file; makes the folder where it is missing. Problems: what the system says.
+Result<Done> save(render::Picture picture, const std::filesystem::path& file);
 
 /// Pictures of the settings' size on their way to PNG files, a video or both.
 class PictureFiles {

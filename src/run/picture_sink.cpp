@@ -37,8 +37,8 @@ Result<std::unique_ptr<FrameSink>> keep_pictures(const scene::Render& settings,
     if (!fit.isEmpty())
         painter->fit(fit);
     if (to_come && settings.marks.arrows == "field")
-        for (const std::filesystem::path& file : to_come->frames)
-            if (const Result<observe::Frame> frame = observe::read_frame(file, to_come->layout))
+        for (const RecordedFrame& recorded : to_come->frames)
+            if (const Result<observe::Frame> frame = observe::read_frame(recorded.file, to_come->layout))
                 painter->foresee(*frame);
     Result<PictureFiles> files = PictureFiles::open(settings, targets);
     if (!files)

@@ -1,5 +1,6 @@
 #include "run/redraw.h"
 
+#include "run/drawing_sink.h"
 #include "run/measure_names.h"
 #include "run/picture_sink.h"
 #include "run/state_sinks.h"
@@ -29,23 +30,32 @@ Result<Replayed> redraw(const fs::path& run, const RedrawOptions& options, const
     recording->layout = restyled_layout(*recording->layout, options);
     Target pictures(options.targets.folder);
     Target video(options.targets.video);
-    for (auto [target, extension] : {std::pair{&pictures, ".png"}, std::pair{&video, ".mp4"}})
+    Target drawing(options.targets.drawing);
+    for (auto [target, extension] :
+         {std::pair{&pictures, ".png"}, std::pair{&video, ".mp4"}, std::pair{&drawing, ".svg"}})
         if (const auto problem = target->claim(options.overwrite, extension))
             return *problem;
     const auto settings = settle_scales({&*recording, 1}, options.settings);
     if (!settings)
         return settings.problems();
     FrameSinks sinks;
-    auto sink = keep_pictures(*settings, recording->layout, options.targets, recording->bounds, &*recording);
+    const bool as_lines = !options.targets.drawing.empty();
+    auto sink = as_lines ? keep_drawing(*settings, *recording, options.targets.drawing)
+                         : keep_pictures(*settings, recording->layout, options.targets, recording->bounds, &*recording);
     if (!sink)
         return sink.problems();
     sinks.push_back(std::move(*sink));
     ReplayOptions when = options.when;
     when.plotted = std::move(*plotted);
-    const Replayed replayed = replay(*recording, when, sinks, tell);
+    Replayed replayed = replay(*recording, when, sinks, tell);
+    if (as_lines) {
+        replayed.frames = replayed.stopped ? 0 : 1; // that were drawn
+        replayed.first = replayed.last;
+    }
     if (replayed.reason.empty()) {
         pictures.keep();
         video.keep();
+        drawing.keep();
     }
     return replayed;
 }

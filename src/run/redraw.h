@@ -20,7 +20,8 @@ struct RedrawOptions {
 std::shared_ptr<const observe::FrameLayout> restyled_layout(observe::FrameLayout layout, const RedrawOptions& options);
 
 /// Draws the frames of a run again, without simulating. Problems: no run, nothing drawable, targets that exist already
-/// or cannot be made. What breaks later is Replayed::reason; a target that was begun in vain is removed.
+/// or cannot be made, lines of a scene in space. What breaks later is Replayed::reason; a target that was begun in vain
+/// is removed.
 Result<Replayed> redraw(const std::filesystem::path& run, const RedrawOptions& options, const TellFrames& tell);
 
 struct ExportOptions {

@@ -52,13 +52,13 @@ std::vector<std::string> unfinished(const RunFolder& folder) {
 }
 
 /// s by which a frame may miss the time that it stands for, roundings included.
-double slack_of(const observe::Frame& frame) {
+double slack_of(const observe::FrameHead& frame) {
     return frame.step > 0 ? 0.5 * (1 + 1e-9) * frame.time / static_cast<double>(frame.step) : 0;
 }
 
 /// Frames and what is wrong with others, read once from first to last.
 struct Survey {
-    std::vector<std::filesystem::path> wanted;
+    std::vector<RecordedFrame> wanted;
     Eigen::AlignedBox3d bounds; // m, of the wanted
     Problems damaged;
     double first = std::numeric_limits<double>::infinity(); // s
@@ -68,26 +68,34 @@ struct Survey {
 };
 
 Survey survey(const RunFolder& folder, const std::shared_ptr<const observe::FrameLayout>& layout,
-              const ReplayOptions& options) {
+              const ReplayOptions& options, Reading reading) {
     Survey found;
+    render::BoundsOver bounds(layout);
     for (const std::filesystem::path& file : observe::list_frames(folder.frames())) {
-        const Result<observe::Frame> frame = observe::read_frame(file, layout);
-        if (!frame) {
-            const Problems problems = frame.problems();
-            found.damaged.insert(found.damaged.end(), problems.begin(), problems.end());
+        const Result<observe::FrameHead> head = observe::read_frame_head(file);
+        if (!head) {
+            append(found.damaged, head.problems());
             continue;
         }
-        found.first = std::min(found.first, frame->time);
-        found.last = std::max(found.last, frame->time);
-        const double away = std::max({options.from - frame->time, frame->time - options.to, 0.0});
+        const double away = std::max({options.from - head->time, head->time - options.to, 0.0});
+        const bool wanted = away <= slack_of(*head);
+        if (wanted && reading == Reading::whole) {
+            const Result<observe::Frame> frame = observe::read_frame(file, layout);
+            if (!frame) {
+                append(found.damaged, frame.problems());
+                continue;
+            }
+            bounds.take_in(*frame);
+        }
+        found.first = std::min(found.first, head->time);
+        found.last = std::max(found.last, head->time);
         if (away < found.away)
-            found.nearest = frame->time;
+            found.nearest = head->time;
         found.away = std::min(found.away, away);
-        if (away > slack_of(*frame))
-            continue;
-        found.wanted.push_back(file);
-        found.bounds.extend(render::bounds_of(*frame));
+        if (wanted)
+            found.wanted.push_back({file, head->time, head->contacts});
     }
+    found.bounds = bounds.box();
     return found;
 }
 
@@ -106,14 +114,14 @@ Problems nothing_to_show(const std::filesystem::path& root, const Survey& found)
 
 } // namespace
 
-Result<Recording> open_recording(const std::filesystem::path& root, const ReplayOptions& options) {
+Result<Recording> open_recording(const std::filesystem::path& root, const ReplayOptions& options, Reading reading) {
     const Result<RunFolder> folder = find_run(root);
     if (!folder)
         return folder.problems();
     const auto layout = observe::read_layout(observe::layout_path(folder->frames()));
     if (!layout)
         return layout.problems();
-    const Survey found = survey(*folder, *layout, options);
+    const Survey found = survey(*folder, *layout, options, reading);
     if (found.wanted.empty())
         return nothing_to_show(root, found);
     Recording recording{*folder, *layout, found.wanted, unfinished(*folder), found.bounds};
@@ -130,8 +138,8 @@ Result<std::array<double, 2>> colors_for(std::span<const Recording> recordings, 
         if (!quantity)
             return quantity.problems();
         has_sign = quantity->has_sign;
-        for (const std::filesystem::path& file : recording.frames)
-            if (const Result<observe::Frame> frame = observe::read_frame(file, recording.layout))
+        for (const RecordedFrame& recorded : recording.frames)
+            if (const Result<observe::Frame> frame = observe::read_frame(recorded.file, recording.layout))
                 widest.take_in(render::values_of(*quantity, *frame));
     }
     const render::Span span = widest.span(has_sign);
@@ -152,18 +160,18 @@ Replayed replay(const Recording& recording, const ReplayOptions& options, const 
                                                 options.plotted->name));
     Problems& problems = replayed.reason;
     const auto all = static_cast<std::int64_t>(recording.frames.size());
-    for (const std::filesystem::path& file : recording.frames) {
+    for (const RecordedFrame& recorded : recording.frames) {
         if (stop_wanted(options.stop)) {
             replayed.stopped = true;
             break;
         }
-        Result<observe::Frame> frame = observe::read_frame(file, recording.layout);
+        Result<observe::Frame> frame = observe::read_frame(recorded.file, recording.layout);
         if (!frame) {
             replayed.warnings.push_back(left_out(frame.problems()));
             continue;
         }
         shot.frame = std::move(*frame);
-        shot.number = observe::frame_number(file).value_or(0);
+        shot.number = observe::frame_number(recorded.file).value_or(0);
         for (const auto& sink : sinks)
             if (problems.empty())
                 problems = sink->take(shot).problems();

@@ -37,18 +37,31 @@ struct Replayed {
 /// Done and all, in frames.
 using TellFrames = std::function<void(std::int64_t done, std::int64_t all)>;
 
+/// A frame of a run as far as its head tells of it.
+struct RecordedFrame {
+    std::filesystem::path file;
+    double time = 0;       // s
+    bool contacts = false; // it has kept who touches whom
+};
+
 /// An opened run: its layout and the frames in the wanted stretch of time.
 struct Recording {
     RunFolder folder;
     std::shared_ptr<const observe::FrameLayout> layout;
-    std::vector<std::filesystem::path> frames;
+    std::vector<RecordedFrame> frames;
     std::vector<std::string> warnings;
-    Eigen::AlignedBox3d bounds; // m, of all bodies and walls in these frames
+    Eigen::AlignedBox3d bounds{}; // m, of all bodies and walls in these frames; empty where only heads were read
 };
+
+/// What is read of a run as it is opened: all of the wanted frames, which are whole and unchanged then and have bounds,
+/// or the heads alone, which leaves it to whoever reads a frame to find out that it is damaged. Of frames at other
+/// times heads are enough.
+enum class Reading { whole, heads };
 
 /// Frames sit at the steps nearest to their times, so half a step counts as no difference. Problems: no run's folder, a
 /// broken layout, no readable frame in the stretch of time.
-Result<Recording> open_recording(const std::filesystem::path& root, const ReplayOptions& options);
+Result<Recording> open_recording(const std::filesystem::path& root, const ReplayOptions& options,
+                                 Reading reading = Reading::whole);
 
 /// The ends of one scale of colours for all frames of the recordings, SI. Problems: a quantity that one of them has
 /// not.

@@ -33,8 +33,8 @@ Result<scene::Marks> marks_for(std::span<const Recording> recordings, const scen
         return settled;
     Widest widest;
     for (const Recording& recording : recordings)
-        for (const std::filesystem::path& file : recording.frames)
-            if (const Result<observe::Frame> frame = observe::read_frame(file, recording.layout))
+        for (const RecordedFrame& recorded : recording.frames)
+            if (const Result<observe::Frame> frame = observe::read_frame(recorded.file, recording.layout))
                 widest.take_in(*frame);
     if (marks.chains && !widest.touched)
         return Problem{.file = recordings.front().folder.root.string(),

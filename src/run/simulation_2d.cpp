@@ -15,8 +15,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// Round walls are drawn as so many straight lines a turn.
-constexpr int lines_per_turn = 180;
+// Round walls are drawn as so many straight lines a turn: they leave the circle by 1e-5 of its radius at most, on paper
+// by less than 0.02 mm up to a radius of 2 m.
+constexpr int lines_per_turn = 720;
 
 Vector3d in_space(const Vector2d& point) {
     return {point.x(), point.y(), 0};

@@ -6,6 +6,8 @@
 #include "render/panels.h"
 #include "render/png_writer.h"
 #include "render/ticks.h"
+#include "run/drawing_sink.h"
+#include "run/picture_files.h"
 #include "run/target.h"
 
 #include <algorithm>
@@ -38,7 +40,7 @@ Result<std::vector<Part>> instants(const Recording& recording, int count) {
     for (std::size_t k = 0; k < wanted; ++k) {
         const double share = wanted > 1 ? static_cast<double>(k) / static_cast<double>(wanted - 1) : 1;
         parts.push_back(
-            {recording.frames[static_cast<std::size_t>(std::lround(share * static_cast<double>(frames - 1)))],
+            {recording.frames[static_cast<std::size_t>(std::lround(share * static_cast<double>(frames - 1)))].file,
              std::nullopt,
              {}});
     }
@@ -66,12 +68,28 @@ Eigen::AlignedBox3d reach_of(const observe::Frame& frame, const scene::Render& s
     return box;
 }
 
-Result<std::vector<Part>> sections(const Recording& recording, const scene::Render& settings, int count) {
+/// Where cuts lie along the axis between `near`, on the eye's side, and `far` (m).
+Result<std::vector<double>> cuts_between(double near, double far, const StripOptions& options, char axis) {
+    std::vector<double> cuts = options.places;
+    const int count = options.plan.cells;
+    for (int k = 1; options.places.empty() && k <= count; ++k)
+        cuts.push_back(near + static_cast<double>(k) / (count + 1) * (far - near));
+    const auto [lo, hi] = std::minmax(near, far);
+    for (const double cut : options.places)
+        if (!(cut >= lo && cut <= hi))
+            return Problem{.what = fmt::format("a section at {} = {:g} m cuts no bodies", axis, cut),
+                           .fix = fmt::format("choose places from {:.4g} to {:.4g} m", lo, hi)};
+    return cuts;
+}
+
+Result<std::vector<Part>> sections(const Recording& recording, const StripOptions& options) {
+    const scene::Render& settings = options.redraw.settings;
     if (recording.layout->dimension == 2)
         return Problem{.file = recording.folder.root.string(),
                        .what = "a scene of two dimensions has no sections",
                        .fix = "leave --sections away"};
-    const auto frame = observe::read_frame(recording.frames.back(), recording.layout);
+    const fs::path& last = recording.frames.back().file;
+    const auto frame = observe::read_frame(last, recording.layout);
     if (!frame)
         return frame.problems();
     const Eigen::AlignedBox3d reach = reach_of(*frame, settings);
@@ -83,14 +101,15 @@ Result<std::vector<Part>> sections(const Recording& recording, const scene::Rend
     const double lo = reach.min()[axis], hi = reach.max()[axis];
     const render::DisplayUnit unit =
         render::display_unit("m", {std::min(lo, 0.0), std::max(std::abs(lo), std::abs(hi))});
+    const auto cuts = cuts_between(upwards ? lo : hi, upwards ? hi : lo, options, "xyz"[axis]);
+    if (!cuts)
+        return cuts.problems();
     std::vector<Part> parts;
-    for (int k = 1; k <= count; ++k) {
-        const double share = static_cast<double>(k) / (count + 1);
-        const double cut = upwards ? lo + share * (hi - lo) : hi - share * (hi - lo);
+    for (const double cut : *cuts) {
         scene::Box clip =
             settings.clip.value_or(scene::Box{Eigen::Vector3d::Constant(-1e4), Eigen::Vector3d::Constant(1e4)});
         (upwards ? clip.lo : clip.hi)[axis] = cut;
-        parts.push_back({recording.frames.back(), clip,
+        parts.push_back({last, clip,
                          fmt::format("{} {} {}{:.3g} {}", "xyz"[axis], upwards ? "from" : "up to",
                                      cut < 0 ? "\u2212" : "", std::abs(cut) * unit.factor, unit.unit)});
     }
@@ -99,10 +118,9 @@ Result<std::vector<Part>> sections(const Recording& recording, const scene::Rend
 
 /// The recording with no frames but those of the parts, which alone have a say in the scales.
 Recording only(Recording recording, const std::vector<Part>& parts) {
-    recording.frames.clear();
-    for (const Part& part : parts)
-        if (recording.frames.empty() || recording.frames.back() != part.frame)
-            recording.frames.push_back(part.frame);
+    std::erase_if(recording.frames, [&](const RecordedFrame& frame) {
+        return std::none_of(parts.begin(), parts.end(), [&](const Part& part) { return part.frame == frame.file; });
+    });
     return recording;
 }
 
@@ -117,7 +135,8 @@ Problems for_parts(const Recording& recording, const std::vector<Part>& parts, c
                    Replayed& done, const TellFrames& tell, Show&& show, Skip&& skip) {
     const bool trails = !options.redraw.settings.marks.trails.empty();
     auto part = parts.begin();
-    for (const fs::path& file : recording.frames) {
+    for (const RecordedFrame& recorded : recording.frames) {
+        const fs::path& file = recorded.file;
         const bool wanted = part != parts.end() && part->frame == file;
         if (part == parts.end() || (!wanted && !trails))
             continue;
@@ -143,18 +162,19 @@ Problems for_parts(const Recording& recording, const std::vector<Part>& parts, c
 
 template <class Painter> void foresee_all(const Recording& recording, const scene::Render& settings, Painter& painter) {
     if (settings.marks.arrows == "field")
-        for (const fs::path& file : recording.frames)
-            if (const auto frame = observe::read_frame(file, recording.layout))
+        for (const RecordedFrame& recorded : recording.frames)
+            if (const auto frame = observe::read_frame(recorded.file, recording.layout))
                 painter.foresee(*frame);
 }
 
+template <class Medium>
 Result<Replayed> draw_in_one(const Recording& recording, const std::vector<Part>& parts, const scene::Render& settings,
                              const StripOptions& options, const TellFrames& tell) {
-    auto painter = render::StripPainter::open(
+    auto painter = render::StripPainterOf<Medium>::open(
         settings, recording.layout,
         settings.view ? Eigen::AlignedBox3d(settings.view->lo, settings.view->hi) : recording.bounds, options.plan);
     if (!painter)
-        return painter.problems();
+        return of_run(painter.problems(), recording.folder.root);
     foresee_all(recording, settings, *painter);
     Replayed done;
     done.warnings = recording.warnings;
@@ -167,14 +187,8 @@ Result<Replayed> draw_in_one(const Recording& recording, const std::vector<Part>
             return Done{};
         },
         [&](const observe::Frame& frame) { painter->pass_over(frame); });
-    if (done.reason.empty() && !done.stopped) {
-        render::PngWriter writer;
-        append(done.reason, make_folder(fs::absolute(options.out).parent_path()).problems());
-        if (done.reason.empty())
-            append(done.reason, writer.add(options.out, painter->finish()).problems());
-        if (done.reason.empty())
-            append(done.reason, writer.finish().problems());
-    }
+    if (done.reason.empty() && !done.stopped)
+        done.reason = save(painter->finish(), options.out).problems();
     return done;
 }
 
@@ -214,19 +228,19 @@ Result<Replayed> draw_strip(const fs::path& run, const StripOptions& options, co
     if (!recording)
         return recording.problems();
     recording->layout = restyled_layout(*recording->layout, options.redraw);
-    const auto parts = options.sections ? sections(*recording, options.redraw.settings, options.plan.cells)
-                                        : instants(*recording, options.plan.cells);
+    const auto parts = options.sections ? sections(*recording, options) : instants(*recording, options.plan.cells);
     if (!parts)
         return parts.problems();
     const auto settings = settle_scales(std::array{only(*recording, *parts)}, options.redraw.settings);
     if (!settings)
         return settings.problems();
-    const bool in_one = options.out.extension() == ".png";
+    const bool as_lines = render::is_drawing_file(options.out), in_one = options.out.extension() == ".png";
     Target target(options.out);
     if (const auto problem = target.claim(options.redraw.overwrite, ".png"))
         return *problem;
-    auto done = in_one ? draw_in_one(*recording, *parts, *settings, options, tell)
-                       : draw_apart(*recording, *parts, *settings, options, tell);
+    auto done = as_lines ? draw_in_one<render::Lines>(*recording, *parts, *settings, options, tell)
+                : in_one ? draw_in_one<render::Pixels>(*recording, *parts, *settings, options, tell)
+                         : draw_apart(*recording, *parts, *settings, options, tell);
     if (done && done->reason.empty() && !done->stopped)
         target.keep();
     return done;

@@ -3,6 +3,7 @@
 #include "base/child_process.h"
 #include "base/text.h"
 
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
@@ -21,6 +22,15 @@ std::string in_gnuplots_quotes(const std::string& text) {
     for (const char c : text)
         safe += c == '\'' ? std::string("''") : std::string(1, c);
     return safe + "'";
+}
+
+std::string axis_words(const std::string& label, const std::string& unit) {
+    return unit.empty() ? label : fmt::format("{} [{}]", label, unit);
+}
+
+std::string color_of(std::size_t index) {
+    constexpr std::array colors{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"};
+    return colors[index % colors.size()];
 }
 
 Result<Done> run_gnuplot(const std::string& script, const std::filesystem::path& file, const std::string& without) {

@@ -10,6 +10,12 @@ namespace tumble::sheet {
 /// In single quotes, in which gnuplot takes every letter as it stands.
 std::string in_gnuplots_quotes(const std::string& text);
 
+/// "overlap [mm]", as at all axes that gnuplot draws.
+std::string axis_words(const std::string& label, const std::string& unit);
+
+/// Okabe and Ito's colours, in turn: told apart also by those who see few.
+std::string color_of(std::size_t index);
+
 /// Has gnuplot draw `file` as the script says. Problems: gnuplot is not installed, for which `without` says how to do
 /// without it, or what it said when it failed.
 Result<Done> run_gnuplot(const std::string& script, const std::filesystem::path& file, const std::string& without);

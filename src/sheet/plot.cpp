@@ -15,11 +15,8 @@ namespace tumble::sheet {
 
 namespace {
 
-// Okabe and Ito's colours: told apart also by those who see few.
-constexpr std::array<const char*, 6> colors{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"};
-
 std::string axis(char letter, const Axis& axis) {
-    std::string script = fmt::format("set {}label {}\n", letter, in_gnuplots_quotes(head_of(axis)));
+    std::string script = fmt::format("set {}label {}\n", letter, in_gnuplots_quotes(axis_words(axis.label, axis.unit)));
     if (axis.logarithmic)
         script += fmt::format("set logscale {}\n", letter);
     if (axis.range)
@@ -28,7 +25,7 @@ std::string axis(char letter, const Axis& axis) {
 }
 
 std::string style(const Curve& curve, std::size_t index) {
-    const char* color = colors[curve.color.value_or(index) % colors.size()];
+    const std::string color = color_of(curve.color.value_or(index));
     if (curve.style == Style::points && !curve.spread.empty())
         return fmt::format("with yerrorbars pt 7 ps 1 lw 1.5 lc rgb '{}'", color);
     if (curve.style == Style::points)
@@ -69,30 +66,48 @@ double span_of(const Figure& figure, const Axis& axis, std::vector<double> Curve
     return hi - lo;
 }
 
-/// A drawing of bound scales that is low for its width gets a canvas as low, and ticks that leave each other room.
-std::string canvas(const Figure& figure, bool svg) {
-    const int width = svg ? 800 : 1200, usual = svg ? 500 : 750;
+/// Names above the plot, slanted so that neighbours leave each other room, and a margin for what leans beyond its end.
+std::string names_of(const Figure& figure) {
+    if (figure.places.empty())
+        return "";
+    constexpr double lean = 0.5; // cosine of 60 degrees
+    constexpr double wide = 85;  // letters that a plot of this size is wide, about
+    const double span = span_of(figure, figure.x, &Curve::x);
+    double last = figure.places.front().first;
+    for (const Curve& curve : figure.curves)
+        for (const double x : curve.x)
+            last = std::max(last, x);
     std::string ticks;
-    int height = usual;
-    if (figure.stretch > 0) {
-        const double up = span_of(figure, figure.y, &Curve::y), across = span_of(figure, figure.x, &Curve::x);
-        const double plot = 0.87 * width * figure.stretch * up / across;
-        height = static_cast<int>(std::min(1.0 * usual, plot + 0.36 * usual));
-        if (plot < 0.3 * usual)
-            ticks = fmt::format("set ytics {:.1g}\n", up / 2);
-        ticks += fmt::format("set size ratio {:.6g}\n", -figure.stretch);
+    double beyond = 2; // letters
+    for (const auto& [x, name] : figure.places) {
+        ticks += fmt::format("{}{} {:.9g}", ticks.empty() ? "" : ", ", in_gnuplots_quotes(name), x);
+        beyond = std::max(beyond, lean * static_cast<double>(letters(name)) - wide * (last - x) / span);
     }
-    // Rounded: a mitred corner sticks out of a sharp turn, and lines that only end there leave a notch.
-    return fmt::format("set terminal {} size {},{} font 'DejaVu Sans,{}' background 'white' noenhanced rounded\n",
-                       svg ? "svg" : "pngcairo", width, height, svg ? 13 : 14) +
-           ticks;
+    return fmt::format("set link x2\nset xtics nomirror\nset x2tics ({}) rotate by 60 left\nset rmargin {:.0f}\n",
+                       ticks, beyond);
+}
+
+/// A drawing of bound scales that is low for its width gets a canvas as low, and ticks that leave each other room.
+std::string bind_scales(const Figure& figure, Canvas& canvas) {
+    if (!(figure.stretch > 0))
+        return "";
+    const double up = span_of(figure, figure.y, &Curve::y), across = span_of(figure, figure.x, &Curve::x);
+    const double usual = canvas.height_mm;
+    const double plot = 0.87 * canvas.width_mm * figure.stretch * up / across;
+    canvas.height_mm = std::min(usual, plot + 0.36 * usual);
+    return (plot < 0.3 * usual ? fmt::format("set ytics {:.1g}\n", up / 2) : "") +
+           fmt::format("set size ratio {:.6g}\n", -figure.stretch);
 }
 
 } // namespace
 
 std::string mark_of(const Figure& figure) {
     Hash64 hash;
-    hash.add(figure.title).add(head_of(figure.x)).add(head_of(figure.y));
+    hash.add(figure.title)
+        .add(axis_words(figure.x.label, figure.x.unit))
+        .add(axis_words(figure.y.label, figure.y.unit));
+    for (const auto& [x, name] : figure.places)
+        hash.add(name);
     for (const Curve& curve : figure.curves) {
         hash.add(curve.label).add(static_cast<int>(curve.style));
         add_rounded(hash, curve.x);
@@ -103,14 +118,14 @@ std::string mark_of(const Figure& figure) {
     return fmt::format("<!-- plotted {} -->", hash.hex());
 }
 
-std::string gnuplot_script(const Figure& figure, const std::filesystem::path& file) {
-    std::string script = canvas(figure, file.extension() == ".svg");
-    script += fmt::format("set output {}\nset title {}\n", in_gnuplots_quotes(file.string()),
-                          in_gnuplots_quotes(figure.title));
+std::string gnuplot_script(const Figure& figure, const std::filesystem::path& file, Canvas canvas) {
+    const std::string scales = bind_scales(figure, canvas);
+    std::string script = open_canvas(canvas, file) + scales;
+    script += fmt::format("set title {}\n", in_gnuplots_quotes(figure.title));
     script += "set grid lc rgb '#cccccc'\nset key below height 1\nset autoscale noextend\nset offsets graph 0.02, "
               "graph 0.02, "
               "graph 0.05, graph 0.05\n";
-    script += axis('x', figure.x) + axis('y', figure.y);
+    script += axis('x', figure.x) + axis('y', figure.y) + names_of(figure);
     std::string plots;
     for (std::size_t k = 0; k < figure.curves.size(); ++k) {
         script += data_of(figure.curves[k], k);
@@ -121,9 +136,9 @@ std::string gnuplot_script(const Figure& figure, const std::filesystem::path& fi
     return script + plots + "\nunset output\n";
 }
 
-Result<Done> draw(const Figure& figure, const std::filesystem::path& file) {
-    if (Result<Done> drawn =
-            run_gnuplot(gnuplot_script(figure, file), file, "leave --out away: the text and --json need no gnuplot");
+Result<Done> draw(const Figure& figure, const std::filesystem::path& file, const Canvas& canvas) {
+    if (Result<Done> drawn = run_gnuplot(gnuplot_script(figure, file, canvas), file,
+                                         "leave --out away: the text and --json need no gnuplot");
         !drawn)
         return drawn;
     if (file.extension() == ".svg" && !(std::ofstream(file, std::ios::app) << mark_of(figure) << '\n'))

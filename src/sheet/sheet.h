@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -59,6 +60,7 @@ struct Figure {
     std::string title;
     Axis x, y;
     std::vector<Curve> curves{};
+    std::vector<std::pair<double, std::string>> places{}; // of x, named at the upper edge
     double stretch = 0; // a unit of y is drawn so many times as long as one of x; 0: each axis fills the picture
 };
 

@@ -32,7 +32,6 @@ std::size_t letters(const std::string& text);
 
 /// "overlap, um".
 std::string head_of(const Column& column);
-std::string head_of(const Axis& axis);
 
 /// The cells as they are shown.
 std::vector<std::vector<std::string>> cells_of(const Grid& grid);

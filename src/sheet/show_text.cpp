@@ -174,10 +174,6 @@ std::string head_of(const Column& column) {
     return with_unit(column.head, column.unit);
 }
 
-std::string head_of(const Axis& axis) {
-    return with_unit(axis.label, axis.unit);
-}
-
 std::vector<std::vector<std::string>> cells_of(const Grid& grid) {
     std::vector<std::vector<std::string>> rows;
     for (const std::vector<Cell>& cells : grid.rows) {

@@ -13,6 +13,7 @@ namespace tumble::view {
 namespace {
 
 constexpr std::size_t longest_target = 256;
+constexpr int usual_port = 80; // of HTTP
 
 bool is_plain_target(std::string_view target) {
     return target.starts_with('/') && target.size() <= longest_target &&
@@ -48,7 +49,10 @@ std::string Guard::link() const {
     return fmt::format("http://127.0.0.1:{}/?token={}", port_, token_);
 }
 
+/// Browsers leave the port away where it is HTTP's own.
 bool Guard::is_ours(std::string_view host) const {
+    if (port_ == usual_port && (host == "127.0.0.1" || host == "localhost"))
+        return true;
     return host == fmt::format("127.0.0.1:{}", port_) || host == fmt::format("localhost:{}", port_);
 }
 

@@ -172,12 +172,20 @@ void show_section(Desk& desk) {
     }
 }
 
+/// With what was changed, camera and look included.
+void offer_to_save(Desk& desk) {
+    if (button(desk, "save scene", "Save as scene"))
+        desk.wishes.save_scene = true;
+}
+
 void show_controls(Desk& desk) {
     if (!desk.source.can_change()) {
         ImGui::TextWrapped("%s", desk.source.can_seek()
                                      ? "A run that is over cannot be changed. Its scene can be viewed."
                                      : "What Box2D remembers of its contacts is its own: its "
                                        "scenes cannot change while they run.");
+        ImGui::TextWrapped("Its scene can be saved with this camera and look.");
+        offer_to_save(desk);
         return;
     }
     bool changed = false;
@@ -208,14 +216,13 @@ void show_controls(Desk& desk) {
         changed = true;
     }
     ImGui::SameLine();
-    if (button(desk, "save scene", "Save as scene"))
-        desk.wishes.save_scene = true;
+    offer_to_save(desk);
     if (changed)
         desk.source.change(desk.controls.changes());
 }
 
 void show_plots(Desk& desk, const render::PanelCanvas& canvas, const render::Theme& theme) {
-    render::Pen pen(*ImGui::GetWindowDrawList(), canvas.fonts(), canvas.unit());
+    render::ScreenPen pen(*ImGui::GetWindowDrawList(), canvas.fonts(), canvas.unit());
     const double width = ImGui::GetContentRegionAvail().x;
     const double height = plot_height * canvas.unit();
     for (const render::PlotLine& line : desk.plots.lines()) {

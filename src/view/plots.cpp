@@ -2,6 +2,7 @@
 
 #include "observe/series.h"
 #include "run/run_folder.h"
+#include "run/series_plot.h"
 #include "run/tracers.h"
 
 #include <algorithm>
@@ -13,8 +14,6 @@ namespace {
 // Beyond so many points every second one goes: a plot is some hundred pixels wide.
 constexpr std::size_t most_points = 4000;
 constexpr std::size_t height_column = 1; // of TracerReader: y
-
-const std::vector<std::string> plotted{"kinetic_energy", "circulation", "surface_slope", "lost_energy"};
 
 /// Name of the first body that the scene traces; empty where it traces none.
 std::string first_tracer(const scene::Scene& scene) {
@@ -39,7 +38,7 @@ render::PlotLine height_line(const std::string& tracer, double until) {
 }
 
 std::vector<observe::Measure> measures_of_plots() {
-    auto measures = observe::choose_measures(plotted);
+    auto measures = observe::choose_measures(run::main_measures());
     return measures ? std::move(*measures) : std::vector<observe::Measure>{};
 }
 

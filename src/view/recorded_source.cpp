@@ -43,7 +43,7 @@ public:
         if (moment_ && wanted == shown_)
             return moment_;
         shown_ = wanted;
-        Result<observe::Frame> frame = observe::read_frame(recording_.frames[wanted], recording_.layout);
+        Result<observe::Frame> frame = observe::read_frame(recording_.frames[wanted].file, recording_.layout);
         trouble_ = frame ? "" : "this frame cannot be read: " + to_string(frame.problems().front());
         if (frame) {
             auto moment = std::make_shared<Moment>();
@@ -190,19 +190,12 @@ Result<std::unique_ptr<Source>> open_recorded(const std::filesystem::path& folde
         words.wall_opacity.push_back(wall.opacity);
     words.traced = run::traced_bodies(scene.observe.measures);
     recording->layout = run::restyled_layout(*recording->layout, words);
-    std::vector<std::filesystem::path> readable;
     std::vector<double> times;
     bool contacts = false;
-    for (const std::filesystem::path& file : recording->frames)
-        if (const Result<observe::Frame> frame = observe::read_frame(file, recording->layout)) {
-            readable.push_back(file);
-            times.push_back(frame->time);
-            contacts = contacts || frame->contacts;
-        }
-    if (times.empty())
-        return Problem{
-            .file = folder.string(), .what = "no frame of this run can be read", .fix = "run the scene again"};
-    recording->frames = std::move(readable);
+    for (const run::RecordedFrame& frame : recording->frames) {
+        times.push_back(frame.time);
+        contacts = contacts || frame.contacts;
+    }
     return std::unique_ptr<Source>(std::make_unique<RecordedSource>(folder, std::move(*recording), std::move(words),
                                                                     std::move(times), contacts, std::move(news)));
 }

@@ -14,14 +14,15 @@ bool is_malformed(error_code failed) {
            failed != http::error::end_of_stream && failed != http::error::partial_message;
 }
 
-Asked asked_by(const Request& request) {
+Asked asked_by(const RequestParser& parser) {
+    const Request& request = parser.get();
     return {text_of(request.method_string()),
             text_of(request.target()),
             text_of(request[http::field::host]),
             text_of(request[http::field::origin]),
             text_of(request[http::field::cookie]),
             websocket::is_upgrade(request),
-            !request.body().empty()};
+            !parser.is_done()};
 }
 
 } // namespace
@@ -40,7 +41,7 @@ std::optional<Answer> answer_to(const RequestParser& parser, error_code failed, 
         return refusal(400, "this is not HTTP");
     if (failed)
         return std::nullopt;
-    return guard.judge(asked_by(parser.get()));
+    return guard.judge(asked_by(parser));
 }
 
 } // namespace tumble::view

@@ -12,7 +12,8 @@ namespace tumble::view {
 using Request = http::request<http::string_body>;
 using RequestParser = http::request_parser<http::string_body>;
 
-/// Lets the parser read no more than one request may bring.
+/// Lets the parser read no more than one request may bring. It is to read the head alone: whoever brings a body is
+/// refused, and none is read.
 void set_limits(RequestParser& parser, const Limits& limits);
 
 /// The answer to a request whose reading ended with `failed`: 400, 413 and 431 where it is none or too large, else what

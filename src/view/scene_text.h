@@ -6,6 +6,7 @@
 #include "scene/scene.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,10 @@ struct SceneText {
 
     /// With `more` on top. Problems: those of scene::load_scene_text.
     [[nodiscard]] Result<scene::Scene> load(const std::vector<scene::Override>& more = {}) const;
+
+    /// What the scene with `more` on top can claim: that of the file holds no longer where keys that bodies feel were
+    /// set, and then it is said which. Nothing where none was.
+    [[nodiscard]] std::optional<std::string> claim_with(const std::vector<scene::Override>& more) const;
 };
 
 } // namespace tumble::view

@@ -224,10 +224,11 @@ void Studio::resize(const Resized& size) {
 }
 
 bool Studio::is_stale() {
+    name_kept();
     const SourceState state = source_->state();
     const MomentPtr now = source_->newest();
     return resized_ || look_changed_ || (sketched_ && is_at_rest()) || hands_.any() || passes_left_ > 0 ||
-           (now && now->number != drawn_) || words_of(state) != told_;
+           (now && now->number != drawn_) || words_of(state) != told_ || notice_ != told_notice_;
 }
 
 void Studio::pass_panel() {
@@ -266,16 +267,22 @@ void Studio::grant(const Wishes& wishes) {
         save_scene();
     if (wishes.film_ends)
         source_->film_no_more();
-    if (wishes.film)
-        source_->film(film_settings(), free_name(".mp4"));
+    film_wanted_ = film_wanted_ || wishes.film;
 }
 
-scene::Render Studio::film_settings() const {
+/// Scales of a film of what goes on are those of the picture that was drawn last; of a run that is over the film knows
+/// all frames.
+scene::Render Studio::film_settings() {
     scene::Render settings = look_;
     settings.plot = settings_.plot && source_->can_seek(); // a film of what goes on knows no series
-    if (!settings.range)
-        settings.range = {painter_->range().lo, painter_->range().hi};
-    return settings;
+    if (source_->can_seek())
+        return settings;
+    return film_scales_.settle(settings, moment_->frame, painter_->range(), painter_->mark_key());
+}
+
+void Studio::begin_film() {
+    film_scales_ = {};
+    source_->film(film_settings(), free_name(".mp4"));
 }
 
 bool Studio::is_at_rest() const {
@@ -295,10 +302,10 @@ void Studio::draw_scene() {
         if (!done)
             notice_ = to_string(done.problems().front());
     source_->show_contacts(look_.marks.chains);
-    if (look_changed_ && source_->state().filming)
-        source_->restyle_film(film_settings());
     plots_.take(*moment_);
     scene_picture_ = painter_->draw(moment_->frame);
+    if ((look_changed_ || film_scales_.waits_for_contacts()) && source_->state().filming)
+        source_->restyle_film(film_settings()); // after the picture: it says what the scales are
     drawn_ = moment_->number;
     look_changed_ = false;
 }
@@ -310,6 +317,7 @@ Result<Shown> Studio::draw() {
         for (const Result<Done>& opened : {open_panel(), open_painter()})
             if (!opened)
                 return opened.problems();
+    name_kept();
     told_ = words_of(source_->state());
     moment_ = source_->newest();
     if (!moment_)
@@ -322,8 +330,11 @@ Result<Shown> Studio::draw() {
     const bool is_new = look_changed_ || moment_->number != drawn_;
     if (is_new || (sketched_ && is_at_rest()))
         draw_scene();
+    if (std::exchange(film_wanted_, false))
+        begin_film();
     if (is_new)
         pass_panel(); // with the range and the points of this picture
+    told_notice_ = notice_;
     Shown shown{panel_shown_ ? beside_panel(panel_->paint()) : scene_picture_, describe()};
     return shown;
 }
@@ -357,14 +368,24 @@ std::filesystem::path Studio::free_name(const std::string& extension) {
 void Studio::keep_picture() {
     (void)painter_->set_sketching(false); // then the rough edges stay
     const std::filesystem::path file = free_name(".png");
-    auto kept = png_.add(file, painter_->draw(moment_->frame));
-    if (kept)
-        kept = png_.finish(); // only what is there is named
-    notice_ = kept ? file.string() : to_string(kept.problems().front());
+    if (const auto begun = png_.add(file, painter_->draw(moment_->frame)); begun)
+        keeping_ = file;
+    else
+        notice_ = to_string(begun.problems().front());
+}
+
+/// Only what is there is named: a picture is encoded beside the drawing.
+void Studio::name_kept() {
+    const auto kept = keeping_.empty() ? std::nullopt : png_.outcome();
+    if (!kept)
+        return;
+    notice_ = *kept ? keeping_.string() : to_string(kept->problems().front());
+    keeping_.clear();
 }
 
 void Studio::save_scene() {
-    Result<scene::Scene> scene = text_.load(controls_.changes());
+    const std::vector<scene::Override> changes = controls_.changes();
+    Result<scene::Scene> scene = text_.load(changes);
     if (!scene) {
         notice_ = to_string(scene.problems().front());
         return;
@@ -373,6 +394,7 @@ void Studio::save_scene() {
     scene->render.width = settings_.width;
     scene->render.height = settings_.height;
     scene->render.plot = settings_.plot;
+    scene->claim = text_.claim_with(changes).value_or(scene->claim);
     scene->observe.contacts = scene->observe.contacts || look_.marks.chains; // without them no chain can be drawn
     const std::filesystem::path file = free_name(".toml");
     const auto written = observe::write_whole(file, scene::to_toml(*scene));

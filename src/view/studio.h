@@ -4,6 +4,7 @@
 #include "render/panel_canvas.h"
 #include "render/png_writer.h"
 #include "view/controls.h"
+#include "view/film_scales.h"
 #include "view/hands.h"
 #include "view/message.h"
 #include "view/orbit.h"
@@ -67,8 +68,10 @@ private:
     void draw_scene();
     [[nodiscard]] bool is_at_rest() const;
     void grant(const Wishes& wishes);
-    [[nodiscard]] scene::Render film_settings() const;
+    [[nodiscard]] scene::Render film_settings();
+    void begin_film();
     void keep_picture();
+    void name_kept();
     void save_scene();
     [[nodiscard]] std::filesystem::path free_name(const std::string& extension);
     [[nodiscard]] render::Picture beside_panel(render::Picture panel) const;
@@ -104,13 +107,16 @@ private:
     render::Picture scene_picture_;
     std::uint64_t drawn_ = 0; // number of the moment in it
     bool look_changed_ = true;
+    bool film_wanted_ = false;
+    FilmScales film_scales_;                                                         // of the film that goes on
     bool sketched_ = false;                                                          // the picture has rough edges
     std::chrono::steady_clock::time_point moved_ = std::chrono::steady_clock::now(); // when it last had to be new
     int passes_left_ = 0; // of the panel until it has settled
     render::PngWriter png_;
-    int kept_ = 0; // number of the last file
-    std::string notice_;
-    std::string told_; // of the source when last drawn
+    int kept_ = 0;                     // number of the last file
+    std::filesystem::path keeping_;    // the picture that is being written
+    std::string notice_, told_notice_; // of what was kept; as it was last drawn
+    std::string told_;                 // of the source when last drawn
     std::map<std::string, std::array<double, 4>> places_;
     std::string told_key_; // of the widget under the pointer
     std::chrono::steady_clock::time_point passed_ = std::chrono::steady_clock::now();

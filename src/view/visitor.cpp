@@ -23,8 +23,9 @@ Visitor::~Visitor() {
 void Visitor::read() {
     set_limits(parser_.emplace(), shared_.limits);
     stream_.expires_after(shared_.limits.request_wait);
-    http::async_read(stream_, buffer_, *parser_,
-                     [self = shared_from_this()](error_code failed, std::size_t /*bytes*/) { self->hear(failed); });
+    http::async_read_header(
+        stream_, buffer_, *parser_,
+        [self = shared_from_this()](error_code failed, std::size_t /*bytes*/) { self->hear(failed); });
 }
 
 void Visitor::be_no_stranger() {

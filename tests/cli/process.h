@@ -146,4 +146,37 @@ height_px = 120
 )";
 }
 
+/// One disc on a floor, quick to run for a second.
+inline const std::string lying_disc = R"(
+title = "A disc"
+claim = "none"
+dimension = 2
+depth_m = 0.01
+duration_s = 0.1
+time_step_s = 1e-4
+[domain]
+lo_m = [-0.1, -0.1]
+hi_m = [0.1, 0.1]
+[material.glass]
+density_kg_m3 = 2500
+[pair.glass-glass]
+restitution = 0.5
+friction = 0.4
+normal_stiffness_N_per_m = 1e3
+stiffness_ratio = 0.7
+[body.disc]
+radius_mm = 10
+material = "glass"
+[[fill]]
+body = "disc"
+count = 1
+position_m = [0.0, 0.02]
+[[wall]]
+name = "floor"
+shape = "segment"
+from_m = [-0.09, 0.0]
+to_m = [0.09, 0.0]
+material = "glass"
+)";
+
 } // namespace tumble::test

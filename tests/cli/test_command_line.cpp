@@ -276,9 +276,9 @@ TEST_CASE("fit and walls write what they say, and nothing twice; flow wants a ru
     CHECK(std::filesystem::exists(folder.path / "tables" / "tracer_ball.csv"));
     put(folder.path / "tables" / "tracer_ball.csv", "mine");
     put(folder.path / "flow.png", "mine");
-    const Outcome again = tumble_in(folder, tables);
-    CHECK(again.code == 2);
-    CHECK(contains(again.err, "tables/flow_field.csv: is there already, and nothing is overwritten"));
+    const Outcome kept = tumble_in(folder, tables);
+    CHECK(kept.code == 2);
+    CHECK(contains(kept.err, "tables/flow_field.csv: is there already, and nothing is overwritten"));
     CHECK(content_of(folder.path / "tables" / "tracer_ball.csv") == "mine");
     CHECK(tumble_in(folder, {"flow", "out/ball", "--picture", "flow.png"}).code == 2);
     CHECK(content_of(folder.path / "flow.png") == "mine");

@@ -1,5 +1,8 @@
 #include "process.h"
 
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
 namespace test_pictures {
 
 using namespace tumble::test;
@@ -17,11 +20,17 @@ TEST_CASE("render puts instants or sections into one picture, and says what does
                                                 "85x60", "--out", "cuts", "--quiet"});
     CHECK_MESSAGE(sections.code == 0, sections.err);
     CHECK(fs::exists(folder.path / "cuts/section_2.png"));
+    const Outcome places = tumble_in(folder, {"render", "a", "--sections=-0.01,0,0.02", "--clip-lo=-0.1,-0.1,-0.1",
+                                              "--clip-hi=0.1,0.5,0.1", "--size", "640x480", "--quiet"});
+    CHECK_MESSAGE(places.code == 0, places.err);
+    CHECK(fs::exists(folder.path / "a/redrawn/front_speed_sections_3.png"));
     for (const auto& [flags, words] :
          {std::pair{std::vector<std::string>{"--strip", "six"}, "write --strip 6"},
           {{"--strip", "3", "--sections", "3"}, "leave one of them away"},
           {{"--strip", "3", "--video", "a.mp4"}, "leave --beside, --video and --frames away"},
-          {{"--sections", "0"}, "--sections"},
+          {{"--sections", "0"}, "write --sections 6"},
+          {{"--sections", "0,x"}, "places in m"},
+          {{"--sections", "0,27"}, "cuts no bodies"},
           {{"--strip", "90"}, "ask for fewer"},
           {{"--size-mm", "85x60", "--size", "640x480"}, "write width_mm, height_mm and dpi in its place"},
           {{"--force-chains"}, "write contacts = true in [observe]"}}) {
@@ -33,6 +42,77 @@ TEST_CASE("render puts instants or sections into one picture, and says what does
         CHECK_MESSAGE(contains(refused.err, words), refused.err);
     }
     CHECK(tumble_in(folder, {"render", "ball.toml", "--strip", "2"}).code == 2);
+}
+
+TEST_CASE(
+    "render draws a run of two dimensions as lines where the name ends in .svg or .pdf, and says where it cannot") {
+    const Folder folder;
+    put(folder.path / "disc.toml", lying_disc);
+    put(folder.path / "ball.toml", bouncing_ball(0.02));
+    for (const char* scene : {"disc", "ball"})
+        REQUIRE(tumble_in(folder, {"run", std::string(scene) + ".toml", "--out", scene, "--quiet"}).code == 0);
+    const Outcome svg = tumble_in(folder, {"render", "disc", "--size-mm", "85x60", "--out", "a.svg"});
+    CHECK_MESSAGE(svg.code == 0, svg.err);
+    CHECK(contains(svg.out, "a.svg: 1 picture from t = "));
+    CHECK(contains(content_of(folder.path / "a.svg"), "width=\"85mm\" height=\"60mm\""));
+    const Outcome pdf = tumble_in(folder, {"render", "disc", "--out", "new/a.pdf", "--json"});
+    CHECK_MESSAGE(pdf.code == 0, pdf.err);
+    CHECK(nlohmann::json::parse(pdf.out)["pictures"] == "new/a.pdf");
+    for (const auto& [flags, words] :
+         {std::pair{std::vector<std::string>{"disc", "--out", "a.svg"}, "--force replaces it"},
+          {{"disc", "--out", "b.svg", "--video", "b.mp4"}, "leave --video and --frames away"},
+          {{"ball", "--out", "b.svg"}, "SVG and PDF are for scenes in two dimensions"},
+          {{"disc.toml", "--out", "b.pdf"}, "run it first"}}) {
+        std::vector<std::string> all{"render"};
+        all.insert(all.end(), flags.begin(), flags.end());
+        const Outcome refused = tumble_in(folder, all);
+        CAPTURE(words);
+        CHECK(refused.code == 2);
+        CHECK_MESSAGE(contains(refused.err, words), refused.err);
+        CHECK(!fs::exists(folder.path / "b.svg"));
+    }
+}
+
+TEST_CASE("plot draws what runs measured, in a size for print, and says what it cannot" *
+          doctest::skip(std::system("gnuplot --version >/dev/null 2>&1") != 0)) {
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(0.02));
+    for (const char* run : {"a", "b"})
+        REQUIRE(tumble_in(folder, {"run", "ball.toml", "--out", run, "--quiet"}).code == 0);
+    const Outcome drawn = tumble_in(folder, {"plot", "a", "--measure", "kinetic_energy,centre_of_mass_y", "--json"});
+    REQUIRE_MESSAGE(drawn.code == 0, drawn.err);
+    const auto json = nlohmann::json::parse(drawn.out);
+    CHECK(json["file"] == "a/redrawn/plot.png");
+    CHECK(json["panels"].size() == 2);
+    CHECK(json["panels"][0]["columns"][0] == "kinetic_energy_J");
+    CHECK(content_of(folder.path / "a/redrawn/plot.png").starts_with("\x89PNG"));
+    const Outcome both = tumble_in(
+        folder, {"plot", "a", "b", "--labels", "first,second", "--size-mm", "85x80", "--out", "both.svg", "--quiet"});
+    CHECK_MESSAGE(both.code == 0, both.err);
+    const std::string svg = content_of(folder.path / "both.svg");
+    CHECK(contains(svg, "width=\"321\"")); // 85 mm at 96 an inch
+    CHECK(contains(svg, "second"));
+    // A run that is to be made anew in its folder is not hindered by its plot.
+    CHECK(tumble_in(folder, {"run", "ball.toml", "--out", "a", "--quiet", "--force"}).code == 0);
+    for (const auto& [flags, words] :
+         {std::pair{std::vector<std::string>{"a", "--measure", "kinetic_enrgy"}, "did you mean 'kinetic_energy'?"},
+          {{"a", "--out", "a.jpg"}, "plots are drawn as .png, .svg or .pdf"},
+          {{"a", "--size-mm", "85"}, "write width x height"},
+          {{"a", "--size-mm", "85x20"}, "leave no room"},
+          {{"a", "--font-pt", "90"}, "--font-pt"},
+          {{"a", "--size-mm", "600x100", "--dpi", "1200"}, "choose a lower --dpi"},
+          {{"a", "--time", "1:2"}, "has no row in the time asked for"},
+          {{"a", "--labels", "x,y"}, "2 labels are given for 1 runs"},
+          {{"a", "--out", "both.svg"}, "--force replaces it"},
+          {{"nowhere"}, "there is no such folder"}}) {
+        std::vector<std::string> all{"plot"};
+        all.insert(all.end(), flags.begin(), flags.end());
+        const Outcome refused = tumble_in(folder, all);
+        CAPTURE(words);
+        CHECK(refused.code == 2);
+        CHECK_MESSAGE(contains(refused.err, words), refused.err);
+    }
+    CHECK(contains(content_of(folder.path / "both.svg"), "second")); // what was refused has changed nothing
 }
 
 } // namespace test_pictures

@@ -74,7 +74,8 @@ TEST_CASE(
     const std::vector<std::string> fit{"fit", "--cone", "10,12", "--spheres", "8"};
     CHECK(contains(on_terminal(folder, fit), "of 5 arrangements tried"));
     CHECK(contains(on_terminal(folder, {"check", "ball.toml"}), "1 of 1 bodies placed"));
-    for (std::vector<std::string> words : {fit, {"check", "ball.toml"}, {"run", "ball.toml", "--force"}}) {
+    for (std::vector<std::string> words :
+         std::vector<std::vector<std::string>>{fit, {"check", "ball.toml"}, {"run", "ball.toml", "--force"}}) {
         words.emplace_back("--quiet");
         const std::string quiet = on_terminal(folder, words);
         CHECK(quiet.find("tried") == std::string::npos);

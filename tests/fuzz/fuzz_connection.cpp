@@ -100,7 +100,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         RequestParser parser;
         set_limits(parser, limits);
         error_code failed;
-        http::read(connection, buffer, parser, failed);
+        http::read_header(connection, buffer, parser, failed);
         const std::optional<Answer> answer = answer_to(parser, failed, guard);
         if (!answer)
             break;

@@ -148,6 +148,39 @@ TEST_CASE("a frame cut off anywhere, or with any byte changed, is refused") {
     CHECK_FALSE(problems[0].fix.empty());
 }
 
+TEST_CASE("a frame's head tells time, step and contacts, and whether the file is as long as it says") {
+    const auto layout = some_layout();
+    observe::Frame frame = some_frame(layout);
+    const Folder folder;
+    const auto file = folder.path / "f.tumble";
+    REQUIRE(observe::write_frame(file, frame).ok());
+    const auto head = observe::read_frame_head(file);
+    REQUIRE_MESSAGE(head.ok(), to_string(head.problems()));
+    CHECK(head->time == frame.time);
+    CHECK(head->step == frame.step);
+    CHECK(!head->contacts);
+    const std::string bytes = content_of(file);
+    for (std::size_t size = 0; size < bytes.size(); size += size < 64 ? 1 : 7) {
+        put(file, bytes.substr(0, size));
+        CHECK_FALSE(observe::read_frame_head(file).ok());
+    }
+    put(file, bytes + "x");
+    CHECK_FALSE(observe::read_frame_head(file).ok());
+    // What was changed among the arrays only the checksum knows of.
+    std::string changed = bytes;
+    changed[changed.size() - 20] = static_cast<char>(changed[changed.size() - 20] ^ 0x10);
+    put(file, changed);
+    CHECK(observe::read_frame_head(file).ok());
+    CHECK_FALSE(observe::read_frame(file, layout).ok());
+    frame.contacts.emplace();
+    REQUIRE(observe::write_frame(file, frame).ok());
+    CHECK(observe::read_frame_head(file)->contacts);
+    CHECK_FALSE(observe::read_frame_head(folder.path).ok());
+    CHECK_FALSE(observe::read_frame_head(folder.path / "none").ok());
+    REQUIRE(observe::write_layout(file, *layout).ok());
+    CHECK(observe::read_frame_head(file).problems().at(0).what == "holds a 'layout', not a 'frame'");
+}
+
 TEST_CASE("a frame that does not fit its layout is refused even when its checksum is right") {
     const auto layout = some_layout();
     const Folder folder;

@@ -161,14 +161,16 @@ TEST_CASE("runs that were made before stand for the scene as written, if they ar
     const double whole_cost = run::read_summary(run::RunFolder{longer})["processor_s"];
     CHECK(from_longer.rungs[0].runs[0].core_s == about(whole_cost * 0.6 / 0.9, 1e-3)); // to a step
 
-    // What makes a reference look dear is said.
-    CHECK(from_longer.rungs[0].runs[0].doubts.empty());
+    // What makes a reference look dear is said, beside what its run warned of.
+    const std::vector<std::string> warned = from_longer.rungs[0].runs[0].doubts;
+    for (const std::string& doubt : warned)
+        CHECK(doubt.find("processor time") == std::string::npos);
     nlohmann::json drawn = run::read_summary(run::RunFolder{longer});
     drawn["pictures"] = 3;
     drawn.erase("processor_s");
     test::put(longer / "run.json", drawn.dump());
     const Climb doubted = climbed(ladder_folder, for_longer, wishes, {.references = {longer}});
-    REQUIRE(doubted.rungs[0].runs[0].doubts.size() == 2);
+    REQUIRE(doubted.rungs[0].runs[0].doubts.size() == warned.size() + 2);
     CHECK(doubted.rungs[0].runs[0].doubts[1].find("includes pictures") != std::string::npos);
 
     const auto refused = [&](const std::vector<std::filesystem::path>& references) {
@@ -232,6 +234,21 @@ TEST_CASE("the cheapest scene is a scene file that says what it was reduced by a
     }
     const Account account = account_of("scenes/small.toml", climb, 0.1, 2);
     REQUIRE(account.cheapest());
+    // The plot names each rung at its speed-up; its limits are two lines, not a box.
+    const sheet::Sheet sheet = sheet_of(account, true);
+    REQUIRE(sheet.figures().size() == 1);
+    const sheet::Figure& figure = *sheet.figures().front();
+    REQUIRE(figure.places.size() == 1);
+    CHECK(figure.places[0].first == about(2));
+    CHECK(figure.places[0].second == rungs->at(1).name);
+    std::vector<double> limits;
+    for (const sheet::Curve& curve : figure.curves)
+        if (curve.style == sheet::Style::dashes) {
+            REQUIRE(curve.y.size() == 2);
+            CHECK(curve.y[0] == curve.y[1]);
+            limits.push_back(curve.y[0]);
+        }
+    CHECK(limits == std::vector<double>{10, -10});
     const test::Folder folder;
     REQUIRE(write_account(account, folder.path, true));
     const auto scene = scene::load_scene(folder.path / "small-reduced.toml");

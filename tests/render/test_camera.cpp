@@ -191,4 +191,28 @@ TEST_CASE("the bounds of a frame hold every sphere and every moved wall, and the
     CHECK(bounds_of(frame).max().z() == 3.5);
 }
 
+/// Bodies that are passed over lie within what was seen before: the box is that of each frame merged, to the bit.
+TEST_CASE("the bounds over many frames are those of each frame merged") {
+    auto layout = testing::spheres({0.5});
+    layout->shapes[0].centres = {Vector3d(0.3, 0.1, 0), Vector3d(-0.2, 0, 0.4)};
+    layout->shapes[0].radii = {0.2, 0.1};
+    layout->walls.push_back(testing::pane(1, 1, 0.5));
+    BoundsOver over(layout);
+    Eigen::AlignedBox3d merged;
+    for (int k = 0; k < 200; ++k) {
+        observe::Frame frame = testing::empty_frame(layout);
+        for (int b = 0; b < 5; ++b) {
+            const double t = 0.37 * k + 1.7 * b; // by irregular steps outwards
+            testing::add_body(frame, 0, (1 + 0.01 * k) * Vector3d(std::sin(t), std::sin(2.3 * t), std::cos(1.1 * t)));
+            frame.orientation.back() = Eigen::AngleAxisd(t, Vector3d(1, t, 2).normalized());
+        }
+        frame.walls.assign(1, {});
+        frame.walls[0].translation.x() = k % 3 == 0 ? -0.02 * k : 1;
+        over.take_in(frame);
+        merged.extend(bounds_of(frame));
+    }
+    CHECK(over.box().min() == merged.min());
+    CHECK(over.box().max() == merged.max());
+}
+
 } // namespace test_camera

@@ -239,6 +239,25 @@ TEST_CASE("a curve of zeros has no other number on its axis than 0") {
     CHECK(has_ink(picture, plot, 255 * find_theme("dark")->background));
 }
 
+TEST_CASE("the present value stands at the right of a plot's label, and nothing where it is not known") {
+    std::shared_ptr<observe::FrameLayout> layout;
+    observe::Frame frame = one_body(layout);
+    frame.time = 1;
+    Painter painter = painter_for(settings_of(640, 360, "dark"), layout, {});
+    const auto with = [&](double now) { return painter.draw(frame, {"energy", "J", {0, 1, 2}, {0, now, 1}}); };
+    const Vector3d dark = 255 * find_theme("dark")->background;
+    const Picture quarter = with(0.25), other = with(0.75);
+    const Area& plot = painter.layout().plot;
+    const Area right{plot.left + 0.6 * plot.width(), plot.top, plot.right, plot.top + 0.1 * plot.height()};
+    CHECK(has_ink(quarter, right, dark));
+    CHECK(!has_ink(with(std::nan("")), right, dark));
+    int changed = 0; // 0.25 and 0.75 share two of their digits
+    for (int y = static_cast<int>(right.top); y < static_cast<int>(right.bottom); ++y)
+        for (int x = static_cast<int>(right.left); x < static_cast<int>(right.right); ++x)
+            changed += differs(other, x, y, pixel(quarter, x, y)) ? 1 : 0;
+    CHECK(changed > 0);
+}
+
 TEST_CASE("the time axis of a run that goes on stands still") {
     std::shared_ptr<observe::FrameLayout> layout;
     observe::Frame frame = one_body(layout);

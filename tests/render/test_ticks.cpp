@@ -28,13 +28,14 @@ TEST_CASE("ticks meet both ends of a round span") {
     CHECK(ticks_in({0, 0.2}, 2).size() == 2);
 }
 
-TEST_CASE("ticks lie inside any span and never exceed the number asked for") {
-    for (const double lo : {-3.3, -0.017, 0.0, 1234.5}) {
-        for (const double width : {1e-6, 0.7, 13.0, 99000.0}) {
+TEST_CASE("ticks lie inside any span, never fewer than two and never more than asked for") {
+    CHECK(ticks_in({-7.5, 5}, 2) == std::vector<double>{-5, 5}); // multiples of 10 are one only: 0
+    for (const double lo : {-7.5, -3.3, -0.017, 0.0, 1234.5}) {
+        for (const double width : {1e-6, 0.7, 12.5, 13.0, 99000.0}) {
             for (const int most : {2, 3, 6, 9}) {
                 const auto ticks = ticks_in({lo, lo + width}, most);
                 CHECK(ticks.size() <= static_cast<std::size_t>(most));
-                CHECK(!ticks.empty());
+                CHECK(ticks.size() >= 2);
                 CHECK(ticks.front() >= lo - 1e-6 * width);
                 CHECK(ticks.back() <= lo + width * (1 + 1e-6));
             }
@@ -45,6 +46,7 @@ TEST_CASE("ticks lie inside any span and never exceed the number asked for") {
 TEST_CASE("tick labels have the digits that their step needs") {
     CHECK(tick_labels({0, 0.05, 0.1}) == std::vector<std::string>{"0.00", "0.05", "0.10"});
     CHECK(tick_labels({-20, 0, 20}) == std::vector<std::string>{"\u221220", "0", "20"});
+    CHECK(tick_labels({-2.5, 2.5}) == std::vector<std::string>{"\u22122.5", "2.5"});
     CHECK(tick_labels({0, 2.5, 5}) == std::vector<std::string>{"0.0", "2.5", "5.0"});
 }
 

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "fixtures.h"
 #include "render/color_map.h"
 #include "render/theme.h"
@@ -10,6 +11,7 @@ namespace test_walls {
 using namespace tumble;
 using namespace tumble::render;
 using namespace tumble::render::testing;
+using tumble::test::about;
 
 namespace {
 
@@ -125,6 +127,25 @@ TEST_CASE("the edges of a box are sharp, the diagonals of its faces are not") {
     const auto sharp = std::count_if(surface.edges.begin(), surface.edges.end(), [](const auto& e) { return e.sharp; });
     CHECK(sharp == 12);
     CHECK(surface.edges.size() == 18);
+}
+
+TEST_CASE(
+    "lines of a wall go on beyond a bend just as far as their outer sides do, and a round wall's lie end to end") {
+    // Outer sides of two lines that bend by an angle meet tan(angle / 2) of half the thickness beyond the corner.
+    observe::FrameWall wall;
+    const double bend = 10 * std::numbers::pi / 180;
+    wall.vertices = {{0, 0, 0}, {1, 0, 0}, {1 + std::cos(bend), std::sin(bend), 0}, {1, 5, 0}, {1, 5, 0},
+                     {1, 4, 0}, {0, 4, 0}};
+    wall.lines = {{0, 1}, {1, 2}, {3, 2}, {4, 5}, {5, 6}};
+    const WallSurface surface = make_wall_surface(wall);
+    REQUIRE(surface.edges.size() == 5);
+    CHECK(surface.edges[0].beyond[0] == 0.5); // a free end
+    CHECK(surface.edges[0].beyond[1] == about(std::tan(bend / 2)));
+    CHECK(surface.edges[1].beyond[0] == about(std::tan(bend / 2)));
+    CHECK(surface.edges[3].beyond[1] == about(1)); // a right angle
+    CHECK(surface.edges[4].beyond[0] == about(1));
+    CHECK(surface.edges[4].beyond[1] == 0.5);
+    CHECK(surface.edges[2].beyond[0] == 1); // sharper than a right angle: back the way it came
 }
 
 TEST_CASE("triangles without area and with corners that do not exist are left out") {

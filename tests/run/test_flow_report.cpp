@@ -5,6 +5,7 @@
 #include "run/run_scene.h"
 #include "scene/load.h"
 
+#include <cstdlib>
 #include <doctest/doctest.h>
 #include <numbers>
 
@@ -114,7 +115,7 @@ TEST_CASE("the picture of a flow says what its colours and arrows are, with unit
     REQUIRE_MESSAGE(report.ok(), to_string(report.problems()));
     REQUIRE(run::draw_flow(*report, folder.path / "flow.svg").ok());
     const std::string drawn = test::content_of(folder.path / "flow.svg");
-    CHECK(drawn.find("tangential velocity, m/s") != std::string::npos);
+    CHECK(drawn.find("tangential velocity [m/s]") != std::string::npos);
     CHECK(drawn.find("radial and vertical velocity, 60 mm are ") != std::string::npos); // 1.2 layers of 50 mm
 }
 

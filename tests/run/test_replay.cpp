@@ -197,6 +197,32 @@ TEST_CASE("frames of a killed run that cannot be read are left out with a warnin
     CHECK_FALSE(content_of(options.text_dump).empty());
 }
 
+TEST_CASE("an opened run knows its frames' times; where heads were enough, what is damaged is found when it is read") {
+    const Folder folder;
+    const fs::path run = finished_run(folder);
+    const auto whole = run::open_recording(run, {});
+    REQUIRE(whole.ok());
+    REQUIRE(whole->frames.size() == 5);
+    CHECK(whole->frames[1].time == about(0.005));
+    CHECK(!whole->frames[1].contacts);
+    CHECK(whole->bounds.max().y() == about(0.51)); // a ball of 10 mm, at first at 0.5 m
+    const auto heads = run::open_recording(run, {}, run::Reading::heads);
+    REQUIRE(heads.ok());
+    CHECK(heads->frames.size() == 5);
+    CHECK(heads->bounds.isEmpty());
+    std::string bytes = content_of(whole->frames[2].file);
+    bytes[bytes.size() - 20] = static_cast<char>(bytes[bytes.size() - 20] ^ 0x10);
+    put(whole->frames[2].file, bytes);
+    CHECK(run::open_recording(run, {})->frames.size() == 4);
+    const auto blind = run::open_recording(run, {}, run::Reading::heads);
+    REQUIRE(blind.ok());
+    CHECK(blind->frames.size() == 5);
+    const run::Replayed replayed = run::replay(*blind, {}, {}, silent);
+    CHECK(replayed.frames == 4);
+    REQUIRE(replayed.warnings.size() == 1);
+    CHECK(replayed.warnings[0].find("frame_000002.tumble") != std::string::npos);
+}
+
 TEST_CASE("what is no run, or has no frame in the time asked for, is refused and leaves nothing") {
     const Folder folder;
     run::RedrawOptions options;

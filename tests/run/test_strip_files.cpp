@@ -72,4 +72,27 @@ TEST_CASE("sections are taken of the last frame, each in a picture of its own wh
     CHECK(fs::exists(folder.path / "sections" / "section_2.png"));
 }
 
+/// The camera looks along +x: what lies before x = 0.05 m is left out, and with it the ball, which is at 0.
+TEST_CASE("sections are taken at the places that are given, and a place that no body reaches is refused") {
+    const Folder folder;
+    const fs::path run = finished_run(folder);
+    run::StripOptions options = options_for(folder.path / "given", 3);
+    options.sections = true;
+    options.redraw.settings.clip = scene::Box{{-0.1, 0, -0.1}, {0.1, 1, 0.1}};
+    options.places = {-0.05, -0.01, 0.05};
+    REQUIRE(run::draw_strip(run, options, silent).ok());
+    const auto picture = [&](int k) {
+        return content_of(folder.path / "given" / ("section_" + std::to_string(k) + ".png"));
+    };
+    CHECK(picture(1) == picture(2)); // the ball is whole in both
+    CHECK(picture(2) != picture(3));
+    options.out = folder.path / "beyond";
+    options.places = {0, 27};
+    const Problems problems = run::draw_strip(run, options, silent).problems();
+    REQUIRE(problems.size() == 1);
+    CHECK(problems[0].what == "a section at x = 27 m cuts no bodies");
+    CHECK(problems[0].fix == "choose places from -0.1 to 0.1 m");
+    CHECK(!fs::exists(options.out));
+}
+
 } // namespace test_strip_files

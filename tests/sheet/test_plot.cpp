@@ -21,8 +21,8 @@ const Figure line{.name = "line",
 
 TEST_CASE("gnuplot is told units, and words as they stand") {
     const std::string script = gnuplot_script(line, "a.svg");
-    CHECK(script.find("set xlabel 'time, s'") != std::string::npos);
-    CHECK(script.find("set ylabel 'force, N'") != std::string::npos);
+    CHECK(script.find("set xlabel 'time [s]'") != std::string::npos);
+    CHECK(script.find("set ylabel 'force [N]'") != std::string::npos);
     CHECK(script.find("set title 'It''s a line'") != std::string::npos);
     CHECK(script.find("1 2\nEND") != std::string::npos);
     CHECK(script.find("set terminal svg size 800,500 font 'DejaVu Sans,13' background 'white' noenhanced rounded\n") ==
@@ -38,6 +38,13 @@ TEST_CASE("points with a spread get it as bars, and the mark of a figure knows o
     CHECK(script.find("with yerrorbars") != std::string::npos);
     CHECK(script.find("1 2 0.25\nEND") != std::string::npos);
     CHECK(mark_of(scattered) != before);
+}
+
+TEST_CASE("places across are named at the upper edge") {
+    Figure named = line;
+    named.places = {{0.5, "it's half"}};
+    CHECK(gnuplot_script(named, "a.svg").find("set x2tics ('it''s half' 0.5)") != std::string::npos);
+    CHECK(mark_of(named) != mark_of(line));
 }
 
 TEST_CASE("a figure's mark changes with its data and words, and not with rounding") {
@@ -70,7 +77,7 @@ TEST_CASE("figures are written as PNG and SVG, and a folder that is not there is
         REQUIRE_MESSAGE(drawn.ok(), to_string(drawn.problems()));
     }
     CHECK(test::content_of(folder.path / "line.png").starts_with("\x89PNG"));
-    CHECK(test::content_of(folder.path / "line.svg").find("force, N") != std::string::npos);
+    CHECK(test::content_of(folder.path / "line.svg").find("force [N]") != std::string::npos);
     CHECK(test::content_of(folder.path / "line.svg").ends_with(mark_of(line) + "\n"));
     CHECK_FALSE(draw(line, folder.path / "none" / "line.png").ok());
 }

@@ -51,7 +51,7 @@ TEST_CASE("a push is spread with Hertz' shares: force, moment, and how far from 
     const auto points = PatchSpreader(mesh).spread(push, Vector3d::UnitX(), a);
     REQUIRE(points.size() == 60);
     CHECK((force_of(points) - force).norm() < 1e-14);
-    CHECK((moment_of(points) - push.point.cross(force)).norm() < 1e-16);
+    CHECK((moment_of(points) - push.point.cross(force)).norm() < 1e-15); // rounding of 5 N at 50 mm
     double squares = 0, inner = 0;
     for (const Push& point : points) {
         CHECK((point.force.normalized() - force.normalized()).norm() < 1e-14);

@@ -6,6 +6,8 @@
 Exit code 77, with a sentence, where there is no browser to do it with.
 """
 
+import http.client
+import http.server
 import json
 import os
 import pathlib
@@ -14,6 +16,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 
 SKIPPED = 77
@@ -392,6 +395,36 @@ def says_why(page, view):
             each.close()
 
 
+def rests_while_hidden(page):
+    """Nothing is drawn for a page that nobody sees, while the simulation goes on; what it held it lets go of."""
+    hide = """Object.defineProperty(document, 'hidden', { configurable: true, get: () => arguments[0] });
+              document.dispatchEvent(new Event('visibilitychange'));"""
+    page.click("play")
+    page.wait("the simulation to run", lambda: page.state()["playing"])
+    page.driver.execute_script(hide.replace("arguments[0]", "true"))
+    unsaid = lambda: page.driver.execute_script("return unsaid.length")
+    page.wait("the two frames that are under way at most", lambda: unsaid() == 2)
+    before = page.state()
+    time.sleep(0.5)  # a view that knew nothing of it would show some more
+    assert (unsaid(), page.state()["shown"]) == (2, before["shown"]), (unsaid(), before["shown"], page.state()["shown"])
+    page.driver.execute_script(hide.replace("arguments[0]", "false"))
+    page.wait("frames again, of a later time", lambda: page.state()["shown"] > before["shown"] and page.state()["time"] > before["time"])
+    page.press(Keys.SPACE)
+    page.wait("a pause", lambda: not page.state()["playing"])
+
+
+def lets_go_of_keys(page):
+    said = page.driver.execute_script(
+        """const said = [], send = WebSocket.prototype.send;
+        WebSocket.prototype.send = function (words) { said.push(words); return send.call(this, words); };
+        document.getElementById('picture').dispatchEvent(new KeyboardEvent('keydown', { code: 'KeyB', key: 'b' }));
+        window.dispatchEvent(new Event('blur'));
+        window.dispatchEvent(new Event('blur'));
+        WebSocket.prototype.send = send;
+        return said.filter((words) => words.startsWith('key'));""")
+    assert said == ["key KeyB 1 0 0", "key KeyB 0 0 0"], said
+
+
 def outlives_the_simulation(page):
     """The balls are thrown through the box' open side: the run ends with a problem, which is said; the rest goes on."""
     page.click("play")
@@ -407,20 +440,83 @@ def picture_of(page):
     return page.driver.execute_script("return document.getElementById('picture').toDataURL()")
 
 
+class Elsewhere:
+    """A page on another port of this machine, and what its visitors bring."""
+
+    def __enter__(self):
+        brought = self.brought = []
+
+        class Host(http.server.BaseHTTPRequestHandler):
+            def do_GET(self):
+                brought.append(self.headers.get("Cookie", ""))
+                self.send_response(200)
+                self.send_header("Content-Type", "text/html")
+                self.end_headers()
+                self.wfile.write(b"<title>elsewhere</title>")
+
+            def log_message(self, *_):
+                pass
+
+        self.server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Host)
+        self.page = f"http://127.0.0.1:{self.server.server_port}"
+        threading.Thread(target=self.server.serve_forever, daemon=True).start()
+        return self
+
+    def __exit__(self, *_):
+        self.server.shutdown()
+        self.server.server_close()
+
+    def cookie(self, name):
+        found = next((part for part in self.brought[0].split("; ") if part.startswith(name + "=")), None)
+        assert found, f"the browser brought no {name}: {self.brought}"
+        return found
+
+
+def asked_for_frames(port, cookie, origin):
+    """Status and words of the answer to a request of a WebSocket that comes from a page of that origin."""
+    connection = http.client.HTTPConnection("127.0.0.1", int(port), timeout=MOST_WAIT_S)
+    try:
+        connection.request("GET", "/frames", headers={
+            "Upgrade": "websocket", "Connection": "Upgrade", "Sec-WebSocket-Version": "13",
+            "Sec-WebSocket-Key": "dGhlIHNhbXBsZSBub25jZQ==", "Cookie": cookie, "Origin": origin})
+        answer = connection.getresponse()
+        return answer.status, "" if answer.status == 101 else answer.read().decode()
+    finally:
+        connection.close()
+
+
 def keeps_strangers_out(driver, link):
-    """A page from elsewhere that asks for frames, and a used link without the cookie: both refused."""
+    """A page of another port, whose requests carry the cookie, gets no frames and no word; a used link without it none."""
     driver.get(link)  # used, but by this browser
     assert "<canvas" in driver.page_source
-    driver.get("data:text/html,<title>elsewhere</title>")
     port = link.split(":")[2].split("/")[0]
-    heard = driver.execute_async_script(
-        """const done = arguments[1];
-        const socket = new WebSocket('ws://127.0.0.1:' + arguments[0] + '/frames');
-        socket.onmessage = () => done('a frame');
-        socket.onclose = () => done('refused');""",
-        port,
-    )
-    assert heard == "refused", heard
+    with Elsewhere() as elsewhere:
+        driver.get(elsewhere.page)
+        # Same host, same site: the strict cookie comes along, so that nothing but the origin can keep this page out.
+        cookie = elsewhere.cookie(f"tumble_{port}")
+        assert asked_for_frames(port, cookie, f"http://127.0.0.1:{port}") == (101, ""), "its own page is let in"
+        status, words = asked_for_frames(port, cookie, elsewhere.page)
+        assert (status, "other pages have no say here" in words) == (403, True), (status, words)
+        driver.get_log("browser")
+        heard = driver.execute_async_script(
+            """const done = arguments[1];
+            const socket = new WebSocket('ws://127.0.0.1:' + arguments[0] + '/frames');
+            socket.onopen = () => done('open');
+            socket.onclose = () => done('closed');""",
+            port,
+        )
+        said = [line["message"] for line in driver.get_log("browser")]
+        assert heard == "closed", heard
+        assert any("Unexpected response code: 403" in line for line in said), said  # answered, and refused
+        heard = driver.execute_async_script(
+            """const done = arguments[1];
+            fetch('http://127.0.0.1:' + arguments[0] + '/', { credentials: 'include' }).then(
+              (answer) => done('read ' + answer.status), (error) => done(error.name));""",
+            port,
+        )
+        said = [line["message"] for line in driver.get_log("browser")]
+        assert heard == "TypeError", heard
+        assert any("blocked by CORS policy" in line for line in said), said  # a view that has ended would refuse the connection
     driver.get(link)
     driver.delete_all_cookies()
     driver.get(link)
@@ -475,7 +571,7 @@ def main():
             page = Page(driver)
             with View(program, "shaken.toml", folder) as view:
                 page.open(view.link)
-                for part in (opens_and_runs, drags_the_camera, obeys_keys, moves_a_slider, draws_over_the_bodies, films, resizes, fits_a_phone):
+                for part in (opens_and_runs, drags_the_camera, obeys_keys, moves_a_slider, draws_over_the_bodies, films, resizes, fits_a_phone, rests_while_hidden, lets_go_of_keys):
                     part(page)
                     print(f"{part.__name__}: fine", flush=True)
                 shares(page, view, folder)

@@ -42,6 +42,24 @@ TEST_CASE("the link lets one browser in, for a cookie that no script reads and n
     CHECK(guard.judge(again).status == 200);
 }
 
+TEST_CASE("on HTTP's own port browsers name the host alone, and on no other port may they") {
+    Guard usual(80), other(port);
+    for (const char* name : {"127.0.0.1", "localhost", "127.0.0.1:80"}) {
+        Asked asked{.method = "GET", .target = target_of(usual.link()), .host = name, .origin = {}, .cookie = {}};
+        const Answer first = usual.judge(asked);
+        CHECK_MESSAGE(first.status == 200, name);
+        asked = {.method = "GET", .target = "/frames", .host = name, .origin = {}, .cookie = cookie_of(first)};
+        asked.origin = "http://" + asked.host;
+        asked.upgrade = true;
+        CHECK_MESSAGE(usual.judge(asked).status == 101, name);
+        asked.origin = "http://127.0.0.1:8080";
+        CHECK_MESSAGE(usual.judge(asked).status == 403, name);
+        asked = get(target_of(other.link()));
+        asked.host = name;
+        CHECK_MESSAGE(other.judge(asked).status == 403, name);
+    }
+}
+
 TEST_CASE("a browser that has been let in may open its used link again, and uses up no other") {
     Guard guard(port);
     Asked asked = get(target_of(guard.link()));

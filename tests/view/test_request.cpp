@@ -23,7 +23,7 @@ int answer(const std::string& bytes, std::size_t piece, Guard& guard) {
     set_limits(parser, {});
     boost::beast::flat_buffer buffer;
     error_code failed;
-    http::read(connection, buffer, parser, failed);
+    http::read_header(connection, buffer, parser, failed);
     const auto answer = answer_to(parser, failed, guard);
     return answer ? answer->status : 0;
 }
@@ -51,11 +51,11 @@ TEST_CASE("a request is answered alike in whatever pieces it comes, and one that
              {get + host + cookie + "Content-Length: 1\r\n\r\nx", 400},
              {get + host + cookie + "Content-Length: 1025\r\n\r\n", 413},
              {get + host + cookie + "Transfer-Encoding: chunked\r\n\r\n1000\r\n" + std::string(4096, 'x') + "\r\n",
-              413},
+              400},
              {get + host + "X: " + std::string(9000, 'x') + "\r\n\r\n", 431},
              {"", 0},
              {get + host + cookie, 0},
-             {get + host + cookie + "Content-Length: 5\r\n\r\nxx", 0}})
+             {get + host + cookie + "Content-Length: 5\r\n\r\nxx", 400}})
         for (const std::size_t piece : {1, 7, 100, 100000}) {
             CAPTURE(bytes);
             CAPTURE(piece);

@@ -13,19 +13,68 @@ using namespace tumble::view;
 
 namespace test_studio {
 
+/// A simulation at rest in which bodies move and press as they are told, and what films are asked of it.
+class Staged final : public Source {
+public:
+    explicit Staged(std::unique_ptr<Source> real) : real_(std::move(real)) {}
+
+    double vx = 0.15;                                             // m/s, of one half of the bodies; the other's is -vx
+    std::optional<std::vector<observe::FrameContact>> contacts{}; // once they are wanted
+    std::vector<scene::Render> films{};                           // begun, then restyled
+
+    MomentPtr newest() override {
+        auto moment = std::make_shared<Moment>(*real_->newest());
+        observe::Frame& frame = moment->frame;
+        for (std::size_t b = 0; b < frame.bodies(); ++b)
+            frame.velocity[b] = Eigen::Vector3d(b % 2 == 0 ? vx : -vx, 0, 0);
+        frame.time = 1e-3 * static_cast<double>(told_);
+        frame.contacts = contacts;
+        moment->number = ++told_;
+        return moment;
+    }
+    SourceState state() override {
+        SourceState state = real_->state();
+        state.filming = !films.empty();
+        return state;
+    }
+    void film(const scene::Render& settings, const std::filesystem::path&) override { films = {settings}; }
+    void restyle_film(const scene::Render& settings) override { films.push_back(settings); }
+    void film_no_more() override { films.clear(); }
+
+    std::shared_ptr<const observe::FrameLayout> layout() const override { return real_->layout(); }
+    Eigen::AlignedBox3d bounds() const override { return real_->bounds(); }
+    void play(bool on) override { real_->play(on); }
+    void step(std::int64_t count) override { real_->step(count); }
+    void set_speed(double speed) override { real_->set_speed(speed); }
+    bool can_seek() const override { return false; }
+    bool can_show_contacts() const override { return true; }
+    bool can_change() const override { return false; }
+
+private:
+    std::unique_ptr<Source> real_;
+    std::uint64_t told_ = 0;
+};
+
 /// A studio of a scene at rest, and its last picture.
 struct Opened {
     test::Folder folder;
     SceneText text;
     std::unique_ptr<Studio> studio;
+    Staged* stage = nullptr; // where it is staged
     render::Picture picture;
     nlohmann::json state;
 
-    explicit Opened(const std::string& toml, int width = 1000, int height = 500) : text{toml, "shaken.toml", {}} {
+    explicit Opened(const std::string& toml, int width = 1000, int height = 500, bool staged = false)
+        : text{toml, "shaken.toml", {}} {
         const auto scene = text.load();
         REQUIRE(scene.ok());
         auto source = open_live(text, *scene, 1, [] {});
         REQUIRE(source.ok());
+        if (staged) {
+            auto on_stage = std::make_unique<Staged>(std::move(*source));
+            stage = on_stage.get();
+            source = std::unique_ptr<Source>(std::move(on_stage));
+        }
         Plots plots = Plots::of_simulation(*scene, *(*source)->layout());
         auto opened = Studio::open(std::move(*source), text, *scene, std::move(plots), {width, height, folder.path});
         REQUIRE_MESSAGE(opened.ok(), to_string(opened.problems()));
@@ -170,6 +219,7 @@ TEST_CASE("a slider that is dragged changes the scene, and the changed scene is 
     REQUIRE_MESSAGE(scene.ok(), to_string(scene.problems()));
     CHECK(scene->pair(0, 0).friction == value);
     CHECK(scene->pair(0, 0).restitution == 0.6);
+    CHECK(scene->claim == "none yet: shaken.toml with pair.glass-glass.friction = 1.5");
     opened.click("as in the scene");
     CHECK(opened.state["values"][key] == 0.4);
 }
@@ -243,6 +293,23 @@ TEST_CASE("velocities, a way and force chains are switched on over the bodies, a
     CHECK(scene->render.marks.trails == std::vector<std::string>{"ball"});
     CHECK(scene->render.marks.chains);
     CHECK(scene->observe.contacts);
+    CHECK(scene->claim == "none"); // what only changes the picture leaves it as it was
+}
+
+TEST_CASE("what cannot change while it is watched is saved with the camera and the look that hands gave it") {
+    Opened opened(test::pouring, 1000, 700, true);
+    opened.drag(600, 250, 660, 230);
+    opened.click("tab Look");
+    opened.click("color");
+    opened.click("color vx");
+    opened.click("tab Change");
+    CHECK(!opened.state["places"].contains("as in the scene"));
+    opened.click("save scene");
+    const auto scene = scene::load_scene(opened.folder.path / "shaken-001.toml");
+    REQUIRE_MESSAGE(scene.ok(), to_string(scene.problems()));
+    CHECK(scene->render.camera == "free");
+    CHECK(scene->render.color == "vx");
+    CHECK(scene->claim == "none");
 }
 
 TEST_CASE("a window that is hidden or tiny keeps the view alive, a larger one gets a larger picture") {
@@ -305,7 +372,9 @@ TEST_CASE("a picture is kept as PNG and a film as MP4, under names that nothing 
     test::put(opened.folder.path / "shaken-001.png", "not ours");
     opened.click("tab Keep");
     opened.click("picture");
+    REQUIRE(opened.eventually([&] { return !opened.state["notice"].get<std::string>().empty(); }));
     CHECK(opened.state["notice"] == (opened.folder.path / "shaken-002.png").string());
+    CHECK(std::filesystem::exists(opened.folder.path / "shaken-002.png")); // it is named when it is whole
     opened.click("film");
     opened.click("steps");
     REQUIRE(opened.eventually([&] { return opened.state["step"] == 100; }));
@@ -319,6 +388,72 @@ TEST_CASE("a picture is kept as PNG and a film as MP4, under names that nothing 
     opened.studio.reset(); // what still waits is written
     CHECK(test::content_of(folder / "shaken-001.png") == "not ours");
     CHECK(test::content_of(folder / "shaken-002.png").substr(1, 3) == "PNG");
+}
+
+/// One sees 0.15 m/s: by speed that is a scale from 0 to 0.2 m/s, the next of 1, 2, 2.5, 5, and by a component, which
+/// has a sign, one from -0.2 to 0.2.
+TEST_CASE("a film's scales are those of the picture that first shows them, and stay when the camera turns") {
+    using Range = std::array<double, 2>;
+    Opened opened(test::pouring, 1000, 700, true);
+    const std::vector<scene::Render>& films = opened.stage->films;
+    opened.click("tab Keep");
+    opened.click("film");
+    REQUIRE(films.size() == 1);
+    CHECK(films.back().range == Range{0, 0.2});
+    opened.click("tab Look");
+    opened.click("color");
+    opened.click("color vx");
+    CHECK(films.back().color == "vx");
+    CHECK(films.back().range == Range{-0.2, 0.2});
+    // Faster bodies, another camera: the picture's own range grows, the film's does not.
+    opened.stage->vx = 3;
+    opened.drag(600, 250, 660, 230);
+    CHECK(films.back().eye != films.front().eye);
+    CHECK(films.back().range == Range{-0.2, 0.2});
+    CHECK(!films.back().marks.arrow_speed);
+    opened.click("arrows");
+    opened.click("arrows bodies");
+    CHECK(films.back().marks.arrow_speed == 5.0); // 3 m/s
+    opened.stage->vx = 30;
+    opened.drag(600, 250, 660, 230);
+    CHECK(films.back().marks.arrow_speed == 5.0);
+    // A range that hands fix and leave open again is that of the picture then.
+    opened.click("fixed range");
+    const Range held = films.back().range.value();
+    opened.click("fixed range");
+    CHECK(films.back().range == held);
+    CHECK(held == Range{-50, 50});
+}
+
+TEST_CASE("a film's force chains get their scale with the first frame that has looked for contacts") {
+    Opened opened(test::pouring, 1000, 700, true);
+    const std::vector<scene::Render>& films = opened.stage->films;
+    opened.click("tab Keep");
+    opened.click("film");
+    opened.click("tab Look");
+    opened.click("force chains");
+    CHECK(films.back().marks.chains);
+    CHECK(!films.back().marks.chain_force);
+    observe::FrameContact contact;
+    contact.a = 0;
+    contact.normal = Eigen::Vector3d::UnitY();
+    contact.force = 3 * Eigen::Vector3d::UnitY();
+    opened.stage->contacts.emplace({contact});
+    opened.draw();
+    CHECK(films.back().marks.chain_force == 5.0); // 3 N
+    opened.stage->contacts->front().force *= 10;
+    opened.drag(600, 250, 660, 230);
+    CHECK(films.back().marks.chain_force == 5.0);
+}
+
+TEST_CASE("a film that begins while nothing moves leaves its scales open") {
+    Opened opened(test::pouring, 1000, 500, true);
+    opened.stage->vx = 0;
+    opened.draw();
+    opened.click("tab Keep");
+    opened.click("film");
+    REQUIRE(opened.stage->films.size() == 1);
+    CHECK(!opened.stage->films.back().range);
 }
 
 } // namespace test_studio

@@ -20,7 +20,7 @@ function send(...words) {
 
 function tellSize() {
   const width = window.innerWidth, height = window.innerHeight;
-  if (width < 1 || height < 1) return;
+  if (document.hidden || width < 1 || height < 1) return send('size', 0, 0, 1);
   const ratio = Math.min(window.devicePixelRatio || 1, Math.sqrt(mostPixels / (width * height)), mostSide / Math.max(width, height));
   wanted = [Math.round(width * ratio), Math.round(height * ratio)];
   send('size', ...wanted, ratio.toFixed(3));
@@ -29,6 +29,16 @@ function tellSize() {
 // All browsers share one picture, which has the size of the window that was last used: asked for again in hands' reach.
 function takeOver() {
   if (canvas.width !== wanted[0] || canvas.height !== wanted[1]) tellSize();
+}
+
+// Who says that a frame was seen gets the next. A page that nobody sees says it once it is seen again: meanwhile nothing is drawn for it.
+let unsaid = [];
+
+function tellSeen(number) {
+  unsaid.push(number);
+  if (document.hidden) return;
+  for (const each of unsaid) send('seen', each);
+  unsaid = [];
 }
 
 async function show(message) {
@@ -64,9 +74,10 @@ function connect() {
   socket = new WebSocket('ws://' + location.host + '/frames');
   socket.binaryType = 'arraybuffer';
   let opened = false;
-  socket.onopen = () => { opened = true; shown = 0; wait = 500; notice.textContent = ''; tellSize(); };
+  socket.onopen = () => { opened = true; shown = 0; unsaid = []; wait = 500; notice.textContent = ''; tellSize(); };
+  const own = socket;
   socket.onmessage = async (event) => {
-    try { await show(event.data); } finally { send('seen', new DataView(event.data).getUint32(0, true)); }
+    try { await show(event.data); } finally { if (own === socket) tellSeen(new DataView(event.data).getUint32(0, true)); }
   };
   socket.onclose = async (event) => {
     notice.textContent = await reasonOf(event.code, opened);
@@ -151,17 +162,34 @@ canvas.addEventListener('wheel', (event) => {
 
 canvas.addEventListener('contextmenu', (event) => event.preventDefault());
 
+// Keys that are held: a window that loses the keyboard hears no more of them.
+const held = new Set();
+
+function letGo() {
+  for (const code of held) send('key', code, 0, 0, 0);
+  held.clear();
+}
+
 for (const [kind, down] of [['keydown', 1], ['keyup', 0]])
   canvas.addEventListener(kind, (event) => {
     if (event.altKey || event.metaKey || event.code === 'Tab' || event.code.startsWith('F')) return;
     if (event.ctrlKey && !['KeyA', 'KeyC', 'KeyV', 'KeyX'].includes(event.code) && !event.code.startsWith('Control')) return;
     event.preventDefault();
-    if (/^[A-Za-z0-9]{1,24}$/.test(event.code)) send('key', event.code, down, event.shiftKey ? 1 : 0, event.ctrlKey ? 1 : 0);
+    if (/^[A-Za-z0-9]{1,24}$/.test(event.code)) {
+      if (down) held.add(event.code); else held.delete(event.code);
+      send('key', event.code, down, event.shiftKey ? 1 : 0, event.ctrlKey ? 1 : 0);
+    }
     if (down && event.key.length === 1 && !event.ctrlKey) send('text', event.key);
   });
 
 document.getElementById('panel').addEventListener('click', () => { send('panel'); canvas.focus(); });
 window.addEventListener('resize', tellSize);
 window.addEventListener('focus', takeOver);
+window.addEventListener('blur', letGo);
+document.addEventListener('visibilitychange', () => {
+  if (document.hidden) letGo();
+  tellSize();
+  for (const each of unsaid.splice(0)) tellSeen(each);
+});
 canvas.focus();
 connect();

@@ -1,0 +1,172 @@
+#include "base/make_folder.h"
+#include "base/text.h"
+#include "cli/command.h"
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/flag_checks.h"
+#include "cli/time_range.h"
+#include "run/series_plot.h"
+#include "run/target.h"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <memory>
+#include <optional>
+
+namespace tumble::cli {
+
+namespace {
+
+// As of pictures for print, scene keys render.width_mm and the like.
+constexpr double least_mm = 20, most_mm = 600;
+constexpr double print_dpi = 300, print_font = 8;
+constexpr double most_pixels = 8192; // as render.width_px
+
+struct PlotArguments {
+    std::vector<std::filesystem::path> runs;
+    std::vector<std::string> measures;
+    std::string labels;
+    std::string time;
+    std::filesystem::path out;
+    std::string size;
+    std::optional<double> dpi, font;
+    bool force = false;
+    bool quiet = false;
+    bool json = false;
+};
+
+/// "85x60" or "85,60", mm.
+std::optional<std::array<double, 2>> read_size(const std::string& text) {
+    const std::size_t cut = text.find_first_of("x,");
+    if (cut == std::string::npos)
+        return std::nullopt;
+    const auto width = parse_number(text.substr(0, cut)), height = parse_number(text.substr(cut + 1));
+    const auto fits = [](const Result<double>& mm) { return mm && *mm >= least_mm && *mm <= most_mm; };
+    if (!fits(width) || !fits(height))
+        return std::nullopt;
+    return std::array{*width, *height};
+}
+
+/// A plot of a given size is meant for print: as dense, with letters as large, and without a title, which stands in
+/// the text there.
+Result<sheet::Canvas> canvas_for(const PlotArguments& arguments, sheet::Stack& stack) {
+    sheet::Canvas canvas;
+    const auto size = read_size(arguments.size);
+    if (!arguments.size.empty() && !size)
+        return Problem{
+            .what = fmt::format("--size-mm {} is no size", excerpt(arguments.size)),
+            .fix = fmt::format("write width x height, each from {:g} to {:g} mm, such as 85x60", least_mm, most_mm)};
+    if (size) {
+        canvas.dpi = print_dpi;
+        canvas.font_pt = print_font;
+        stack.title.clear();
+    }
+    canvas.dpi = arguments.dpi.value_or(canvas.dpi);
+    canvas.font_pt = arguments.font.value_or(canvas.font_pt);
+    if (size)
+        canvas.width_mm = (*size)[0];
+    canvas.height_mm = size ? (*size)[1] : sheet::usual_height(stack, canvas);
+    if (const double pixels = std::max(canvas.width_mm, canvas.height_mm) / 25.4 * canvas.dpi; pixels > most_pixels)
+        return Problem{.what =
+                           fmt::format("{:.0f} x {:.0f} mm at {:g} dpi are {:.0f} pixels along a side, more than {:g}",
+                                       canvas.width_mm, canvas.height_mm, canvas.dpi, pixels, most_pixels),
+                       .fix = "choose a lower --dpi or a smaller --size-mm"};
+    return canvas;
+}
+
+nlohmann::ordered_json json_of(const run::SeriesPlot& plot, const std::filesystem::path& file,
+                               const sheet::Canvas& canvas) {
+    nlohmann::ordered_json panels = nlohmann::ordered_json::array();
+    for (std::size_t p = 0; p < plot.columns.size(); ++p)
+        panels.push_back({{"unit", plot.stack.panels[p].y.unit}, {"columns", plot.columns[p]}});
+    return {{"file", file.string()},    {"width_mm", canvas.width_mm}, {"height_mm", canvas.height_mm},
+            {"first_s", plot.first},    {"last_s", plot.last},         {"panels", panels},
+            {"warnings", plot.warnings}};
+}
+
+Result<run::SeriesPlot> read_plot(const PlotArguments& arguments) {
+    run::SeriesPlotOptions options;
+    options.measures = arguments.measures;
+    if (const auto problem = read_time_range(arguments.time, options.from, options.to))
+        return *problem;
+    if (!arguments.labels.empty())
+        for (const std::string_view label : split(arguments.labels, ','))
+            options.labels.emplace_back(trimmed(label));
+    return run::plot_series(arguments.runs, options);
+}
+
+int plot_runs(const PlotArguments& arguments) {
+    const auto refused = [&](const Problems& problems, int code = wrong) {
+        return refuse(problems, arguments.json, code);
+    };
+    const std::filesystem::path file =
+        arguments.out.empty() ? arguments.runs.front() / "redrawn" / "plot.png" : arguments.out;
+    if (const auto known = sheet::check_drawable(file); !known)
+        return refused(known.problems());
+    auto plot = read_plot(arguments);
+    if (!plot)
+        return refused(plot.problems());
+    const auto canvas = canvas_for(arguments, plot->stack);
+    if (!canvas)
+        return refused(canvas.problems());
+    if (const auto script = sheet::gnuplot_script(plot->stack, file, *canvas); !script) // no room on that canvas
+        return refused(script.problems());
+    run::Target target(file);
+    if (const auto problem = target.claim(arguments.force, file.extension().string()))
+        return refused({*problem});
+    if (const auto made = make_folder(std::filesystem::absolute(file).parent_path()); !made)
+        return refused(made.problems(), failed);
+    if (const auto drawn = sheet::draw(plot->stack, file, *canvas); !drawn)
+        return refused(drawn.problems(), failed);
+    target.keep();
+    for (const std::string& warning : plot->warnings)
+        if (!arguments.quiet)
+            note("warning: " + warning);
+    if (arguments.json)
+        say_json(json_of(*plot, file, *canvas));
+    else if (!arguments.quiet)
+        say(fmt::format("{}: {} from t = {:.4g} to {:.4g} s", file.string(),
+                        counted(static_cast<long long>(plot->columns.size()), "plot", "plots"), plot->first,
+                        plot->last));
+    return fine;
+}
+
+} // namespace
+
+void add_plot_command(CLI::App& program, Action& action) {
+    CLI::App* command = program.add_subcommand(
+        "plot", "Example: tumble plot out/drop --measure kinetic_energy,centre_of_mass_y\n\n"
+                "Plots what a run measured over time, a panel for each unit. Several runs lie over each other.");
+    const auto arguments = std::make_shared<PlotArguments>();
+    command->add_option("RUN", arguments->runs, "Folder of a run; several may be given")->required();
+    command
+        ->add_option("--measure", arguments->measures,
+                     "Columns of series.csv, by measure, group or head; without it kinetic energy, circulation, slope, "
+                     "energy lost, and the height of the first tracer")
+        ->type_name("NAME,...")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command->add_option("--labels", arguments->labels, "What the runs are called in the legend; else their folders")
+        ->type_name("A,B,...");
+    command->add_option("--time", arguments->time, "Only from A to B, s; either may be missing")->type_name("A:B");
+    command
+        ->add_option("--out", arguments->out,
+                     "The file: .png, .svg or .pdf; redrawn/plot.png in the first run's folder without it")
+        ->type_name("FILE")
+        ->check(refuse_no_place);
+    command->add_option("--size-mm", arguments->size, "Size for print, mm, such as 85x60; the title is left out then")
+        ->type_name("WxH");
+    command->add_option("--dpi", arguments->dpi, "Pixels an inch of a PNG file; 300 with --size-mm")
+        ->type_name("N")
+        ->check(number_from(72, 1200));
+    command->add_option("--font-pt", arguments->font, "Points of the letters; 8 with --size-mm")
+        ->type_name("N")
+        ->check(number_from(4, 24));
+    command->add_flag("--force", arguments->force, "Replace what is there");
+    command->add_flag("--quiet", arguments->quiet, "No warnings on stderr, nothing on stdout");
+    command->add_flag("--json", arguments->json, "Print the result as JSON");
+    command->callback([arguments, &action] { action = [arguments] { return plot_runs(*arguments); }; });
+}
+
+} // namespace tumble::cli

@@ -6,6 +6,7 @@
 #include "render/sphere_list.h"
 #include "render/sphere_raster.h"
 
+#include <optional>
 #include <span>
 
 namespace tumble::render {

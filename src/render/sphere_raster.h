@@ -7,6 +7,7 @@
 #include "render/sphere_list.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 

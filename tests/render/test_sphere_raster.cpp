@@ -80,7 +80,7 @@ TEST_CASE("any number of threads draws the same bits, and so does drawing what i
         CHECK(draw(2, marks, camera, 230, 170, true) == one);
         CHECK(draw(3, marks, camera, 230, 170, true) == one);
         CHECK(draw(2, marks, camera, 230, 170, false) == one);
-        const Eigen::AlignedBox3d box({-0.5, -0.3, -0.4}, {0.6, 0.5, 0.3});
+        const Eigen::AlignedBox3d box(Vector3d(-0.5, -0.3, -0.4), Vector3d(0.6, 0.5, 0.3));
         const Drawn cut = draw(1, marks, camera, 230, 170, true, box);
         CHECK(draw(3, marks, camera, 230, 170, true, box) == cut);
         CHECK(draw(2, marks, camera, 230, 170, false, box) == cut);
@@ -116,7 +116,8 @@ TEST_CASE("every instruction set draws the same bits") {
                                                       {-1, 0, 0, 0.3F},
                                                       {0, 0.6F, 0.8F, -1.4F},
                                                       {0, -1, 0, 0.2F}}};
-    for (const auto& [perspective, cut] : {std::pair{false, false}, {true, false}, {false, true}, {true, true}}) {
+    for (const auto& [perspective, cut] :
+         {std::pair{false, false}, std::pair{true, false}, std::pair{false, true}, std::pair{true, true}}) {
         TileJob job;
         job.cut = cut ? planes.data() : nullptr;
         job.sampling = four_samples();

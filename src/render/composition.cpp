@@ -14,9 +14,10 @@ namespace tumble::render {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-// Outlines of discs, pixels at a picture's usual size; on small discs no more than this share of the smallest radius.
+// Outlines of discs, pixels at a picture's usual size; on small discs no more than this share of the smallest radius,
+// which leaves 0.9^2 = 81 % of a disc in the legend's colour.
 constexpr double usual_disc_line = 1.2;
-constexpr double disc_line_share = 0.25;
+constexpr double disc_line_share = 0.1;
 
 Composition::Composition(const scene::Render& wanted, const PainterOptions& chosen,
                          std::shared_ptr<const observe::FrameLayout> scenery, Style shown)

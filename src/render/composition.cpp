@@ -56,12 +56,14 @@ void Composition::arrange() {
         const Camera tried = look(area);
         return tried.pixels_per_metre(tried.target);
     };
-    arrangement = make_layout(settings.width, settings.height, settings.plot, zoom,
-                              settings.paper ? std::optional(letter_unit(*settings.paper)) : std::nullopt);
+    const int rows = key_rows(settings.marks);
+    arrangement =
+        make_layout(settings.width, settings.height, settings.plot, zoom,
+                    settings.paper ? std::optional(letter_unit(*settings.paper)) : std::nullopt, key_height(rows));
     if (settings.paper) {
         leave_out_title(arrangement);
     }
-    take_key(arrangement, mark_maker.key(*layout, mark_view()).rows(), !style.plain());
+    take_key(arrangement, rows, !style.plain());
     if (!options.lettering) {
         arrangement = Layout{};
         arrangement.lettered = false;
@@ -88,12 +90,12 @@ Result<Done> Composition::restyle(const scene::Render& shown) {
         style.range = found->range; // else what an automatic range has seen goes on to count
     }
     const bool was_plain = style.plain();
+    const int rows = key_rows(settings.marks);
     style.quantity = found->quantity;
     style.map = found->map;
     settings = std::move(wanted);
-    const int rows = mark_maker.key(*layout, mark_view()).rows();
     mark_maker.restyle(settings.marks);
-    if (mark_maker.key(*layout, mark_view()).rows() != rows || style.plain() != was_plain) {
+    if (key_rows(settings.marks) != rows || style.plain() != was_plain) {
         arranged = false; // their key takes or leaves room
     } else if (arranged) {
         camera = *make_camera(settings, box(), arrangement.scene);

@@ -138,6 +138,9 @@ std::vector<std::uint32_t> Composition::colors_of(const observe::Frame& frame, L
 
 std::vector<std::uint32_t> Composition::take_in(const observe::Frame& frame, Legend& legend) {
     settle_for(frame);
+    if (settings.turn_deg_s != 0) {
+        camera = *make_camera(settings, box(), arrangement.scene, frame.time);
+    }
     enclose(frame);
     mark_maker.take_in(frame, mark_view());
     return colors_of(frame, legend);

@@ -245,7 +245,9 @@ Result<Replayed> draw_strip(const fs::path& run, const StripOptions& options, co
     const auto parts = options.sections ? sections(*recording, options) : instants(*recording, options.plan.cells);
     if (!parts)
         return parts.problems();
-    const auto settings = settle_scales(std::array{only(*recording, *parts)}, options.redraw.settings);
+    scene::Render wanted = options.redraw.settings;
+    wanted.turn_deg_s = 0; // the parts have one view
+    const auto settings = settle_scales(std::array{only(*recording, *parts)}, wanted);
     if (!settings)
         return settings.problems();
     const bool as_lines = render::is_drawing_file(options.out), in_one = options.out.extension() == ".png";

@@ -40,6 +40,11 @@ KeyTable render() {
         number("field_of_view_deg", "deg", from(1, 170), "Opening of a perspective camera, vertical.")
             .in_3d()
             .otherwise(35.0),
+        number("turn_deg_s", "deg/s", from(-1e5, 1e5),
+               "How fast, by the scene's time, a free camera goes around what it looks at, about the upward axis; "
+               "above 0 anticlockwise as seen from above.")
+            .in_3d()
+            .otherwise(0.0),
         vector("view_lo_m", "m", from(-1e4, 1e4),
                "Lowest corner of what must be in the picture; without it all walls "
                "and bodies."),

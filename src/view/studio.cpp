@@ -240,6 +240,7 @@ void Studio::pass_panel() {
               look_,
               *layout_,
               {painter_->range().lo, painter_->range().hi},
+              painter_->mark_key(),
               notice_,
               source_->state(),
               moment_->frame.time,

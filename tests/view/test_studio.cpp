@@ -312,7 +312,7 @@ TEST_CASE("the map of the colours and the scales of arrows and chains are chosen
     opened.click("arrows bodies");
     opened.settle();
     CHECK(!opened.state["places"].contains("render.arrow_m_s value"));
-    opened.click("render.arrow_m_s"); // all fall at 1 m/s
+    opened.click("render.arrow_m_s"); // the fastest fall at hypot(0.3, 1) m/s, rounded up
     CHECK(opened.state["places"].contains("render.arrow_m_s value"));
     opened.click("force chains");
     opened.settle();
@@ -322,7 +322,7 @@ TEST_CASE("the map of the colours and the scales of arrows and chains are chosen
     const auto scene = scene::load_scene(opened.folder.path / "shaken-001.toml");
     REQUIRE_MESSAGE(scene.ok(), to_string(scene.problems()));
     CHECK(scene->render.colormap == "inferno");
-    CHECK(scene->render.marks.arrow_speed == 1);
+    CHECK(scene->render.marks.arrow_speed == 2);
     CHECK(scene->render.marks.chain_force == 1);
 }
 

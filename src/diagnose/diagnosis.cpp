@@ -303,10 +303,7 @@ private:
 
     void propose() {
         const Decision& decision = d_.decision;
-        std::vector<int> rivals = decision.causes;
-        if (rivals.size() == 1)
-            if (const int near = nearest_rival(rivals[0]); near >= 0)
-                rivals.push_back(near);
+        const std::vector<int> rivals = rivals_in(decision);
         if (rivals.size() < 2)
             return;
         std::vector<double> amplitudes;
@@ -317,15 +314,6 @@ private:
         }
         d_.proposals = proposals_for(scene_, *model_, measurement_.nuisances, noise_, simulate_, baseline_.values,
                                      rivals, amplitudes);
-    }
-
-    [[nodiscard]] int nearest_rival(int cause) const {
-        int near = -1;
-        const MatrixXd& left = d_.decision.isolability;
-        for (int k = 0; k < left.cols(); ++k)
-            if (k != cause && !std::isnan(left(cause, k)) && (near < 0 || left(cause, k) < left(cause, near)))
-                near = k;
-        return near;
     }
 
     void draw() {

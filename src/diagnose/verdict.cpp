@@ -132,7 +132,7 @@ std::string verdict_of(const Diagnosis& diagnosis) {
 
 std::string next_step(const Diagnosis& diagnosis) {
     const auto& proposals = diagnosis.proposals;
-    if (!proposals.empty() && proposals[0].repeats > 0)
+    if (diagnosis.decision.outcome == Outcome::ambiguous && !proposals.empty() && proposals[0].repeats > 0)
         return fmt::format("To tell them apart, {}{}: that would set them {:.1f} standard errors apart.",
                            proposals[0].sentence,
                            proposals[0].repeats > 1 ? fmt::format(", {} times", proposals[0].repeats) : "",

@@ -36,7 +36,8 @@ struct Case {
 /// Draws everything innocent, scales the effect, adds noise that is not quite as stated.
 Case make_case(const Order& order, Random& random);
 
-/// The baseline that every case is held against: the balls of scenes/bounce.toml and scenes/lane.toml.
-Truth baseline();
+/// The baseline that every case is held against: the balls of scenes/bounce.toml and scenes/lane.toml, the tripod of
+/// scenes/slope.toml.
+Truth baseline(Bench bench);
 
 } // namespace blind

@@ -14,6 +14,8 @@ namespace {
 namespace fs = std::filesystem;
 using namespace blind;
 
+const char* scenes[] = {"bounce.toml", "lane.toml", "slope.toml"}; // by the number of Bench
+
 void write(const fs::path& file, const std::string& text) {
     std::ofstream(file, std::ios::binary) << text;
 }
@@ -27,7 +29,7 @@ std::string leave(const Case& made, const fs::path& folder, Random& salts) {
     const std::string answer = made.answer.dump();
     write(folder / "commitment.txt", sha256(salt + answer) + "\n");
     return nlohmann::ordered_json{{"case", folder.filename().string()},
-                                  {"scene", made.setup.bench == Bench::drop ? "bounce.toml" : "lane.toml"},
+                                  {"scene", scenes[static_cast<int>(made.setup.bench)]},
                                   {"salt", salt},
                                   {"answer", answer}}
         .dump();
@@ -37,7 +39,7 @@ std::string leave(const Case& made, const fs::path& folder, Random& salts) {
 
 int main(int count, char** words) {
     if (count != 4 && count != 8) {
-        std::cerr << "blindgen OUT COUNT SEED [drop|lane null|listed|two|unlisted EFFECT SIZE]\n";
+        std::cerr << "blindgen OUT COUNT SEED [drop|lane|slope null|listed|two|unlisted EFFECT SIZE]\n";
         return 2;
     }
     const fs::path out = words[1];
@@ -48,7 +50,7 @@ int main(int count, char** words) {
     std::vector<Order> orders = mixed_orders(cases, random);
     if (count == 8)
         for (Order& order : orders) {
-            order.bench = std::string(words[4]) == "lane" ? Bench::lane : Bench::drop;
+            order.bench = bench_of(words[4]);
             order.kind = words[5];
             order.effects.clear();
             if (order.kind != "null")

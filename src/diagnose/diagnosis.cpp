@@ -281,18 +281,27 @@ private:
         if (!aside)
             return aside.problems();
         Noise noise = first_noise(*aside);
+        noise.of = noise_.of;
         for (std::size_t r = 0; r < noise.sigma.size(); ++r)
             for (std::size_t c = 0; c < noise.sigma[r].size(); ++c)
-                if (aside->records()[r].channels[c].sigma == 0)
-                    noise.sigma[r][c] = noise_.sigma[0][0];
+                if (const Channel& channel = aside->records()[r].channels[c]; channel.sigma == 0)
+                    noise.sigma[r][c] = scatter_used_for(channel.measure, noise.sigma[r][c]);
                 else
-                    noise.sigma[r][c] *= d_.noise.ratio * d_.noise.widened;
-        noise.correlation = noise_.correlation;
+                    noise.sigma[r][c] *= noise.of[channel.measure].ratio * d_.noise.widened;
         auto scores = scores_aside(*aside, *model_, noise, baseline, decision.best->values);
         if (!scores)
             return scores.problems();
         d_.gain = gain_of(std::move(*scores), true);
         return {};
+    }
+
+    /// What the fit found for another channel of this measure; `otherwise` where there is none.
+    [[nodiscard]] double scatter_used_for(const std::string& measure, double otherwise) const {
+        for (std::size_t r = 0; r < noise_.sigma.size(); ++r)
+            for (std::size_t c = 0; c < noise_.sigma[r].size(); ++c)
+                if (model_->records()[r].channels[c].measure == measure)
+                    return noise_.sigma[r][c];
+        return otherwise;
     }
 
     /// The scene as it is written, with the causes named and the nuisances that fit them.
@@ -373,11 +382,21 @@ private:
 
     void doubt_noise() {
         const NoiseReport& noise = d_.noise;
-        if (noise.stated > 0 && (noise.ratio > 1.25 || noise.ratio < 0.8))
-            d_.warnings.push_back({.file = measurement_.file.string(),
-                                   .key = "sigma contradicted",
-                                   .what = fmt::format("readings scatter {:.2f} times as much as stated", noise.ratio),
-                                   .fix = "the scatter found in the readings is used"});
+        for (const auto& [measure, one] : noise.of) {
+            const std::string whose = noise.of.size() > 1 ? " of " + measure : "";
+            if (noise.stated > 0 && (one.ratio > 1.25 || one.ratio < 0.8))
+                d_.warnings.push_back(
+                    {.file = measurement_.file.string(),
+                     .key = "sigma contradicted",
+                     .what = fmt::format("readings{} scatter {:.2f} times as much as stated", whose, one.ratio),
+                     .fix = "the scatter found in the readings is used"});
+            if (one.correlation > 0.08)
+                d_.warnings.push_back(
+                    {.file = measurement_.file.string(),
+                     .key = "noise not white",
+                     .what = fmt::format("errors of neighbouring readings{} correlate by {:.2f}", whose, one.correlation),
+                     .fix = "nothing: readings are weighted for it"});
+        }
         if (noise.repeats > most_between_repeats)
             d_.warnings.push_back(
                 {.file = measurement_.file.string(),
@@ -387,12 +406,6 @@ private:
                  .fix =
                      "something changes from run to run: give it as a nuisance with per = \"series\"; all errors are "
                      "stated that much larger"});
-        if (noise.correlation > 0.08)
-            d_.warnings.push_back(
-                {.file = measurement_.file.string(),
-                 .key = "noise not white",
-                 .what = fmt::format("errors of neighbouring readings correlate by {:.2f}", noise.correlation),
-                 .fix = "nothing: readings are weighted for it"});
         if (noise.left_out > 0)
             d_.warnings.push_back(
                 {.file = measurement_.file.string(),

@@ -85,7 +85,7 @@ constexpr Experiment catalogue[] = {
 /// Noise of the records there were, for records made from them.
 Noise noise_for(const Model& model, const Noise& known) {
     Noise noise = first_noise(model);
-    noise.correlation = known.correlation;
+    noise.of = known.of;
     const std::size_t before = known.sigma.size();
     for (std::size_t r = 0; r < noise.sigma.size(); ++r)
         for (std::size_t c = 0; c < noise.sigma[r].size(); ++c) {

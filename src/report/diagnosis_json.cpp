@@ -177,9 +177,14 @@ Json to_json(const Diagnosis& diagnosis, const std::string& version) {
                              {"value", nuisance.value},
                              {"standard_error", number(nuisance.error)}});
     json["nuisances"] = std::move(nuisances);
-    json["noise"] = {{"stated", diagnosis.noise.stated},     {"used", diagnosis.noise.used},
-                     {"ratio", diagnosis.noise.ratio},       {"correlation", diagnosis.noise.correlation},
-                     {"outliers", diagnosis.noise.left_out}, {"repeats", diagnosis.noise.repeats}};
+    Json measures;
+    for (const auto& [measure, one] : diagnosis.noise.of)
+        measures[measure] = {{"ratio", one.ratio}, {"correlation", one.correlation}};
+    json["noise"] = {{"stated", diagnosis.noise.stated},
+                     {"used", diagnosis.noise.used},
+                     {"measures", std::move(measures)},
+                     {"outliers", diagnosis.noise.left_out},
+                     {"repeats", diagnosis.noise.repeats}};
     json["readings"] = diagnosis.readings;
     json["chi_square_baseline"] = diagnosis.chi_square;
     Json warnings = Json::array();

@@ -135,7 +135,7 @@ TEST_CASE("a simulation that is right agrees with its data, and its nuisances ar
     CHECK_MESSAGE(diagnosis.decision.outcome == Outcome::consistent, verdict_of(diagnosis));
     CHECK(diagnosis.nuisances[0].value == about(0.79, 1e-3));
     CHECK(diagnosis.nuisances[1].value == about(0.003, 0.2));
-    CHECK(diagnosis.noise.ratio == about(1, 0.1));
+    CHECK(diagnosis.noise.of.at("centre_of_mass_y").ratio == about(1, 0.1));
     CHECK(seen(diagnosis, "ins.gain").lower < 0);
     CHECK(seen(diagnosis, "ins.gain").upper > 0);
 }
@@ -256,7 +256,7 @@ TEST_CASE("a unit that cannot be and a sigma that the readings contradict are to
         record.channels[0].sigma /= 10;
     const Diagnosis diagnosis = Laboratory::diagnosed(sure);
     CHECK_MESSAGE(diagnosis.decision.outcome == Outcome::consistent, verdict_of(diagnosis));
-    CHECK(std::abs(diagnosis.noise.ratio - 10) < 1);
+    CHECK(std::abs(diagnosis.noise.of.at("centre_of_mass_y").ratio - 10) < 1);
     CHECK(std::count_if(diagnosis.warnings.begin(), diagnosis.warnings.end(),
                         [](const Problem& warning) { return warning.key == "sigma contradicted"; }) == 1);
 

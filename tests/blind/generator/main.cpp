@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <iostream>
+#include <sstream>
 
 namespace {
 
@@ -39,7 +40,7 @@ std::string leave(const Case& made, const fs::path& folder, Random& salts) {
 
 int main(int count, char** words) {
     if (count != 4 && count != 8) {
-        std::cerr << "blindgen OUT COUNT SEED [drop|lane|slope null|listed|two|unlisted EFFECT SIZE]\n";
+        std::cerr << "blindgen OUT COUNT SEED [drop|lane|slope null|listed|two|unlisted EFFECT[+EFFECT] SIZE]\n";
         return 2;
     }
     const fs::path out = words[1];
@@ -53,8 +54,9 @@ int main(int count, char** words) {
             order.bench = bench_of(words[4]);
             order.kind = words[5];
             order.effects.clear();
-            if (order.kind != "null")
-                order.effects = {words[6]};
+            std::istringstream effects(words[6]);
+            for (std::string id; order.kind != "null" && std::getline(effects, id, '+');)
+                order.effects.push_back(id);
             order.wanted = std::stod(words[7]);
         }
     std::vector<std::string> answers;

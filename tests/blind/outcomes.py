@@ -29,7 +29,8 @@ def laid_out(blindgen, case, folder):
     if isinstance(case, tuple):
         subprocess.run([blindgen, folder, "1", *case], check=True, stdout=subprocess.DEVNULL)
         shutil.copytree(folder / "case-0000", folder, dirs_exist_ok=True)
-        shutil.rmtree(folder / "case-0000")
+        for made in folder.glob("case-0000*"):
+            shutil.rmtree(made)
         return
     shutil.copytree(case[0] if isinstance(case, list) else case, folder, ignore=shutil.ignore_patterns("sealed.txt"))
     if isinstance(case, list):

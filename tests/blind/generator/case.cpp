@@ -2,6 +2,7 @@
 
 #include "separation.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace blind {
@@ -209,42 +210,74 @@ std::vector<Order> mixed_orders(int count, Random& random) {
     return orders;
 }
 
-Case make_case(const Order& order, Random& random) {
-    Case made;
-    made.setup = draw_setup(order.bench, order.more, random);
-    const Truth known = baseline(order.bench);
-    Truth without = known;
-    const double off = random.uniform(-1, 1); // of restitution or friction, from what the scene has
-    without.ball.restitution += 0.03 * off;
-    without.lane.friction += 0.02 * off;
-    without.lane.fast_friction = without.lane.friction;
-    without.offsets.assign(made.setup.trials.size(), 0);
-    without.speeds.assign(made.setup.trials.size(), 0);
-    without.restitution.assign(made.setup.trials.size(), 0);
-    Truth truth = without;
+namespace {
+
+void measure(Case& made, Random& random) {
+    const Order& order = made.order;
+    Truth truth = made.without;
     nlohmann::ordered_json hidden = nlohmann::ordered_json::array();
-    for (const std::string& id : order.effects) {
-        const Effect& effect = *find_effect(id);
-        const double sign = effect.one_sided || random.chance(0.5) ? 1 : -1;
-        const double amplitude = amplitude_for(made.setup, without, effect, order.wanted, sign);
-        made.possible = made.possible && amplitude != 0;
-        effect.hide(truth, amplitude);
-        hidden.push_back({{"id", id}, {"listed", effect.listed}, {"amplitude", amplitude}});
+    for (std::size_t k = 0; k < order.effects.size(); ++k) {
+        const Effect& effect = *find_effect(order.effects[k]);
+        effect.hide(truth, made.amplitudes[k]);
+        hidden.push_back({{"id", effect.id}, {"listed", effect.listed}, {"amplitude", made.amplitudes[k]}});
     }
     const std::string own = order.effects.size() == 1 ? order.effects[0] : "";
-    const Separation size =
-        order.effects.size() == 1 && made.possible ? separation_of(made.setup, truth, without, own) : Separation{};
+    const Separation size = order.effects.size() == 1 && made.possible
+                                ? separation_of(made.setup, truth, made.without, own)
+                                : Separation{};
     for (double& offset : truth.offsets)
         offset = std::clamp(0.004 * random.normal(), -0.012, 0.012);
     for (double& speed : truth.speeds)
         speed = std::clamp(0.02 * random.normal(), -0.06, 0.06);
     write_records(made, readings_of(made.setup, truth), draw_dirt(random), random);
-    made.measurement = measurement_of(made, known);
+    made.measurement = measurement_of(made, baseline(order.bench));
     made.answer = {{"kind", order.kind},      {"bench", word_of(order.bench)},
                    {"more", order.more},      {"hidden", hidden},
                    {"wanted", order.wanted},  {"d", size.detectable},
-                   {"d_sep", size.separable}, {"nearest", size.nearest},
-                   {"innocent", off}};
+                   {"d_sep", size.separable}, {"nearest", size.nearest}};
+}
+
+void forget_trials(Truth& truth, std::size_t trials) {
+    truth.offsets.assign(trials, 0);
+    truth.speeds.assign(trials, 0);
+    truth.restitution.assign(trials, 0);
+}
+
+} // namespace
+
+Case make_case(const Order& order, Random& random) {
+    Case made;
+    made.order = order;
+    made.setup = draw_setup(order.bench, order.more, random);
+    made.without = baseline(order.bench);
+    const double off = random.uniform(-1, 1); // of restitution or friction, from what the scene has
+    made.without.ball.restitution += 0.03 * off;
+    made.without.lane.friction += 0.02 * off;
+    made.without.lane.fast_friction = made.without.lane.friction;
+    forget_trials(made.without, made.setup.trials.size());
+    for (const std::string& id : order.effects) {
+        const Effect& effect = *find_effect(id);
+        const double sign = effect.one_sided || random.chance(0.5) ? 1 : -1;
+        made.amplitudes.push_back(amplitude_for(made.setup, made.without, effect, order.wanted, sign));
+        made.possible = made.possible && made.amplitudes.back() != 0;
+    }
+    measure(made, random);
+    return made;
+}
+
+Case with_more(const Case& plain, Random& random) {
+    Case made;
+    made.order = plain.order;
+    made.order.kind = "loop";
+    made.order.more = true;
+    made.setup = plain.setup;
+    made.setup.trials = draw_setup(plain.order.bench, true, random).trials;
+    std::copy(plain.setup.trials.begin(), plain.setup.trials.end(), made.setup.trials.begin());
+    made.setup.clock = true;
+    made.without = plain.without;
+    made.amplitudes = plain.amplitudes;
+    forget_trials(made.without, made.setup.trials.size());
+    measure(made, random);
     return made;
 }
 

@@ -1,5 +1,5 @@
 // blindgen OUT COUNT SEED [BENCH KIND EFFECT SIZE]: writes cases OUT/case-0000 ... with measured data, and a commitment
-// to each answer; prints the answers with their salts, one JSON object a line, for whoever judges. Nothing else is
+// to each answer; of a plain drop with a listed effect a second one, CASE-more, with the trials that it lacks; prints the answers with their salts, one JSON object a line, for whoever judges. Nothing else is
 // written.
 #include "case.h"
 #include "seal.h"
@@ -46,7 +46,7 @@ int main(int count, char** words) {
     const fs::path out = words[1];
     const int cases = std::stoi(words[2]);
     const unsigned long long seed = std::stoull(words[3]);
-    Random random(seed),
+    Random random(seed), loops(seed + 1),
         salts((static_cast<unsigned long long>(std::random_device{}()) << 32) ^ std::random_device{}());
     std::vector<Order> orders = mixed_orders(cases, random);
     if (count == 8)
@@ -63,8 +63,12 @@ int main(int count, char** words) {
     int number = 0;
     for (const Order& order : orders) {
         const Case made = make_case(order, random);
-        if (made.possible)
-            answers.push_back(leave(made, out / fmt::format("case-{:04}", number++), salts));
+        if (!made.possible)
+            continue;
+        const std::string name = fmt::format("case-{:04}", number++);
+        answers.push_back(leave(made, out / name, salts));
+        if (order.kind == "listed" && !order.more && order.bench == Bench::drop)
+            answers.push_back(leave(with_more(made, loops), out / (name + "-more"), salts));
     }
     for (const std::string& answer : answers)
         std::cout << answer << '\n';

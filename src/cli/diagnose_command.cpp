@@ -221,7 +221,8 @@ void add_diagnose_command(CLI::App& program, Action& action) {
         ->type_name("FILE")
         ->check(refuse_no_place);
     command->add_flag("--dry-run", arguments->dry, "Of a bed: say what there is to run, and run nothing");
-    command->add_flag("--plan", arguments->plan, "Propose experiments also where the answer is not ambiguous; of a bed, run those that need runs");
+    command->add_flag("--plan", arguments->plan,
+                      "Propose experiments also where the answer is not ambiguous; of a bed, run those that need runs");
     command->add_flag("--quiet", arguments->quiet, "No progress, no warnings on stderr");
     command->add_flag("--json", arguments->json, "Print the diagnosis as JSON");
     command->callback([arguments, &action] { action = [arguments] { return diagnose_it(*arguments); }; });

@@ -46,8 +46,8 @@ public:
         d_.hash = measurement_.hash;
         d_.settings = measurement_.settings;
         d_.warnings = measurement_.warnings;
-        auto model = BedModel::make(beds, measurement_.bulks, suspects_in(measurement_), measurement_.nuisances,
-                                    d_.warnings);
+        auto model =
+            BedModel::make(beds, measurement_.bulks, suspects_in(measurement_), measurement_.nuisances, d_.warnings);
         if (!model)
             return model.problems();
         model_ = &*model;
@@ -86,6 +86,7 @@ private:
         }
         d_.decision = decide(d_.evidence, measurement_.settings,
                              [this](const std::vector<int>& causes) { return model_->refit(d_.evidence, causes); });
+        d_.follows = followed_by(d_.evidence, d_.decision);
         const Outcome outcome = d_.decision.outcome;
         if (outcome == Outcome::named || outcome == Outcome::two_causes) {
             tell("runs the named cause at its fitted value");

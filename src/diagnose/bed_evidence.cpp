@@ -126,6 +126,8 @@ Directions BedModel::directions(Eigen::Index rows) const {
             return only;
         });
     directions.prints = unit_columns(directions.prints);
+    for (const std::string& measure : measures)
+        directions.names.push_back(measure + " under all conditions alike");
     return directions;
 }
 
@@ -146,15 +148,15 @@ VectorXd BedModel::best_amplitudes(const Evidence& evidence, const std::vector<i
     const auto left_by = [&](const VectorXd& amplitudes) {
         return innocent.out(VectorXd(evidence.residual - change(causes, amplitudes)));
     };
-    const auto misfit = [&](const VectorXd& amplitudes) { return left_by(amplitudes).squaredNorm(); };
+    const auto chi_square = [&](const VectorXd& amplitudes) { return left_by(amplitudes).squaredNorm(); };
     const Eigen::Index count = lo.size();
     VectorXd best = VectorXd::Zero(count), trial(count);
-    double least = misfit(best);
+    double least = chi_square(best);
     const int along = count == 1 ? grid : coarse_grid;
     for (int i = 0; i < (count == 1 ? along : along * along); ++i) {
         for (Eigen::Index k = 0; k < count; ++k)
             trial[k] = lo[k] + (hi[k] - lo[k]) * (k == 0 ? i % along : i / along) / (along - 1);
-        if (const double now = misfit(trial); now < least)
+        if (const double now = chi_square(trial); now < least)
             least = now, best = trial;
     }
     double share = 1;
@@ -163,7 +165,7 @@ VectorXd BedModel::best_amplitudes(const Evidence& evidence, const std::vector<i
         const VectorXd full = steep.completeOrthogonalDecomposition().solve(left_by(best));
         for (share = 1; share > least_share_of_step; share /= 2) {
             trial = (best + share * full).cwiseMax(lo).cwiseMin(hi);
-            if (const double now = misfit(trial); now < least) {
+            if (const double now = chi_square(trial); now < least) {
                 least = now, best = trial;
                 break;
             }
@@ -183,8 +185,7 @@ Refit BedModel::refit(const Evidence& evidence, const std::vector<int>& causes) 
     Refit refit;
     refit.causes = causes;
     refit.amplitude = best_amplitudes(evidence, causes, lo, hi);
-    refit.residual =
-        Projector(evidence.nuisances).out(VectorXd(evidence.residual - change(causes, refit.amplitude)));
+    refit.residual = Projector(evidence.nuisances).out(VectorXd(evidence.residual - change(causes, refit.amplitude)));
     refit.slopes.resize(evidence.nuisances.rows(), evidence.nuisances.cols() + count);
     refit.slopes << evidence.nuisances, slopes(causes, refit.amplitude);
     refit.error = errors_of(refit.slopes).tail(count);

@@ -12,17 +12,18 @@ namespace tumble::diagnose {
 namespace {
 
 /// A condition that could be measured besides, made as a cause of the library would make it.
-struct Experiment {
+struct PlannedBed {
     const char* id;
     const char* sentence;
     const char* cause;
     double amplitude;
 };
 
-constexpr Experiment catalogue[] = {
+constexpr PlannedBed planned_beds[] = {
     {"half-load", "measure the same numbers with half the load, too", "load.fill", -0.5},
     {"shaken-less", "measure the same numbers at two thirds of the shaking, too", "exc.gain", -1.0 / 3},
-    {"leaning", "let the whole lean by 3 degrees, towards +x, and measure the same numbers there, too", "grav.tilt_x", 3},
+    {"leaning", "let the whole lean by 3 degrees, towards +x, and measure the same numbers there, too", "grav.tilt_x",
+     3},
 };
 
 /// A cause, or two of them, where they were fitted.
@@ -34,7 +35,7 @@ struct Rival {
 /// What is asked of two rivals: under these conditions, with one more number where `more` is none of theirs.
 struct Question {
     std::vector<const BedCondition*> conditions;
-    int more = -1;            // a column; -1: none
+    int more = -1;         // a column; -1: none
     std::string measure{}; // its name
 };
 
@@ -42,7 +43,7 @@ struct Question {
 constexpr std::pair<const char*, double> finest[] = {
     {"m", 1e-4}, {"m_s", 1e-3}, {"rad_s", 1e-3}, {"deg", 0.1}, {"", 1e-3}};
 
-double scatter_of(const BedCondition& now, int column) {
+double scatter_in_column(const BedCondition& now, int column) {
     return std::sqrt(now.scatter.covariance(column, column));
 }
 
@@ -78,7 +79,7 @@ public:
             offer(measure, fmt::format("measure {} of the bed, too", measure),
                   least_apart({fitted_, static_cast<int>(m), measure}));
         }
-        for (const Experiment& experiment : catalogue)
+        for (const PlannedBed& experiment : planned_beds)
             if (run_more)
                 offer(experiment.id, experiment.sentence, with(experiment));
         std::stable_sort(proposals.begin(), proposals.end(),
@@ -88,7 +89,7 @@ public:
 
 private:
     /// 0 where it cannot be run, or is the condition that there was.
-    double with(const Experiment& experiment) {
+    double with(const PlannedBed& experiment) {
         const Cause cause = choose_causes({experiment.cause}, Data::beds)->front();
         Bulk bulk = fitted_[0]->measured;
         bulk.condition += fmt::format(", {}", experiment.id);
@@ -134,7 +135,7 @@ private:
             const bool has_it = std::find(now.columns.begin(), now.columns.end(), question.more) != now.columns.end();
             if (question.more >= 0 && !has_it) {
                 now.columns.push_back(question.more);
-                now.measured.numbers.push_back(readable(question.measure, scatter_of(now, question.more)));
+                now.measured.numbers.push_back(readable(question.measure, scatter_in_column(now, question.more)));
             }
             MatrixXd part(static_cast<Eigen::Index>(now.columns.size()),
                           1 + static_cast<Eigen::Index>(innocents.size()));

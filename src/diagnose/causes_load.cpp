@@ -103,7 +103,8 @@ std::vector<Cause> of_the_load() {
          .in_beds = 0.2,
          .beds = true,
          .name = "bodies that are not all of one size",
-         .look = "packs denser and lies lower; the small ones sink through in time, and what has formed rows loses them",
+         .look =
+             "packs denser and lies lower; the small ones sink through in time, and what has formed rows loses them",
          .keys = "body.* and fill.*: a third each larger, as written and smaller; time_step_s with the smallest",
          .extend = spread_sizes},
     };

@@ -19,6 +19,8 @@ std::vector<int> first_numbers(int count) {
 
 constexpr double most_between_repeats = 1.2; // of their scatter over that of the readings in one record
 constexpr double far_away = 4;               // spreads of what was known beforehand
+constexpr double hidden_share = 0.05; // of an effect, left beside nuisances: less, and its slope is taken further off
+constexpr double seen_well = 3;       // standard errors, then
 
 /// Factors by which a unit is most often wrong, and what was probably meant.
 constexpr std::pair<double, const char*> usual_slips[] = {
@@ -135,15 +137,38 @@ private:
         }
     }
 
+    /// What is left beside nuisances of some effects grows faster than the effect does. A filter that is quicker than
+    /// the readings only lags, as a clock does that starts late, and rounds no impact off that anybody could see. Its
+    /// slope is taken at an amplitude that would be seen.
+    void look_further(std::size_t cause) {
+        const int index = model_->parameter_of(static_cast<int>(cause));
+        Parameter& parameter = model_->parameters()[static_cast<std::size_t>(index)];
+        const double most = (parameter.hi - parameter.lo) / 4, usual = parameter.step;
+        auto effect = effects_.col(static_cast<Eigen::Index>(cause));
+        const Projector nuisances(baseline_.slopes);
+        double step = usual;
+        for (int k = 0; k < 3 && !parameter.exact && step < most; ++k) {
+            const double left = nuisances.out(VectorXd(effect)).norm();
+            if (left > hidden_share * effect.norm() || left * step > seen_well)
+                break;
+            step = std::min(most, step * std::clamp(seen_well / std::max(1e-9, left * step), 2.0, 100.0));
+            parameter.step = step;
+            if (const auto slope = slope_of(*model_, noise_, baseline_.values, index, false))
+                effect = *slope;
+        }
+        parameter.step = usual;
+    }
+
     /// Slopes of every cause beside the baseline, and the directions of no cause. A cause that cannot be simulated here
     /// has none.
     Problems find_effects(bool tune) {
         effects_ = MatrixXd::Zero(baseline_.residual.size(), static_cast<Eigen::Index>(d_.causes.size()));
         for (std::size_t k = 0; k < d_.causes.size(); ++k) {
             const int parameter = model_->parameter_of(static_cast<int>(k));
-            if (const auto slope = slope_of(*model_, noise_, baseline_.values, parameter, tune))
+            if (const auto slope = slope_of(*model_, noise_, baseline_.values, parameter, tune)) {
                 effects_.col(static_cast<Eigen::Index>(k)) = *slope;
-            else if (tune)
+                look_further(k);
+            } else if (tune)
                 d_.warnings.push_back({.key = d_.causes[k].id,
                                        .what = d_.causes[k].id + " cannot be simulated in this scene",
                                        .fix = slope.problems()[0].what});
@@ -184,6 +209,7 @@ private:
             d_.evidence.nuisance.push_back(model_->parameters()[static_cast<std::size_t>(k)].nuisance);
         d_.decision = decide(d_.evidence, measurement_.settings,
                              [this](const std::vector<int>& causes) { return refit(causes); });
+        d_.follows = followed_by(d_.evidence, d_.decision);
         doubt_name();
         const VectorXd errors = errors_of(baseline_.slopes);
         for (int k = 0; k < model_->nuisances(); ++k) {
@@ -391,11 +417,11 @@ private:
                      .what = fmt::format("readings{} scatter {:.2f} times as much as stated", whose, one.ratio),
                      .fix = "the scatter found in the readings is used"});
             if (one.correlation > 0.08)
-                d_.warnings.push_back(
-                    {.file = measurement_.file.string(),
-                     .key = "noise not white",
-                     .what = fmt::format("errors of neighbouring readings{} correlate by {:.2f}", whose, one.correlation),
-                     .fix = "nothing: readings are weighted for it"});
+                d_.warnings.push_back({.file = measurement_.file.string(),
+                                       .key = "noise not white",
+                                       .what = fmt::format("errors of neighbouring readings{} correlate by {:.2f}",
+                                                           whose, one.correlation),
+                                       .fix = "nothing: readings are weighted for it"});
         }
         if (noise.repeats > most_between_repeats)
             d_.warnings.push_back(

@@ -63,7 +63,8 @@ std::map<std::string, NoiseOfMeasure> by_measure(const Model& model, const Vecto
         one.now += 0.5 * (rest[i] * rest[i] + rest[i - 1] * rest[i - 1]);
     }
     std::map<std::string, NoiseOfMeasure> all;
-    for (const auto& [measure, one] : sums) // smooth directions taken out leave a correlation of about minus their share
+    for (const auto& [measure, one] :
+         sums) // smooth directions taken out leave a correlation of about minus their share
         all[measure] = {std::sqrt(one.squares / std::max(1.0, one.rows - one.taken)),
                         std::min(0.95, one.next / one.now + one.taken / one.rows)};
     return all;

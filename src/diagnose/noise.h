@@ -25,12 +25,12 @@ struct Noise {
 Noise first_noise(const Model& model);
 
 struct NoiseReport {
-    double stated = 0;      // SI, mean over channels of the first measure; 0: not stated
-    double used = 0;        // SI, the same
+    double stated = 0; // SI, mean over channels of the first measure; 0: not stated
+    double used = 0;   // SI, the same
     std::map<std::string, NoiseOfMeasure> of{};
-    int left_out = 0;       // readings
-    double repeats = 0;     // scatter between records of one condition over the noise used before; 0: nothing repeats
-    double widened = 1;     // factor on every sigma for that
+    int left_out = 0;   // readings
+    double repeats = 0; // scatter between records of one condition over the noise used before; 0: nothing repeats
+    double widened = 1; // factor on every sigma for that
 };
 
 /// Scatter between records that repeat each other (one condition, the same times), over what the noise says: pure
@@ -38,8 +38,9 @@ struct NoiseReport {
 double scatter_of_repeats(const Noise& noise, const Model& model, const VectorXd& misfit);
 
 /// The noise that the residual shows once every direction that an effect could take is projected out of it: `explained`
-/// are the whitened columns of those directions; every measure by itself. A correlation below 0.08 counts as none. Lone readings that stand out
-/// of their neighbours by 6 standard deviations are left out, unless there are more than 2 % of them.
+/// are the whitened columns of those directions; every measure by itself. A correlation below 0.08 counts as none. Lone
+/// readings that stand out of their neighbours by 6 standard deviations are left out, unless there are more than 2 % of
+/// them.
 Noise refined_noise(const Noise& before, const Model& model, const VectorXd& misfit, const MatrixXd& explained,
                     NoiseReport& report);
 

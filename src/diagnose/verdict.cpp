@@ -149,8 +149,11 @@ std::string next_step(const Diagnosis& diagnosis) {
     case Outcome::two_causes:
         return "Confirm each with an experiment in which the other cannot act.";
     case Outcome::none_known:
-        return "Look at the residual: what does it follow? Then check the apparatus, or add the missing law to the "
-               "scene.";
+        return (diagnosis.follows.empty() ? "Look at the residual: what does it follow?"
+                                          : fmt::format("What is left follows most of all {}, by {:.1f} standard "
+                                                        "errors. Ask what could do that.",
+                                                        diagnosis.follows[0].what, std::abs(diagnosis.follows[0].z))) +
+               " Then check the apparatus, or add the missing law to the scene.";
     case Outcome::cannot_decide:
         break;
     }

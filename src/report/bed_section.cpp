@@ -75,8 +75,8 @@ std::string bed_section(const Diagnosis& diagnosis) {
 std::string bed_small_print(const Diagnosis& diagnosis, const std::string& warnings, const std::string& version) {
     std::string innocent;
     for (const FittedNuisance& nuisance : diagnosis.nuisances)
-        innocent += fmt::format("<tr><td>{}</td>{}</tr>", escaped(nuisance.name),
-                                with_error(nuisance.value, nuisance.error));
+        innocent +=
+            fmt::format("<tr><td>{}</td>{}</tr>", escaped(nuisance.name), with_error(nuisance.value, nuisance.error));
     if (!innocent.empty())
         innocent = "<table><tr><th>adjusted under every explanation</th><th>fitted, baseline</th></tr>" + innocent +
                    "</table>";

@@ -125,6 +125,9 @@ Json decision_of(const Diagnosis& diagnosis) {
     Json pairs = Json::array();
     for (const auto& pair : decision.pairs)
         pairs.push_back(ids_of(diagnosis, pair));
+    Json follows = Json::array();
+    for (const Followed& one : diagnosis.follows)
+        follows.push_back({{"what", one.what}, {"standard_errors", one.z}});
     Json folds = Json::array();
     for (const Fold& fold : decision.folds)
         folds.push_back({{"without", fold.condition},
@@ -146,7 +149,8 @@ Json decision_of(const Diagnosis& diagnosis) {
             {"largest_chi_square_gain", decision.largest},
             {"adequacy_baseline", adequacy_of_it(decision.baseline)},
             {"adequacy_winner", adequacy_of_it(decision.winner)},
-            {"folds", std::move(folds)}};
+            {"folds", std::move(folds)},
+            {"residual_follows", std::move(follows)}};
 }
 
 } // namespace

@@ -116,7 +116,8 @@ TEST_CASE("a camera that may lean hides a tilt: said to be innocent, the zero of
         CHECK(std::abs(one.measured - one.baseline) < 4 * std::hypot(one.measured_error, one.baseline_error));
 }
 
-TEST_CASE("a cause that is said to be innocent is adjusted within what is known of it, and the guilty one still named") {
+TEST_CASE(
+    "a cause that is said to be innocent is adjusted within what is known of it, and the guilty one still named") {
     const std::vector<Nuisance> tilted{
         {.key = "", .instrument = "", .spread = 1, .measure = "", .cause = "grav.tilt_x"}};
     Measurement measurement = BedLaboratory{.hidden = {"gravity_m_s2=[0.3425, -9.804]"}}.measurement(); // 2 deg
@@ -126,7 +127,8 @@ TEST_CASE("a cause that is said to be innocent is adjusted within what is known 
     CHECK(alone.causes.size() == 4); // it is no suspect
     // Slopes tell 0.25 deg; with a prior of 1 deg: 2 / (1 + 0.25^2).
     CHECK(std::abs(alone.nuisances.at(0).value - 1.88) < 4 * 0.25);
-    measurement = BedLaboratory{.hidden = {"gravity_m_s2=[0.3425, -9.804]", "wall.0.motion.1.phase_deg=120"}}.measurement();
+    measurement =
+        BedLaboratory{.hidden = {"gravity_m_s2=[0.3425, -9.804]", "wall.0.motion.1.phase_deg=120"}}.measurement();
     measurement.nuisances = tilted;
     const Diagnosis both = diagnosed(measurement);
     CHECK_MESSAGE(both.decision.outcome == Outcome::named, verdict_of(both));

@@ -42,7 +42,8 @@ TEST_CASE("sideways shaking, load and restitution are scaled, and nothing else")
     CHECK(with("rest.factor", 1).pair(0, 0).restitution == 1);
 }
 
-TEST_CASE("sizes are spread in three, as many bodies of each, with the deviation asked for and steps that the small bear") {
+TEST_CASE(
+    "sizes are spread in three, as many bodies of each, with the deviation asked for and steps that the small bear") {
     const scene::Scene scene = with("size.poly", 0.1);
     REQUIRE(scene.fills.size() == 3);
     double count = 0, sum = 0, squares = 0;

@@ -106,7 +106,8 @@ TEST_CASE("one number under one condition bears no diagnosis, nor does what is h
 
 TEST_CASE("what is innocent of a bed is the zero of a number measured, or one cause of the library") {
     const auto innocent = [](const std::string& rest) { return whole + "[[nuisance]]\n" + rest; };
-    const auto read = load(innocent("measure = \"circulation\"\nspread = 0.1\n[[nuisance]]\ncause = \"fric.factor\"\n"));
+    const auto read =
+        load(innocent("measure = \"circulation\"\nspread = 0.1\n[[nuisance]]\ncause = \"fric.factor\"\n"));
     REQUIRE_MESSAGE(read, to_string(read.problems()));
     CHECK(read->nuisances.at(0).measure == "circulation");
     CHECK(read->nuisances[0].spread == 0.1);

@@ -39,8 +39,9 @@ std::string sets_of(const Setup& setup, const Trial& trial, const Truth& known) 
         return fmt::format("\"fill.0.position_m.1={}\"{}", known.ball.radius + trial.height,
                            trial.light ? fmt::format(", \"body.ball.mass_kg={}\"", known.ball.mass / 4) : "");
     const double slope = trial.slope * pi / 180;
-    const std::string leaning = fmt::format("\"gravity_m_s2=[{:.9f}, {:.9f}, 0.0]\"", known.lane.gravity * std::sin(slope),
-                                            -known.lane.gravity * std::cos(slope));
+    const std::string leaning =
+        fmt::format("\"gravity_m_s2=[{:.9f}, {:.9f}, 0.0]\"", known.lane.gravity * std::sin(slope),
+                    -known.lane.gravity * std::cos(slope));
     if (setup.bench == Bench::slope)
         return leaning;
     return fmt::format("\"fill.0.velocity_m_s.0={}\"{}", trial.speed, trial.slope == 0 ? "" : ", " + leaning);
@@ -222,18 +223,16 @@ void measure(Case& made, Random& random) {
         hidden.push_back({{"id", effect.id}, {"listed", effect.listed}, {"amplitude", made.amplitudes[k]}});
     }
     const std::string own = order.effects.size() == 1 ? order.effects[0] : "";
-    const Separation size = order.effects.size() == 1 && made.possible
-                                ? separation_of(made.setup, truth, made.without, own)
-                                : Separation{};
+    const Separation size =
+        order.effects.size() == 1 && made.possible ? separation_of(made.setup, truth, made.without, own) : Separation{};
     for (double& offset : truth.offsets)
         offset = std::clamp(0.004 * random.normal(), -0.012, 0.012);
     for (double& speed : truth.speeds)
         speed = std::clamp(0.02 * random.normal(), -0.06, 0.06);
     write_records(made, readings_of(made.setup, truth), draw_dirt(random), random);
     made.measurement = measurement_of(made, baseline(order.bench));
-    made.answer = {{"kind", order.kind},      {"bench", word_of(order.bench)},
-                   {"more", order.more},      {"hidden", hidden},
-                   {"wanted", order.wanted},  {"d", size.detectable},
+    made.answer = {{"kind", order.kind},      {"bench", word_of(order.bench)}, {"more", order.more},
+                   {"hidden", hidden},        {"wanted", order.wanted},        {"d", size.detectable},
                    {"d_sep", size.separable}, {"nearest", size.nearest}};
 }
 

@@ -7,9 +7,9 @@ namespace blind {
 
 namespace {
 
-constexpr double clock_sigma = 1e-3; // s
-constexpr double fine = 2.5e-4;      // s, grid of the filters
-constexpr double light = 1.0 / 4;    // of the mass
+constexpr double clock_sigma = 1e-3;    // s
+constexpr double fine = 2.5e-4;         // s, grid of the filters
+constexpr double light = 1.0 / 4;       // of the mass
 constexpr double feet = 3, foot = 5e-3; // m, of the tripod
 constexpr double pi = 3.14159265358979323846;
 
@@ -85,14 +85,17 @@ std::vector<Effect> listed() {
              t.lane.squeeze += feet * 2 * pi * a * foot / t.lane.mass;
          }},
         {"roll.coulomb", true, 1e-3, 0.3, true, false, true, false, [](Truth& t, double a) { t.lane.rolling += a; }},
-        {"fric.weakening", true, 0.05, 1, true, false, true, true, [](Truth& t, double a) { t.lane.fast_friction *= 1 - a; }},
+        {"fric.weakening", true, 0.05, 1, true, false, true, true,
+         [](Truth& t, double a) { t.lane.fast_friction *= 1 - a; }},
         {"grav.g", true, 1e-3, 0.05, false, true, true, true,
          [](Truth& t, double a) {
              t.ball.gravity *= 1 + a;
              t.lane.gravity *= 1 + a;
          }},
-        {"grav.tilt_x", true, 0.02, 5, false, false, true, true, [](Truth& t, double a) { t.lane.slope += a * pi / 180; }},
-        {"num.stiffness", true, 0.1, 3, false, true, false, false, [](Truth& t, double a) { t.ball.modulus *= std::exp(a); }},
+        {"grav.tilt_x", true, 0.02, 5, false, false, true, true,
+         [](Truth& t, double a) { t.lane.slope += a * pi / 180; }},
+        {"num.stiffness", true, 0.1, 3, false, true, false, false,
+         [](Truth& t, double a) { t.ball.modulus *= std::exp(a); }},
         {"ins.clock_rate", true, 1e-3, 0.05, false, true, true, true, [](Truth& t, double a) { t.sensor.rate += a; }},
         {"ins.gain", true, 1e-3, 0.1, false, true, true, true, [](Truth& t, double a) { t.sensor.gain += a; }},
         {"ins.bias", true, 1e-4, 0.05, false, true, true, true, [](Truth& t, double a) { t.sensor.bias += a; }},

@@ -32,8 +32,8 @@ struct Lane {
 /// weight, and turns on an arm that is so much shorter.
 Path path_along(const Lane& lane, double speed, double duration);
 
-/// Where a body that cannot roll was until `duration`, let go at rest at 0. The same method; radius, modulus and rolling
-/// do not count.
+/// Where a body that cannot roll was until `duration`, let go at rest at 0. The same method; radius, modulus and
+/// rolling do not count.
 Path path_down(const Lane& lane, double duration);
 
 } // namespace blind

@@ -1,6 +1,6 @@
 // blindgen OUT COUNT SEED [BENCH KIND EFFECT SIZE]: writes cases OUT/case-0000 ... with measured data, and a commitment
-// to each answer; of a plain drop with a listed effect a second one, CASE-more, with the trials that it lacks; prints the answers with their salts, one JSON object a line, for whoever judges. Nothing else is
-// written.
+// to each answer; of a plain drop with a listed effect a second one, CASE-more, with the trials that it lacks; prints
+// the answers with their salts, one JSON object a line, for whoever judges. Nothing else is written.
 #include "case.h"
 #include "seal.h"
 

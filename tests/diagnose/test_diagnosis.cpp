@@ -99,7 +99,7 @@ struct Laboratory {
                           .channels = {}};
             Channel channel{
                 .head = "height_m", .measure = "centre_of_mass_y", .unit = "m", .value = {}, .sigma = sigma};
-            double error = normal();
+            double error = memory > 0 ? normal() : 0;
             for (int k = 0; k < rows; ++k) {
                 const double t = k / 120.0;
                 record.time.push_back(t);

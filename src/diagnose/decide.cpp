@@ -88,7 +88,8 @@ private:
             seen.error = 1 / length;
             seen.gain = plausible_sign(k, z) ? z * z : 0;
             seen.lower = seen.amplitude - one_sided * seen.error;
-            seen.upper = seen.amplitude + one_sided * seen.error;
+            // Of an effect that cannot be negative, data that ask for less than none exclude no more than none would.
+            seen.upper = (cause(k).lo == 0 ? std::max(0.0, seen.amplitude) : seen.amplitude) + one_sided * seen.error;
         }
         isolate(visible);
     }

@@ -137,9 +137,10 @@ private:
         }
     }
 
-    /// What is left beside nuisances of some effects grows faster than the effect does. A filter that is quicker than
-    /// the readings only lags, as a clock does that starts late, and rounds no impact off that anybody could see. Its
-    /// slope is taken at an amplitude that would be seen.
+    /// A filter that is quicker than the readings only lags, as a clock does that starts late, and rounds no impact off
+    /// that anybody could see: what nuisances leave of it grows faster than the effect does. Its slope is taken at an
+    /// amplitude that would be seen. What such a step leaves of a physical cause may be no more than the curvature of a
+    /// nuisance that is the same.
     void look_further(std::size_t cause) {
         const int index = model_->parameter_of(static_cast<int>(cause));
         Parameter& parameter = model_->parameters()[static_cast<std::size_t>(index)];
@@ -147,7 +148,8 @@ private:
         auto effect = effects_.col(static_cast<Eigen::Index>(cause));
         const Projector nuisances(baseline_.slopes);
         double step = usual;
-        for (int k = 0; k < 3 && !parameter.exact && step < most; ++k) {
+        const bool filter = !d_.causes[cause].physical() && !parameter.exact;
+        for (int k = 0; k < 3 && filter && step < most; ++k) {
             const double left = nuisances.out(VectorXd(effect)).norm();
             if (left > hidden_share * effect.norm() || left * step > seen_well)
                 break;

@@ -109,8 +109,11 @@ double largest_residual(const Diagnosis& diagnosis) {
 }
 
 std::string measured_section(const Diagnosis& diagnosis) {
-    std::string out = "<h2>What was measured, and what the scene gives</h2><div class=\"plots\">";
+    std::string out = "<h2>What was measured, and what the scene gives</h2><p>On this scale a difference of some "
+                      "standard errors does not show; the residuals below are what counts.</p><div class=\"plots\">";
     for (const Curve& curve : diagnosis.curves) {
+        if (curve.unit == "s") // a clock in the picture: a straight line
+            continue;
         Plot plot{.title = curve.record,
                   .x_label = over_time,
                   .y_label = axis_of(curve),
@@ -314,6 +317,13 @@ std::string small_print(const Diagnosis& diagnosis, const std::string& version) 
         escaped(diagnosis.scene.string()), escaped(diagnosis.data.string()), diagnosis.hash, version);
 }
 
+/// "+-" as a page has it.
+std::string with_sign(std::string text) {
+    for (std::size_t at = text.find("+-"); at != std::string::npos; at = text.find("+-", at))
+        text.replace(at, 2, "&plusmn;");
+    return text;
+}
+
 } // namespace
 
 std::string page_of(const Diagnosis& diagnosis, const std::string& version) {
@@ -325,7 +335,7 @@ std::string page_of(const Diagnosis& diagnosis, const std::string& version) {
         "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>{}</title><style>{}</style></head>"
         "<body><h1>{}</h1><div class=\"verdict {}\"><b>{}</b><p>{}</p><p>{}</p></div>",
         escaped(diagnosis.title), style, escaped(diagnosis.title), mood, outcome_words(diagnosis),
-        escaped(verdict_of(diagnosis)), escaped(next_step(diagnosis)));
+        with_sign(escaped(verdict_of(diagnosis))), with_sign(escaped(next_step(diagnosis))));
     page += diagnosis.beds.empty() ? measured_section(diagnosis) + residual_section(diagnosis) : bed_section(diagnosis);
     page += fingerprint_section(diagnosis) + library_section(diagnosis) + plan_section(diagnosis) +
             gain_section(diagnosis) + isolability_section(diagnosis) + small_print(diagnosis, version);

@@ -13,6 +13,7 @@ import math
 import pathlib
 import random
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -99,10 +100,13 @@ def case(tumble, folder, scene, records, columns, nuisances, duration, rate, clo
     (folder / "m.toml").write_text(toml)
 
 
-def beds(scene, measurement):
-    """A bed's table, from the numbers measured of it. Its runs are those of the response table beside the scene."""
-    return lambda tumble, folder: [tumble, "diagnose", str(ROOT / scene), "--data", str(ROOT / measurement), "--seeds",
-                                   "4" if "heap" in scene else "3"]
+def beds(scene, measurement, seeds):
+    """A bed's table, from the numbers measured of it and the runs that are kept beside its scene: none is made."""
+    def command(tumble, folder):
+        kept = shutil.copy((ROOT / scene).with_suffix(".response.csv"), folder)
+        return [tumble, "diagnose", str(ROOT / scene), "--data", str(ROOT / measurement), "--seeds", str(seeds), "--table",
+                str(kept), "--old-runs"]
+    return command
 
 
 def records(name):
@@ -114,8 +118,8 @@ def records(name):
 
 
 COMMANDS = {name: records(name) for name in EXPERIMENTS}
-COMMANDS["trough"] = beds("scenes/measured/trough/trough.toml", "scenes/measured/trough/measurement-2.toml")
-COMMANDS["heap"] = beds("tests/blind/beds/heap.toml", "tests/blind/beds/rolling.toml")
+COMMANDS["trough"] = beds("scenes/measured/trough/trough.toml", "scenes/measured/trough/measurement-2.toml", 3)
+COMMANDS["heap"] = beds("tests/blind/beds/heap.toml", "tests/blind/beds/rolling.toml", 4)
 
 
 def table_of(tumble, name):

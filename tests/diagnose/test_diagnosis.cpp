@@ -110,8 +110,8 @@ struct Laboratory {
             record.channels.push_back(std::move(channel));
             Channel times{.head = "clock_s", .measure = "time", .unit = "s", .value = {}, .sigma = 1e-3};
             for (int k = 0; k < rows && clock; ++k)
-                times.value.push_back(record.time[static_cast<std::size_t>(k)] -
-                                      (all.records.empty() ? offset : 0) + 1e-3 * normal());
+                times.value.push_back(record.time[static_cast<std::size_t>(k)] - (all.records.empty() ? offset : 0) +
+                                      1e-3 * normal());
             if (clock)
                 record.channels.push_back(std::move(times));
             all.records.push_back(std::move(record));
@@ -164,14 +164,12 @@ TEST_CASE("heights whose errors last and a clock whose errors do not are each we
 }
 
 TEST_CASE("what a residual follows is told where no cause explains it") {
-    const Diagnosis diagnosis =
-        Laboratory{.distort = [](double y, double) { return y + 0.02 * y * y; }}.diagnosis();
+    const Diagnosis diagnosis = Laboratory{.distort = [](double y, double) { return y + 0.02 * y * y; }}.diagnosis();
     REQUIRE_MESSAGE(diagnosis.decision.outcome == Outcome::none_known, verdict_of(diagnosis));
     REQUIRE(!diagnosis.follows.empty());
     CHECK(next_step(diagnosis).starts_with("What is left follows most of all "));
-    CHECK(std::any_of(diagnosis.follows.begin(), diagnosis.follows.end(), [](const Followed& one) {
-        return one.what == "the square of the reading (centre_of_mass_y)";
-    }));
+    CHECK(std::any_of(diagnosis.follows.begin(), diagnosis.follows.end(),
+                      [](const Followed& one) { return one.what == "the square of the reading (centre_of_mass_y)"; }));
     // Nothing stands out of noise: 3 standard errors of some forty directions, 0.3 % each.
     CHECK(Laboratory{}.diagnosis().follows.size() <= 1);
 }

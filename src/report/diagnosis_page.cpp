@@ -328,9 +328,8 @@ std::string with_sign(std::string text) {
 
 std::string page_of(const Diagnosis& diagnosis, const std::string& version) {
     const Outcome outcome = diagnosis.decision.outcome;
-    const char* mood = outcome == Outcome::consistent                         ? "good"
-                       : outcome == Outcome::named && diagnosis.decision.sure ? ""
-                                                                              : "bad";
+    const bool found = (outcome == Outcome::named && diagnosis.decision.sure) || outcome == Outcome::two_causes;
+    const char* mood = outcome == Outcome::consistent ? "good" : found ? "" : "bad";
     std::string page = fmt::format(
         "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>{}</title><style>{}</style></head>"
         "<body><h1>{}</h1><div class=\"verdict {}\"><b>{}</b><p>{}</p><p>{}</p></div>",

@@ -16,6 +16,24 @@ constexpr double key_gap = 8;
 constexpr double key_words = 118;
 constexpr double least_legend = 64; // in a column, for the colours above the key
 
+int MarkKey::rows() const {
+    const int of_trails = static_cast<int>(trails.size()) + (more_trails > 0 ? 1 : 0);
+    return (arrow ? (arrow->mean ? 2 : 1) : 0) + (chain ? 1 : 0) + (of_trails > 0 ? of_trails + 1 : 0);
+}
+
+void MarkKey::join(const MarkKey& other) {
+    if (chain && other.chain) {
+        chain->beyond = chain->beyond || other.chain->beyond;
+    }
+}
+
+int key_rows(const scene::Marks& marks) {
+    const MarkMaker maker(marks);
+    const Camera camera{};
+    const Theme theme{};
+    return maker.key({}, {camera, {}, 1, theme, {}}).rows();
+}
+
 double key_height(int rows) {
     return rows * key_row;
 }

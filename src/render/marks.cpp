@@ -465,24 +465,6 @@ static std::size_t trails_named(std::size_t trails) {
     return trails > trail_colors.size() ? trail_colors.size() - 1 : trails;
 }
 
-int MarkKey::rows() const {
-    const int of_trails = static_cast<int>(trails.size()) + (more_trails > 0 ? 1 : 0);
-    return (arrow ? (arrow->mean ? 2 : 1) : 0) + (chain ? 1 : 0) + (of_trails > 0 ? of_trails + 1 : 0);
-}
-
-void MarkKey::join(const MarkKey& other) {
-    if (chain && other.chain) {
-        chain->beyond = chain->beyond || other.chain->beyond;
-    }
-}
-
-int key_rows(const scene::Marks& marks) {
-    const MarkMaker maker(marks);
-    const Camera camera{};
-    const Theme theme{};
-    return maker.key({}, {camera, {}, 1, theme, {}}).rows();
-}
-
 MarkKey MarkMaker::key(const observe::FrameLayout& layout, const MarkView& view) const {
     MarkKey key;
     if (wanted_.arrows != "none") {

@@ -34,13 +34,18 @@ struct DiagnoseArguments {
     fs::path table; // of a bed's runs
     int seeds = 4;
     bool plan = false;
+    bool old_runs = false;
     bool dry = false;
     bool quiet = false;
     bool json = false;
 
     [[nodiscard]] diagnose::BedOptions for_beds() const {
         const fs::path beside = fs::path(scene.file).replace_extension(".response.csv");
-        return {.table = table.empty() ? beside : table, .seeds = seeds, .version = run::version()};
+        return {.table = table.empty() ? beside : table,
+                .seeds = seeds,
+                .version = run::version(),
+                .any_date = old_runs,
+                .plan = plan};
     }
 };
 
@@ -220,8 +225,11 @@ void add_diagnose_command(CLI::App& program, Action& action) {
             "without it")
         ->type_name("FILE")
         ->check(refuse_no_place);
+    command->add_flag("--old-runs", arguments->old_runs,
+                      "Of a bed: count kept runs whatever version of the program and of the scene made them");
     command->add_flag("--dry-run", arguments->dry, "Of a bed: say what there is to run, and run nothing");
-    command->add_flag("--plan", arguments->plan, "Propose experiments also where the answer is not ambiguous");
+    command->add_flag("--plan", arguments->plan,
+                      "Propose experiments also where the answer is not ambiguous; of a bed, run those that need runs");
     command->add_flag("--quiet", arguments->quiet, "No progress, no warnings on stderr");
     command->add_flag("--json", arguments->json, "Print the diagnosis as JSON");
     command->callback([arguments, &action] { action = [arguments] { return diagnose_it(*arguments); }; });

@@ -3,6 +3,7 @@
 #include "diagnose/bed_plan.h"
 #include "scene/load.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -22,12 +23,22 @@ double rounded(double value) {
     return std::round(value / digit) * digit;
 }
 
+/// Those asked for that are not innocent.
+std::vector<Cause> suspects_in(const Measurement& measurement) {
+    std::vector<Cause> causes = *choose_causes(measurement.causes, Data::beds);
+    std::erase_if(causes, [&](const Cause& cause) {
+        return std::any_of(measurement.nuisances.begin(), measurement.nuisances.end(),
+                           [&](const Nuisance& nuisance) { return nuisance.cause == cause.id; });
+    });
+    return causes;
+}
+
 class BedDiagnosing {
 public:
     BedDiagnosing(const SceneText& scene, const Measurement& measurement, const TellStage& tell)
         : scene_(scene), measurement_(measurement), tell_(tell) {}
 
-    Result<Diagnosis> run(Beds& beds) {
+    Result<Diagnosis> run(Beds& beds, bool plan) {
         beds_ = &beds;
         d_.title = measurement_.title;
         d_.scene = scene_.file;
@@ -36,14 +47,20 @@ public:
         d_.settings = measurement_.settings;
         d_.warnings = measurement_.warnings;
         auto model =
-            BedModel::make(beds, measurement_.bulks, *choose_causes(measurement_.causes, Data::beds), d_.warnings);
+            BedModel::make(beds, measurement_.bulks, suspects_in(measurement_), measurement_.nuisances, d_.warnings);
         if (!model)
             return model.problems();
         model_ = &*model;
         d_.causes = model_->causes();
+        baseline_ = model_->adjusted({}, {});
         fill_numbers();
+        fill_nuisances();
         if (Problems problems = decide_it(); !problems.empty())
             return problems;
+        if (plan || d_.decision.outcome == Outcome::ambiguous) {
+            tell(plan ? "runs what could be measured besides" : "looks for numbers that would tell the causes apart");
+            d_.proposals = bed_proposals(beds, *model_, d_.evidence, d_.decision, plan);
+        }
         d_.simulated = beds.simulated();
         d_.runs = beds.runs();
         return std::move(d_);
@@ -57,7 +74,8 @@ private:
 
     Problems decide_it() {
         d_.evidence = model_->evidence();
-        d_.readings = static_cast<int>(d_.evidence.residual.size());
+        const auto& rows = d_.evidence.directions.condition;
+        d_.readings = static_cast<int>(std::count_if(rows.begin(), rows.end(), [](int row) { return row >= 0; }));
         d_.chi_square = d_.evidence.residual.squaredNorm();
         if (d_.evidence.degrees - d_.readings < 1) {
             d_.decision.reason =
@@ -68,14 +86,13 @@ private:
         }
         d_.decision = decide(d_.evidence, measurement_.settings,
                              [this](const std::vector<int>& causes) { return model_->refit(d_.evidence, causes); });
+        d_.follows = followed_by(d_.evidence, d_.decision);
         const Outcome outcome = d_.decision.outcome;
         if (outcome == Outcome::named || outcome == Outcome::two_causes) {
             tell("runs the named cause at its fitted value");
             if (Problems problems = confirm(*d_.decision.best); !problems.empty())
                 return problems;
         }
-        if (outcome == Outcome::ambiguous)
-            d_.proposals = bed_proposals(*beds_, *model_, d_.decision);
         return {};
     }
 
@@ -87,6 +104,7 @@ private:
             seen.amplitudes.push_back(rounded(best.amplitude[static_cast<Eigen::Index>(k)]));
             pushes.push_back({&d_.causes[static_cast<std::size_t>(best.causes[k])], seen.amplitudes.back()});
         }
+        const BedModel::Adjusted innocent = model_->adjusted(best.causes, best.amplitude);
         const double both = 2.0 / beds_->seeds();
         double apart = 0;
         std::vector<Score> scores;
@@ -97,8 +115,9 @@ private:
             if (!runs)
                 return runs.problems();
             const VectorXd mean = now.measured_of(runs->colwise().mean().transpose());
+            const VectorXd shown = mean + innocent_part(now, innocent);
             for (Eigen::Index k = 0; k < mean.size(); ++k, ++number) {
-                d_.beds[number].extended = mean[k];
+                d_.beds[number].extended = shown[k];
                 d_.beds[number].extended_error = d_.beds[number].baseline_error;
                 d_.beds[number].has_extended = std::isfinite(mean[k]);
             }
@@ -108,7 +127,8 @@ private:
             };
             if (now.measured.held_out)
                 scores.push_back({now.measured.condition, static_cast<int>(mean.size()),
-                                  chi_square(now.measured_of(now.mean)), chi_square(mean)});
+                                  chi_square(now.measured_of(now.mean) + innocent_part(now, baseline_)),
+                                  chi_square(shown)});
             else
                 apart += whitened(both * now.simulated_covariance(), mean - foretold(now, best, seen)).squaredNorm();
         }
@@ -122,7 +142,7 @@ private:
             d_.decision.remedy = "Run more seeds (--seeds), or start from a scene nearer to the bed measured.";
         }
         d_.confirmation = seen;
-        extend(pushes);
+        extend(pushes, innocent);
         measure_gain(std::move(scores));
         return {};
     }
@@ -144,19 +164,38 @@ private:
             d_.gain = gain_of(std::move(aside), held_out);
     }
 
-    /// The scene as it is written, with the causes in it.
-    void extend(const Pushes& pushes) {
+    /// The scene as it is written, with the causes in it and those that are innocent where they fit best.
+    void extend(const Pushes& pushes, const BedModel::Adjusted& innocent) {
         auto scene = scene::load_scene_text(scene_.toml, scene_.file, scene_.sets);
         if (!scene)
             return;
         for (const Push& push : pushes)
             push.cause->extend(*scene, push.amplitude);
+        for (std::size_t n = 0; n < model_->innocents().size(); ++n)
+            if (const Innocent& one = model_->innocents()[n]; one.measure.empty())
+                choose_causes({one.name}, Data::beds)
+                    ->front()
+                    .extend(*scene, innocent.value[static_cast<Eigen::Index>(n)]);
         d_.extended = std::move(*scene);
+    }
+
+    /// What is innocent adds to a condition's numbers.
+    [[nodiscard]] VectorXd innocent_part(const BedCondition& now, const BedModel::Adjusted& innocent) const {
+        if (innocent.value.size() == 0)
+            return VectorXd::Zero(static_cast<Eigen::Index>(now.columns.size()));
+        return model_->innocent_slopes(now) * innocent.value;
+    }
+
+    void fill_nuisances() {
+        for (std::size_t n = 0; n < model_->innocents().size(); ++n) {
+            const auto i = static_cast<Eigen::Index>(n);
+            d_.nuisances.push_back({model_->innocents()[n].name, 0, baseline_.value[i], baseline_.error[i]});
+        }
     }
 
     void fill_numbers() {
         for (const BedCondition& now : model_->conditions()) {
-            const VectorXd mean = now.measured_of(now.mean);
+            const VectorXd mean = now.measured_of(now.mean) + innocent_part(now, baseline_);
             const MatrixXd own = now.simulated_covariance();
             for (std::size_t k = 0; k < now.measured.numbers.size(); ++k) {
                 const auto i = static_cast<Eigen::Index>(k);
@@ -193,6 +232,7 @@ private:
     Diagnosis d_;
     Beds* beds_ = nullptr;
     BedModel* model_ = nullptr;
+    BedModel::Adjusted baseline_; // what is innocent, without any cause
 };
 
 } // namespace
@@ -204,14 +244,18 @@ Result<Diagnosis> diagnose_beds(const SceneText& scene, const Measurement& measu
         return beds.problems();
     if (tell)
         tell("runs the bed as it is, and with each cause");
-    return BedDiagnosing(scene, measurement, tell).run(*beds);
+    return BedDiagnosing(scene, measurement, tell).run(*beds, options.plan);
 }
 
 Result<Budget> budget_of_beds(const SceneText& scene, const Measurement& measurement, const BedOptions& options) {
     const auto beds = Beds::make(scene, measurement.bulks, {}, options);
     if (!beds)
         return beds.problems();
-    return BedModel::budget(*beds, measurement.bulks, *choose_causes(measurement.causes, Data::beds));
+    std::vector<Cause> causes = suspects_in(measurement);
+    for (const Nuisance& nuisance : measurement.nuisances)
+        if (!nuisance.cause.empty())
+            causes.push_back(choose_causes({nuisance.cause}, Data::beds)->front());
+    return BedModel::budget(*beds, measurement.bulks, causes);
 }
 
 } // namespace tumble::diagnose

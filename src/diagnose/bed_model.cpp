@@ -68,15 +68,37 @@ MatrixXd BedCondition::covariance(int simulated_runs) const {
 }
 
 Result<BedModel> BedModel::make(Beds& beds, const std::vector<Bulk>& conditions, std::vector<Cause> causes,
-                                Problems& warnings) {
+                                const std::vector<Nuisance>& nuisances, Problems& warnings) {
     BedModel model;
     model.beds_ = &beds;
     model.causes_ = std::move(causes);
-    for (std::size_t c = 0; c < conditions.size(); ++c)
-        if (const auto ran = model.run_condition(static_cast<int>(c), conditions[c], warnings); !ran)
+    for (const Nuisance& nuisance : nuisances)
+        model.take_as_innocent(nuisance, conditions);
+    const std::vector<bool> all(model.branches(), true);
+    for (std::size_t c = 0; c < conditions.size(); ++c) {
+        auto ran = model.run_condition(static_cast<int>(c), conditions[c], all, warnings);
+        if (!ran)
             return ran.problems();
+        model.conditions_.push_back(std::move(*ran));
+    }
     model.forget_what_is_chance();
     return model;
+}
+
+void BedModel::take_as_innocent(const Nuisance& nuisance, const std::vector<Bulk>& conditions) {
+    if (!nuisance.cause.empty()) {
+        innocents_.push_back({.name = nuisance.cause, .spread = nuisance.spread, .branch = branches()});
+        innocent_causes_.push_back(choose_causes({nuisance.cause}, Data::beds)->front());
+    } else if (!nuisance.per_record) {
+        innocents_.push_back(
+            {.name = "zero of " + nuisance.measure, .spread = nuisance.spread, .measure = nuisance.measure});
+    } else {
+        for (const Bulk& bulk : conditions)
+            innocents_.push_back({.name = fmt::format("zero of {} of {}", nuisance.measure, bulk.condition),
+                                  .spread = nuisance.spread,
+                                  .measure = nuisance.measure,
+                                  .condition = bulk.condition});
+    }
 }
 
 Budget BedModel::budget(const Beds& beds, const std::vector<Bulk>& conditions, const std::vector<Cause>& causes) {
@@ -92,7 +114,17 @@ Budget BedModel::budget(const Beds& beds, const std::vector<Bulk>& conditions, c
     return budget;
 }
 
-Result<Done> BedModel::run_condition(int condition, const Bulk& bulk, Problems& warnings) {
+Result<BedCondition> BedModel::planned(int condition, const Bulk& bulk, const std::vector<int>& causes) const {
+    std::vector<bool> wanted(branches(), false);
+    for (const int k : causes)
+        wanted[static_cast<std::size_t>(k)] = true;
+    std::fill(wanted.begin() + static_cast<std::ptrdiff_t>(causes_.size()), wanted.end(), true);
+    Problems ignored;
+    return run_condition(condition, bulk, wanted, ignored);
+}
+
+Result<BedCondition> BedModel::run_condition(int condition, const Bulk& bulk, const std::vector<bool>& wanted,
+                                             Problems& warnings) const {
     BedCondition now{.measured = bulk, .columns = {}, .baseline = {}, .branches = {}, .scatter = {}, .mean = {}};
     for (const BulkNumber& number : bulk.numbers)
         now.columns.push_back(beds_->column_of(number.measure));
@@ -110,8 +142,10 @@ Result<Done> BedModel::run_condition(int condition, const Bulk& bulk, Problems& 
     now.baseline = std::move(*baseline);
     now.mean = mean_of(now.baseline);
     std::vector<Ensemble> all{now.baseline};
-    for (const Cause& cause : bulk.held_out ? std::vector<Cause>{} : causes_) {
-        auto branch = run_cause(condition, cause, now, all, warnings);
+    for (std::size_t k = 0; k < branches() && !bulk.held_out; ++k) {
+        const Cause& cause = run_as(k);
+        auto branch = wanted[k] ? run_cause(condition, cause, now, all, warnings)
+                                : Branch::flat(now.mean.size(), cause.lo, cause.hi);
         if (!branch)
             return branch.problems();
         now.branches.push_back(std::move(*branch));
@@ -120,13 +154,12 @@ Result<Done> BedModel::run_condition(int condition, const Bulk& bulk, Problems& 
     for (Ensemble& one : all)
         one = one.unaryExpr([](double value) { return std::isfinite(value) ? value : 0; });
     now.scatter = pooled_scatter(all);
-    conditions_.push_back(std::move(now));
-    return Done{};
+    return now;
 }
 
 /// At either amplitude, or at half of it and so on where the scene does not bear it.
-Result<Branch> BedModel::run_cause(int condition, const Cause& cause, BedCondition& into, std::vector<Ensemble>& all,
-                                   Problems& warnings) {
+Result<Branch> BedModel::run_cause(int condition, const Cause& cause, const BedCondition& into,
+                                   std::vector<Ensemble>& all, Problems& warnings) const {
     std::vector<double> amplitudes;
     std::vector<VectorXd> changes;
     for (double amplitude : amplitudes_for(cause)) {
@@ -181,7 +214,7 @@ double BedModel::chance_of(std::size_t cause) const {
 /// A cause whose runs differ from the baseline by no more than seeds do is none: its direction would be one of chance.
 /// What is left keeps the range that every condition was run in.
 void BedModel::forget_what_is_chance() {
-    for (std::size_t k = 0; k < causes_.size(); ++k) {
+    for (std::size_t k = 0; k < branches(); ++k) {
         const bool acts = chance_of(k) < chance;
         for (BedCondition& now : conditions_) {
             if (now.measured.held_out)
@@ -189,7 +222,8 @@ void BedModel::forget_what_is_chance() {
             Branch& branch = now.branches[k];
             if (!acts)
                 branch = Branch::flat(branch.first.size(), branch.lo, branch.hi);
-            else if (now.measured_of(branch.first).norm() + now.measured_of(branch.second).norm() > 0) {
+            else if (k < causes_.size() &&
+                     now.measured_of(branch.first).norm() + now.measured_of(branch.second).norm() > 0) {
                 causes_[k].lo = std::max(causes_[k].lo, branch.lo);
                 causes_[k].hi = std::min(causes_[k].hi, branch.hi);
             }

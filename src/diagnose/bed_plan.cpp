@@ -1,5 +1,7 @@
 #include "diagnose/bed_plan.h"
 
+#include "diagnose/measure_units.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -9,75 +11,176 @@ namespace tumble::diagnose {
 
 namespace {
 
-constexpr double told_apart = 5; // standard errors, of two causes from each other
+/// A condition that could be measured besides, made as a cause of the library would make it.
+struct PlannedBed {
+    const char* id;
+    const char* sentence;
+    const char* cause;
+    double amplitude;
+};
+
+constexpr PlannedBed planned_beds[] = {
+    {"half-load", "measure the same numbers with half the load, too", "load.fill", -0.5},
+    {"shaken-less", "measure the same numbers at two thirds of the shaking, too", "exc.gain", -1.0 / 3},
+    {"leaning", "let the whole lean by 3 degrees, towards +x, and measure the same numbers there, too", "grav.tilt_x",
+     3},
+};
 
 /// A cause, or two of them, where they were fitted.
 struct Rival {
     std::vector<int> causes;
-    std::vector<double> amplitudes;
+    VectorXd amplitudes;
 };
 
-VectorXd change_of(const BedCondition& now, const Rival& rival) {
-    VectorXd sum = VectorXd::Zero(now.mean.size());
-    for (std::size_t k = 0; k < rival.causes.size(); ++k)
-        sum += now.branches[static_cast<std::size_t>(rival.causes[k])].change(rival.amplitudes[k]);
-    return sum;
+/// What is asked of two rivals: under these conditions, with one more number where `more` is none of theirs.
+struct Question {
+    std::vector<const BedCondition*> conditions;
+    int more = -1;         // a column; -1: none
+    std::string measure{}; // its name
+};
+
+/// What a laboratory reads at best, by the unit: a number that no seed changes is not known without end.
+constexpr std::pair<const char*, double> finest[] = {
+    {"m", 1e-4}, {"m_s", 1e-3}, {"rad_s", 1e-3}, {"deg", 0.1}, {"", 1e-3}};
+
+double scatter_in_column(const BedCondition& now, int column) {
+    return std::sqrt(now.scatter.covariance(column, column));
 }
 
-/// Standard errors between two rivals, were these columns measured under all conditions in as many runs.
-double apart(const BedModel& model, int seeds, const Rival& a, const Rival& b, int more) {
-    double sum = 0;
-    for (const BedCondition& now : model.conditions()) {
-        if (now.measured.held_out)
-            continue;
-        BedCondition with = now;
-        if (more >= 0 && std::find(now.columns.begin(), now.columns.end(), more) == now.columns.end()) {
-            with.columns.push_back(more);
-            with.measured.numbers.push_back({});
-        }
-        const VectorXd difference = with.measured_of(change_of(now, a) - change_of(now, b));
-        if (!difference.allFinite())
-            return 0;
-        sum += whitened(with.covariance(seeds), difference).squaredNorm();
+/// A number that scatters so much in the simulation, and no less than can be read.
+BulkNumber readable(const std::string& measure, double scatter) {
+    const auto unit = unit_of(measure);
+    BulkNumber number{.measure = measure, .unit = unit ? *unit : "", .value = 0, .sigma = scatter};
+    for (const auto& [name, least] : finest)
+        if (number.unit == name)
+            number.sigma = std::max(scatter, least);
+    return number;
+}
+
+class Planning {
+public:
+    Planning(Beds& beds, const BedModel& model, std::vector<Rival> rivals)
+        : beds_(beds), model_(model), rivals_(std::move(rivals)) {
+        for (const BedCondition& now : model.conditions())
+            if (!now.measured.held_out)
+                fitted_.push_back(&now);
     }
-    return std::sqrt(sum);
-}
 
-double least_apart(const BedModel& model, int seeds, const std::vector<Rival>& rivals, int more) {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < rivals.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            least = std::min(least, apart(model, seeds, rivals[i], rivals[j], more));
-    return least;
-}
+    std::vector<Proposal> propose(bool run_more) {
+        const double now = least_apart({fitted_});
+        std::vector<Proposal> proposals{
+            {"more-runs", "measure the same numbers again, and simulate as many more seeds", now, repeats_for(now)}};
+        const auto offer = [&](const std::string& id, const std::string& sentence, double apart) {
+            if (apart > 1.05 * now)
+                proposals.push_back({id, sentence, apart, repeats_for(apart)});
+        };
+        for (std::size_t m = 0; m < beds_.measures().size(); ++m) {
+            const std::string& measure = beds_.measures()[m];
+            offer(measure, fmt::format("measure {} of the bed, too", measure),
+                  least_apart({fitted_, static_cast<int>(m), measure}));
+        }
+        for (const PlannedBed& experiment : planned_beds)
+            if (run_more)
+                offer(experiment.id, experiment.sentence, with(experiment));
+        std::stable_sort(proposals.begin(), proposals.end(),
+                         [](const Proposal& a, const Proposal& b) { return a.separation > b.separation; });
+        return proposals;
+    }
 
-int repeats_for(double separation) {
-    const double needed = std::ceil((told_apart / separation) * (told_apart / separation));
-    return needed < 1000 ? std::max(1, static_cast<int>(needed)) : 0;
-}
+private:
+    /// 0 where it cannot be run, or is the condition that there was.
+    double with(const PlannedBed& experiment) {
+        const Cause cause = choose_causes({experiment.cause}, Data::beds)->front();
+        Bulk bulk = fitted_[0]->measured;
+        bulk.condition += fmt::format(", {}", experiment.id);
+        bulk.change = [cause, &experiment](scene::Scene& scene) { cause.extend(scene, experiment.amplitude); };
+        if (beds_.idle(0, {{&cause, experiment.amplitude}}))
+            return 0;
+        const auto added = beds_.add(bulk);
+        if (!added)
+            return 0;
+        std::vector<int> causes;
+        for (const Rival& rival : rivals_)
+            causes.insert(causes.end(), rival.causes.begin(), rival.causes.end());
+        const auto planned = model_.planned(*added, bulk, causes);
+        if (!planned)
+            return 0;
+        std::vector<const BedCondition*> conditions = fitted_;
+        conditions.push_back(&*planned);
+        return least_apart({conditions});
+    }
+
+    [[nodiscard]] double least_apart(const Question& question) const {
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < rivals_.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                least = std::min(least, apart(question, rivals_[i], rivals_[j]));
+        return least;
+    }
+
+    [[nodiscard]] static VectorXd change_of(const BedCondition& now, const Rival& rival) {
+        VectorXd sum = VectorXd::Zero(now.mean.size());
+        for (std::size_t k = 0; k < rival.causes.size(); ++k)
+            sum += now.branches[static_cast<std::size_t>(rival.causes[k])].change(
+                rival.amplitudes[static_cast<Eigen::Index>(k)]);
+        return sum;
+    }
+
+    /// Standard errors between two rivals, were this measured in as many runs, when what is innocent is adjusted.
+    [[nodiscard]] double apart(const Question& question, const Rival& a, const Rival& b) const {
+        const std::vector<Innocent>& innocents = model_.innocents();
+        std::vector<VectorXd> rows; // the difference, then a slope for each innocent
+        for (const BedCondition* one : question.conditions) {
+            BedCondition now = *one;
+            const bool has_it = std::find(now.columns.begin(), now.columns.end(), question.more) != now.columns.end();
+            if (question.more >= 0 && !has_it) {
+                now.columns.push_back(question.more);
+                now.measured.numbers.push_back(readable(question.measure, scatter_in_column(now, question.more)));
+            }
+            MatrixXd part(static_cast<Eigen::Index>(now.columns.size()),
+                          1 + static_cast<Eigen::Index>(innocents.size()));
+            part << now.measured_of(change_of(now, a) - change_of(now, b)), model_.innocent_slopes(now);
+            if (!part.allFinite())
+                return 0;
+            const MatrixXd covariance = now.covariance(beds_.seeds());
+            MatrixXd white(part.rows(), part.cols());
+            for (Eigen::Index k = 0; k < part.cols(); ++k)
+                white.col(k) = whitened(covariance, part.col(k));
+            for (Eigen::Index k = 0; k < white.rows(); ++k)
+                rows.emplace_back(white.row(k).transpose());
+        }
+        for (std::size_t n = 0; n < innocents.size(); ++n)
+            if (innocents[n].spread > 0) {
+                rows.emplace_back(VectorXd::Zero(1 + static_cast<Eigen::Index>(innocents.size())));
+                rows.back()[1 + static_cast<Eigen::Index>(n)] = 1 / innocents[n].spread;
+            }
+        MatrixXd all(static_cast<Eigen::Index>(rows.size()), 1 + static_cast<Eigen::Index>(innocents.size()));
+        for (std::size_t k = 0; k < rows.size(); ++k)
+            all.row(static_cast<Eigen::Index>(k)) = rows[k].transpose();
+        const double apart = Projector(all.rightCols(all.cols() - 1)).out(VectorXd(all.col(0))).norm();
+        return std::isfinite(apart) ? apart : 0;
+    }
+
+    Beds& beds_;
+    const BedModel& model_;
+    std::vector<Rival> rivals_;
+    std::vector<const BedCondition*> fitted_;
+};
 
 } // namespace
 
-std::vector<Proposal> bed_proposals(const Beds& beds, const BedModel& model, const Decision& decision) {
-    std::vector<Rival> rivals;
-    for (const int k : decision.pairs.empty() ? decision.causes : std::vector<int>{})
-        if (const Seen& seen = decision.seen[static_cast<std::size_t>(k)]; seen.refit)
-            rivals.push_back({{k}, {seen.refit->amplitude[0]}});
-    if (rivals.size() < 2)
+std::vector<Proposal> bed_proposals(Beds& beds, const BedModel& model, const Evidence& evidence,
+                                    const Decision& decision, bool run_more) {
+    std::vector<std::vector<int>> sets = decision.pairs;
+    if (sets.empty())
+        for (const int k : rivals_in(decision))
+            sets.push_back({k});
+    if (sets.size() < 2)
         return {};
-    const double now = least_apart(model, beds.seeds(), rivals, -1);
-    std::vector<Proposal> proposals{
-        {"more-runs", "measure the same numbers again, and simulate as many more seeds", now, repeats_for(now)}};
-    for (std::size_t m = 0; m < beds.measures().size(); ++m) {
-        const auto column = static_cast<int>(m);
-        const double with = least_apart(model, beds.seeds(), rivals, column);
-        if (with > 1.05 * now)
-            proposals.push_back({beds.measures()[m], fmt::format("measure {} of the bed, too", beds.measures()[m]),
-                                 with, repeats_for(with)});
-    }
-    std::stable_sort(proposals.begin(), proposals.end(),
-                     [](const Proposal& a, const Proposal& b) { return a.separation > b.separation; });
-    return proposals;
+    std::vector<Rival> rivals;
+    for (const std::vector<int>& causes : sets)
+        rivals.push_back({causes, model.refit(evidence, causes).amplitude});
+    return Planning(beds, model, std::move(rivals)).propose(run_more);
 }
 
 } // namespace tumble::diagnose

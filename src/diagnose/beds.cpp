@@ -58,43 +58,50 @@ std::string amplitudes_of(const Pushes& pushes) {
 
 Result<Beds> Beds::make(SceneText scene, std::vector<Bulk> conditions, Simulate simulate, BedOptions options) {
     Beds beds;
-    beds.conditions_ = std::move(conditions);
+    beds.text_ = std::move(scene);
     beds.simulate_ = std::move(simulate);
     beds.options_ = std::move(options);
-    beds.measures_ = measures_for(beds.conditions_);
+    beds.measures_ = measures_for(conditions);
     const auto measures = observe::choose_measures(beds.measures_);
     if (!measures)
         return measures.problems();
     for (const observe::Measure& measure : *measures)
         beds.columns_.push_back(measure.column());
-    for (const Bulk& bulk : beds.conditions_) {
-        std::vector<scene::Override> sets = scene.sets;
-        for (const std::string& set : bulk.sets)
-            sets.push_back({set});
-        auto resolved = scene::load_scene_text(scene.toml, scene.file, sets);
-        if (!resolved)
-            return resolved.problems();
-        scene::Stretch stretch = scene::settled(*resolved);
-        stretch = {bulk.from.value_or(stretch.from), bulk.until.value_or(stretch.until)};
-        if (!(stretch.until - stretch.from >= 2 * resolved->observe.every))
-            return Problem{.key = "bulk.from_s",
-                           .what = fmt::format("{}: from {:.4g} to {:.4g} s there are fewer than two rows to average",
-                                               bulk.condition, stretch.from, stretch.until),
-                           .fix =
-                               "let from_s and until_s be further apart, or make observe.every_s of the scene smaller"};
-        resolved->duration = stretch.until;
-        resolved->observe.measures = beds.measures_;
-        // Words and pictures do not date a run.
-        resolved->title = resolved->claim = "";
-        resolved->render = {};
-        beds.scenes_.push_back(std::move(*resolved));
-        beds.stretches_.push_back(stretch);
-    }
+    for (Bulk& bulk : conditions)
+        if (const auto added = beds.add(std::move(bulk)); !added)
+            return added.problems();
     auto table = ResponseTable::open(beds.options_.table, beds.columns_);
     if (!table)
         return table.problems();
     beds.table_ = std::move(*table);
     return beds;
+}
+
+Result<int> Beds::add(Bulk condition) {
+    std::vector<scene::Override> sets = text_.sets;
+    for (const std::string& set : condition.sets)
+        sets.push_back({set});
+    auto resolved = scene::load_scene_text(text_.toml, text_.file, sets);
+    if (!resolved)
+        return resolved.problems();
+    if (condition.change)
+        condition.change(*resolved);
+    scene::Stretch stretch = scene::settled(*resolved);
+    stretch = {condition.from.value_or(stretch.from), condition.until.value_or(stretch.until)};
+    if (!(stretch.until - stretch.from >= 2 * resolved->observe.every))
+        return Problem{.key = "bulk.from_s",
+                       .what = fmt::format("{}: from {:.4g} to {:.4g} s there are fewer than two rows to average",
+                                           condition.condition, stretch.from, stretch.until),
+                       .fix = "let from_s and until_s be further apart, or make observe.every_s of the scene smaller"};
+    resolved->duration = stretch.until;
+    resolved->observe.measures = measures_;
+    // Words and pictures do not date a run.
+    resolved->title = resolved->claim = "";
+    resolved->render = {};
+    conditions_.push_back(std::move(condition));
+    scenes_.push_back(std::move(*resolved));
+    stretches_.push_back(stretch);
+    return static_cast<int>(scenes_.size()) - 1;
 }
 
 scene::Scene Beds::scene_of(int condition, const Pushes& pushes, std::uint64_t seed) const {

@@ -12,6 +12,7 @@ struct BedOptions {
     int seeds = 4;               // runs of each bed, from the scene's seed on
     std::string version{};       // of the program that runs
     bool any_date = false;       // runs count whatever program and scene made them: a table that is kept for tests
+    bool plan = false;           // propose experiments also where the answer is not ambiguous, and run them for that
 };
 
 /// Causes at amplitudes; none: the baseline.
@@ -34,6 +35,9 @@ class Beds {
 public:
     /// Problems: a scene that cannot be read or set, a stretch of time without rows, a table that is none.
     static Result<Beds> make(SceneText scene, std::vector<Bulk> conditions, Simulate simulate, BedOptions options);
+
+    /// One more condition, of which no number outside measures() is asked; its number. Problems: as those of make().
+    Result<int> add(Bulk condition);
 
     /// Runs of a condition with these causes in it, those that are not kept. A row each; NaN where the run broke down
     /// or a number has no meaning. Problems: the scene cannot be built; the table cannot be written.
@@ -62,6 +66,7 @@ private:
     [[nodiscard]] const BedRun* kept(const BedRun& run) const;
     void perform(const scene::Scene& scene, BedRun& run);
 
+    SceneText text_;
     std::vector<Bulk> conditions_;
     std::vector<scene::Scene> scenes_; // resolved, of each condition
     std::vector<scene::Stretch> stretches_;

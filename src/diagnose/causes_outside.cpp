@@ -203,29 +203,4 @@ std::vector<Cause> of_the_excitation() {
     };
 }
 
-std::vector<Cause> of_the_load() {
-    return {
-        {.id = "load.fill",
-         .family = "load",
-         .symbol = "share",
-         .lo = -0.5,
-         .hi = 0.5,
-         .typical = 0.02,
-         .beds = true,
-         .name = "a load that is more or less than the scene's",
-         .look = "the surface stands higher or lower; forces and energies scale with it",
-         .keys = "fill.count or fill.mass_kg, times 1 + share",
-         .extend =
-             [](Scene& s, double d) {
-                 for (scene::Fill& fill : s.fills) {
-                     if (fill.count)
-                         fill.count =
-                             std::max<std::int64_t>(1, std::llround(static_cast<double>(*fill.count) * (1 + d)));
-                     if (fill.mass)
-                         *fill.mass *= 1 + d;
-                 }
-             }},
-    };
-}
-
 } // namespace tumble::diagnose

@@ -17,6 +17,9 @@ constexpr double least_share = 0.005;  // of an effect that nuisances must leave
 constexpr double pair_gate_extra = 2;  // chi-square a pair must reach beyond the gate
 constexpr double pair_adequacy = 0.05; // a pair explains more by chance, so it must fit better
 constexpr std::size_t most_pairs_fitted = 6;
+constexpr double least_left = 1e-3;  // of a direction that a fit has nearly used up
+constexpr double least_followed = 3; // standard errors
+constexpr std::size_t most_followed = 6;
 
 class Deciding {
 public:
@@ -85,7 +88,8 @@ private:
             seen.error = 1 / length;
             seen.gain = plausible_sign(k, z) ? z * z : 0;
             seen.lower = seen.amplitude - one_sided * seen.error;
-            seen.upper = seen.amplitude + one_sided * seen.error;
+            // Of an effect that cannot be negative, data that ask for less than none exclude no more than none would.
+            seen.upper = (cause(k).lo == 0 ? std::max(0.0, seen.amplitude) : seen.amplitude) + one_sided * seen.error;
         }
         isolate(visible);
     }
@@ -291,12 +295,28 @@ Adequacy adequacy_of(const VectorXd& residual, const MatrixXd& slopes, const Dir
         // Columns that the fit has nearly used up would bring rounding errors back to full length.
         MatrixXd left = fitted.out(columns);
         for (Eigen::Index k = 0; k < left.cols(); ++k)
-            if (left.col(k).norm() < 1e-3)
+            if (left.col(k).norm() < least_left)
                 left.col(k).setZero();
         const Projector generic(left);
         return hotelling_tail(generic.inside(rest), generic.rank(), degrees);
     };
     return {tail(directions.blocks), tail(directions.prints)};
+}
+
+std::vector<Followed> followed_by(const Evidence& evidence, const Decision& decision) {
+    const Projector fitted(decision.best ? decision.best->slopes : evidence.nuisances);
+    const VectorXd rest = fitted.out(decision.best ? decision.best->residual : evidence.residual);
+    std::vector<Followed> all;
+    for (std::size_t k = 0; k < evidence.directions.names.size(); ++k) {
+        const VectorXd own = fitted.out(VectorXd(evidence.directions.prints.col(static_cast<Eigen::Index>(k))));
+        if (own.norm() < least_left)
+            continue;
+        if (const double z = own.dot(rest) / own.norm(); std::abs(z) > least_followed)
+            all.push_back({evidence.directions.names[k], z});
+    }
+    std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return std::abs(a.z) > std::abs(b.z); });
+    all.resize(std::min(all.size(), most_followed));
+    return all;
 }
 
 Decision decide(const Evidence& evidence, const Settings& settings, const Refitter& refit) {

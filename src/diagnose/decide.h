@@ -94,6 +94,16 @@ struct Decision {
 
 Decision decide(const Evidence& evidence, const Settings& settings, const Refitter& refit);
 
+/// What a residual looks like: a direction of no particular cause, and how far the residual goes along it.
+struct Followed {
+    std::string what; // "the square of speed, with its sign (centre_of_mass_y)"
+    double z = 0;     // standard errors, what was fitted adjusted
+};
+
+/// Directions that what the best explanation leaves follows by 3 standard errors or more, the strongest first, six at
+/// most.
+std::vector<Followed> followed_by(const Evidence& evidence, const Decision& decision);
+
 /// Tests of a residual whose fit had these slopes.
 Adequacy adequacy_of(const VectorXd& residual, const MatrixXd& slopes, const Directions& directions,
                      double degrees = covariance_known);

@@ -19,6 +19,8 @@ std::vector<int> first_numbers(int count) {
 
 constexpr double most_between_repeats = 1.2; // of their scatter over that of the readings in one record
 constexpr double far_away = 4;               // spreads of what was known beforehand
+constexpr double hidden_share = 0.05; // of an effect, left beside nuisances: less, and its slope is taken further off
+constexpr double seen_well = 3;       // standard errors, then
 
 /// Factors by which a unit is most often wrong, and what was probably meant.
 constexpr std::pair<double, const char*> usual_slips[] = {
@@ -135,15 +137,40 @@ private:
         }
     }
 
+    /// A filter that is quicker than the readings only lags, as a clock does that starts late, and rounds no impact off
+    /// that anybody could see: what nuisances leave of it grows faster than the effect does. Its slope is taken at an
+    /// amplitude that would be seen. What such a step leaves of a physical cause may be no more than the curvature of a
+    /// nuisance that is the same.
+    void look_further(std::size_t cause) {
+        const int index = model_->parameter_of(static_cast<int>(cause));
+        Parameter& parameter = model_->parameters()[static_cast<std::size_t>(index)];
+        const double most = (parameter.hi - parameter.lo) / 4, usual = parameter.step;
+        auto effect = effects_.col(static_cast<Eigen::Index>(cause));
+        const Projector nuisances(baseline_.slopes);
+        double step = usual;
+        const bool filter = !d_.causes[cause].physical() && !parameter.exact;
+        for (int k = 0; k < 3 && filter && step < most; ++k) {
+            const double left = nuisances.out(VectorXd(effect)).norm();
+            if (left > hidden_share * effect.norm() || left * step > seen_well)
+                break;
+            step = std::min(most, step * std::clamp(seen_well / std::max(1e-9, left * step), 2.0, 100.0));
+            parameter.step = step;
+            if (const auto slope = slope_of(*model_, noise_, baseline_.values, index, false))
+                effect = *slope;
+        }
+        parameter.step = usual;
+    }
+
     /// Slopes of every cause beside the baseline, and the directions of no cause. A cause that cannot be simulated here
     /// has none.
     Problems find_effects(bool tune) {
         effects_ = MatrixXd::Zero(baseline_.residual.size(), static_cast<Eigen::Index>(d_.causes.size()));
         for (std::size_t k = 0; k < d_.causes.size(); ++k) {
             const int parameter = model_->parameter_of(static_cast<int>(k));
-            if (const auto slope = slope_of(*model_, noise_, baseline_.values, parameter, tune))
+            if (const auto slope = slope_of(*model_, noise_, baseline_.values, parameter, tune)) {
                 effects_.col(static_cast<Eigen::Index>(k)) = *slope;
-            else if (tune)
+                look_further(k);
+            } else if (tune)
                 d_.warnings.push_back({.key = d_.causes[k].id,
                                        .what = d_.causes[k].id + " cannot be simulated in this scene",
                                        .fix = slope.problems()[0].what});
@@ -184,6 +211,7 @@ private:
             d_.evidence.nuisance.push_back(model_->parameters()[static_cast<std::size_t>(k)].nuisance);
         d_.decision = decide(d_.evidence, measurement_.settings,
                              [this](const std::vector<int>& causes) { return refit(causes); });
+        d_.follows = followed_by(d_.evidence, d_.decision);
         doubt_name();
         const VectorXd errors = errors_of(baseline_.slopes);
         for (int k = 0; k < model_->nuisances(); ++k) {
@@ -281,18 +309,27 @@ private:
         if (!aside)
             return aside.problems();
         Noise noise = first_noise(*aside);
+        noise.of = noise_.of;
         for (std::size_t r = 0; r < noise.sigma.size(); ++r)
             for (std::size_t c = 0; c < noise.sigma[r].size(); ++c)
-                if (aside->records()[r].channels[c].sigma == 0)
-                    noise.sigma[r][c] = noise_.sigma[0][0];
+                if (const Channel& channel = aside->records()[r].channels[c]; channel.sigma == 0)
+                    noise.sigma[r][c] = scatter_used_for(channel.measure, noise.sigma[r][c]);
                 else
-                    noise.sigma[r][c] *= d_.noise.ratio * d_.noise.widened;
-        noise.correlation = noise_.correlation;
+                    noise.sigma[r][c] *= noise.of[channel.measure].ratio * d_.noise.widened;
         auto scores = scores_aside(*aside, *model_, noise, baseline, decision.best->values);
         if (!scores)
             return scores.problems();
         d_.gain = gain_of(std::move(*scores), true);
         return {};
+    }
+
+    /// What the fit found for another channel of this measure; `otherwise` where there is none.
+    [[nodiscard]] double scatter_used_for(const std::string& measure, double otherwise) const {
+        for (std::size_t r = 0; r < noise_.sigma.size(); ++r)
+            for (std::size_t c = 0; c < noise_.sigma[r].size(); ++c)
+                if (model_->records()[r].channels[c].measure == measure)
+                    return noise_.sigma[r][c];
+        return otherwise;
     }
 
     /// The scene as it is written, with the causes named and the nuisances that fit them.
@@ -303,10 +340,7 @@ private:
 
     void propose() {
         const Decision& decision = d_.decision;
-        std::vector<int> rivals = decision.causes;
-        if (rivals.size() == 1)
-            if (const int near = nearest_rival(rivals[0]); near >= 0)
-                rivals.push_back(near);
+        const std::vector<int> rivals = rivals_in(decision);
         if (rivals.size() < 2)
             return;
         std::vector<double> amplitudes;
@@ -317,15 +351,6 @@ private:
         }
         d_.proposals = proposals_for(scene_, *model_, measurement_.nuisances, noise_, simulate_, baseline_.values,
                                      rivals, amplitudes);
-    }
-
-    [[nodiscard]] int nearest_rival(int cause) const {
-        int near = -1;
-        const MatrixXd& left = d_.decision.isolability;
-        for (int k = 0; k < left.cols(); ++k)
-            if (k != cause && !std::isnan(left(cause, k)) && (near < 0 || left(cause, k) < left(cause, near)))
-                near = k;
-        return near;
     }
 
     void draw() {
@@ -385,11 +410,21 @@ private:
 
     void doubt_noise() {
         const NoiseReport& noise = d_.noise;
-        if (noise.stated > 0 && (noise.ratio > 1.25 || noise.ratio < 0.8))
-            d_.warnings.push_back({.file = measurement_.file.string(),
-                                   .key = "sigma contradicted",
-                                   .what = fmt::format("readings scatter {:.2f} times as much as stated", noise.ratio),
-                                   .fix = "the scatter found in the readings is used"});
+        for (const auto& [measure, one] : noise.of) {
+            const std::string whose = noise.of.size() > 1 ? " of " + measure : "";
+            if (noise.stated > 0 && (one.ratio > 1.25 || one.ratio < 0.8))
+                d_.warnings.push_back(
+                    {.file = measurement_.file.string(),
+                     .key = "sigma contradicted",
+                     .what = fmt::format("readings{} scatter {:.2f} times as much as stated", whose, one.ratio),
+                     .fix = "the scatter found in the readings is used"});
+            if (one.correlation > 0.08)
+                d_.warnings.push_back({.file = measurement_.file.string(),
+                                       .key = "noise not white",
+                                       .what = fmt::format("errors of neighbouring readings{} correlate by {:.2f}",
+                                                           whose, one.correlation),
+                                       .fix = "nothing: readings are weighted for it"});
+        }
         if (noise.repeats > most_between_repeats)
             d_.warnings.push_back(
                 {.file = measurement_.file.string(),
@@ -399,12 +434,6 @@ private:
                  .fix =
                      "something changes from run to run: give it as a nuisance with per = \"series\"; all errors are "
                      "stated that much larger"});
-        if (noise.correlation > 0.08)
-            d_.warnings.push_back(
-                {.file = measurement_.file.string(),
-                 .key = "noise not white",
-                 .what = fmt::format("errors of neighbouring readings correlate by {:.2f}", noise.correlation),
-                 .fix = "nothing: readings are weighted for it"});
         if (noise.left_out > 0)
             d_.warnings.push_back(
                 {.file = measurement_.file.string(),

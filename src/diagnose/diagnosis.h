@@ -54,6 +54,7 @@ struct Diagnosis {
     std::vector<Cause> causes;
     Evidence evidence; // what the decision was made from
     Decision decision;
+    std::vector<Followed> follows; // what the residual that is left looks like
     std::optional<Gain> gain;
     std::vector<Proposal> proposals; // best first
     std::vector<Curve> curves;

@@ -67,10 +67,14 @@ public:
 
     VectorXd& column(const std::string& name) {
         const auto [found, added] = index_.try_emplace(name, columns_.size());
-        if (added)
+        if (added) {
             columns_.push_back(VectorXd::Zero(model_.readings().size()));
+            names_.push_back(name);
+        }
         return columns_[found->second];
     }
+
+    [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
 
     /// Whitened, each of length 1, with zeros in the rows of priors.
     [[nodiscard]] MatrixXd whitened() const {
@@ -88,31 +92,33 @@ private:
     const Noise& noise_;
     std::map<std::string, std::size_t> index_;
     std::vector<VectorXd> columns_;
+    std::vector<std::string> names_;
 };
 
 void add_prints(Columns& prints, const std::string& measure, const Motion& motion, std::size_t k, Eigen::Index row) {
     const double t = motion.time[k], y = motion.value[k], v = motion.rate[k];
     const int n = motion.impact[k];
     const double turn = n % 2 ? -1 : 1;
-    const std::pair<const char*, double> all[] = {{"1", 1},
-                                                  {"y", y},
-                                                  {"yy", y * y},
-                                                  {"v", v},
-                                                  {"v|v|", v * std::abs(v)},
-                                                  {"|v|", std::abs(v)},
-                                                  {"t", t},
-                                                  {"tv", t * v},
-                                                  {"ty", t * y},
-                                                  {"ttv", t * t * v},
-                                                  {"(-1)^n", turn},
-                                                  {"(-1)^n v", turn * v},
-                                                  {"nv", n * v}};
+    const std::pair<const char*, double> all[] = {{"a constant", 1},
+                                                  {"the reading", y},
+                                                  {"the square of the reading", y * y},
+                                                  {"speed", v},
+                                                  {"the square of speed, with its sign", v * std::abs(v)},
+                                                  {"speed without its sign", std::abs(v)},
+                                                  {"time", t},
+                                                  {"time times speed", t * v},
+                                                  {"time times the reading", t * y},
+                                                  {"the square of time times speed", t * t * v},
+                                                  {"impacts, one up and one down", turn},
+                                                  {"speed, turned round at every impact", turn * v},
+                                                  {"impacts so far times speed", n * v}};
     for (const auto& [name, value] : all)
-        prints.column(measure + " " + name)[row] = value;
+        prints.column(fmt::format("{} ({})", name, measure))[row] = value;
 }
 
 /// A shared nuisance that would differ in one condition only.
-MatrixXd split_by_condition(const Fit& fit, const Model& model, const std::vector<int>& condition, int conditions) {
+MatrixXd split_by_condition(const Fit& fit, const Model& model, Directions& all) {
+    const auto conditions = static_cast<int>(all.conditions.size());
     MatrixXd split = MatrixXd::Zero(fit.residual.size(), 0);
     for (std::size_t k = 0; k < fit.free.size(); ++k) {
         const bool shared = model.parameters()[static_cast<std::size_t>(fit.free[k])].record == -1;
@@ -121,8 +127,11 @@ MatrixXd split_by_condition(const Fit& fit, const Model& model, const std::vecto
         for (int c = 0; c < conditions; ++c) {
             split.conservativeResize(Eigen::NoChange, split.cols() + 1);
             split.col(split.cols() - 1).setZero();
+            all.names.push_back(fmt::format("a value of its own of {} in '{}'",
+                                            model.parameters()[static_cast<std::size_t>(fit.free[k])].name,
+                                            all.conditions[static_cast<std::size_t>(c)]));
             for (Eigen::Index row = 0; row < model.readings().size(); ++row)
-                if (condition[static_cast<std::size_t>(row)] == c)
+                if (all.condition[static_cast<std::size_t>(row)] == c)
                     split(row, split.cols() - 1) = fit.slopes(row, static_cast<Eigen::Index>(k));
         }
     }
@@ -163,7 +172,7 @@ Result<Directions> directions_at(Model& model, const Noise& noise, const Fit& fi
             for (std::size_t k = 0; k < record.time.size(); ++k, ++row) {
                 blocks.column(fmt::format("{} {} {}", r, c, pieces[k]))[row] = 1;
                 add_prints(prints, measure, motion, k, row);
-                prints.column(fmt::format("{} in condition {}", measure, condition))[row] = 1;
+                prints.column(fmt::format("a constant in '{}' alone ({})", record.condition, measure))[row] = 1;
                 all.condition.push_back(condition);
                 all.early.push_back(record.time[k] <= first_part * record.time.back());
             }
@@ -173,7 +182,8 @@ Result<Directions> directions_at(Model& model, const Noise& noise, const Fit& fi
     all.early.resize(static_cast<std::size_t>(rows), false);
     all.blocks = blocks.whitened();
     const MatrixXd usual = prints.whitened();
-    const MatrixXd split = split_by_condition(fit, model, all.condition, static_cast<int>(all.conditions.size()));
+    all.names = prints.names();
+    const MatrixXd split = split_by_condition(fit, model, all);
     all.prints.resize(rows, usual.cols() + split.cols());
     all.prints << usual, unit_columns(split);
     return all;

@@ -2,6 +2,7 @@
 
 #include "base/hash.h"
 #include "base/table.h"
+#include "base/text.h"
 #include "diagnose/cause.h"
 #include "diagnose/data_doubts.h"
 #include "diagnose/measure_units.h"
@@ -10,6 +11,7 @@
 #include "scene/read_file.h"
 #include "scene/read_toml.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace tumble::diagnose {
@@ -31,12 +33,18 @@ public:
         check_tables(root_, measurement_keys(), report_);
         hash_.add(text);
         top();
-        for (const TypedTable& table : tables_of(root_, "nuisance", *keys_[1], report_))
+        const TypedTables nuisances = tables_of(root_, "nuisance", *keys_[1], report_);
+        for (const TypedTable& table : nuisances)
             nuisance(table.view);
         for (const TypedTable& table : tables_of(root_, "series", *keys_[2], report_))
             series(table);
         read_.bulks = read_bulks(root_, *keys_[4], *keys_[5], report_);
         check_kinds();
+        for (const TypedTable& table : nuisances)
+            if (read_.bulks.empty())
+                check_nuisance_of_records(table.view);
+            else
+                check_nuisance_of_bed(table.view);
         for (const Record& record : read_.records)
             doubt_record(record, read_.warnings);
         for (const Bulk& bulk : read_.bulks)
@@ -75,17 +83,50 @@ private:
         if (series)
             report_.add(bulks[0].node->place, "bulk", "the measurement has [[series]] and [[bulk]]",
                         "make two measurements of them: a path of one body is compared as it is, of a bed only means");
-        for (const TypedTable& table : tables_of(root_, "nuisance", *keys_[1], report_))
-            report_.add(table.node->place, "nuisance", "nuisances of a bed are not adjusted",
-                        "leave it out, and have the cause considered that stands for it, such as fric.factor or "
-                        "rest.factor");
+    }
+
+    void check_nuisance_of_records(const scene::View& view) {
+        for (const char* word : {"measure", "cause"})
+            if (view.given(word))
+                report_.add(view.place(word), std::string("nuisance.") + word,
+                            fmt::format("'{}' is a nuisance of beds", word),
+                            "of records write key, a number of the scene, or instrument");
+    }
+
+    void check_nuisance_of_bed(const scene::View& view) {
+        for (const char* word : {"key", "instrument"})
+            if (view.given(word))
+                report_.add(view.place(word), std::string("nuisance.") + word,
+                            fmt::format("'{}' is a nuisance of records", word),
+                            "of a bed write measure, a number whose zero is not well known, or cause, one of the "
+                            "library that is innocent here, such as fric.factor");
+        const std::string measure = view.text("measure"), cause = view.text("cause");
+        const auto is_it = [&](const BulkNumber& number) { return number.measure == measure; };
+        if (view.given("measure") && std::none_of(read_.bulks.begin(), read_.bulks.end(), [&](const Bulk& bulk) {
+                return std::any_of(bulk.numbers.begin(), bulk.numbers.end(), is_it);
+            }))
+            report_.add(view.place("measure"), "nuisance.measure",
+                        fmt::format("no [[bulk.number]] is of '{}'", excerpt(measure)),
+                        "write the measure of a number that is given");
+        if (!view.given("cause"))
+            return;
+        const auto chosen = choose_causes({cause}, Data::beds);
+        if (!chosen)
+            report_.add(view.place("cause"), "nuisance.cause", chosen.problems()[0].what, chosen.problems()[0].fix);
+        else if (chosen->front().id != cause)
+            report_.add(view.place("cause"), "nuisance.cause", fmt::format("'{}' is a family of causes", cause),
+                        fmt::format("name one of it, such as {}", chosen->front().id));
+        else if (view.text("per") == "series")
+            report_.add(view.place("per"), "nuisance.per", "a cause acts under all conditions alike", "leave per out");
     }
 
     void nuisance(const scene::View& view) {
         read_.nuisances.push_back({.key = view.text("key"),
                                    .instrument = view.text("instrument"),
                                    .per_record = view.text("per") == "series",
-                                   .spread = view.given("spread") ? view.number("spread") : 0});
+                                   .spread = view.given("spread") ? view.number("spread") : 0,
+                                   .measure = view.text("measure"),
+                                   .cause = view.text("cause")});
     }
 
     void series(const TypedTable& table) {

@@ -51,14 +51,19 @@ struct Bulk {
     std::optional<double> from, until; // s, the stretch; without them the scene's settled one
     int runs = 1;                      // that were measured
     std::vector<BulkNumber> numbers;
+    std::function<void(scene::Scene&)> change{}; // of a condition that is only planned
 };
 
-/// Something unknown but innocent, which every explanation may adjust.
+/// Something unknown but innocent, which every explanation may adjust: of a record a key of the scene or a part of the
+/// instrument ("clock_offset"), of a bed the zero of a measure, as a camera that leans shifts it, or a cause of the
+/// library. One of the four is not empty.
 struct Nuisance {
-    std::string key;        // a scene key, or empty
-    std::string instrument; // a part of the instrument ("clock_offset"), or empty
+    std::string key;
+    std::string instrument;
     bool per_record = false;
-    double spread = 0; // of what is known beforehand, in the key's own unit; 0: nothing is known
+    double spread = 0; // of what is known beforehand, in the key's own unit, else in SI; 0: nothing is known
+    std::string measure{};
+    std::string cause{};
 };
 
 struct Settings {

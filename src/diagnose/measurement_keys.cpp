@@ -35,10 +35,18 @@ scene::KeyTable nuisance() {
         .keys = {
             text("key", "A key of the scene, such as pair.ball-plate.restitution.").one_of("what"),
             word("instrument", {"clock_offset", "gain", "bias", "drift"}, "A part of the instrument.").one_of("what"),
-            word("per", {"case", "series"}, "One value for all records, or one for each.")
+            text("measure",
+                 "Of a bed: a number whose zero is not well known, such as a slope seen by a camera that may "
+                 "lean.")
+                .one_of("what"),
+            text("cause", "Of a bed: a cause of the library that is innocent here, such as fric.factor.")
+                .one_of("what"),
+            word("per", {"case", "series"}, "One value for all, or one for each series or bulk.")
                 .otherwise(std::string("case")),
-            number("spread", "unit of the key", above(0),
-                   "How well it is known beforehand (standard deviation), in the key's unit or in SI."),
+            number(
+                "spread", "unit of the key", above(0),
+                "How well it is known beforehand (standard deviation), in the key's unit, the unit that `tumble list "
+                "measures` or `tumble list causes` gives, or in SI."),
         }};
 }
 

@@ -45,11 +45,43 @@ std::vector<bool> lone_outliers(const Model& model, const VectorXd& scaled) {
     return out;
 }
 
+/// Scatter and memory of what is left, of each measure. `taken`: of each row, how much of it was projected out.
+std::map<std::string, NoiseOfMeasure> by_measure(const Model& model, const VectorXd& rest, const VectorXd& taken) {
+    struct Sums {
+        double squares = 0, taken = 0, now = 0, next = 0, rows = 0;
+    };
+    std::map<std::string, Sums> sums;
+    for (std::size_t k = 0; k < model.rows().size(); ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        Sums& one = sums[model.channel_of(model.rows()[k]).measure];
+        one.squares += rest[i] * rest[i];
+        one.taken += taken[i];
+        ++one.rows;
+        if (!follows(model, k))
+            continue;
+        one.next += rest[i] * rest[i - 1];
+        one.now += 0.5 * (rest[i] * rest[i] + rest[i - 1] * rest[i - 1]);
+    }
+    std::map<std::string, NoiseOfMeasure> all;
+    for (const auto& [measure, one] :
+         sums) // smooth directions taken out leave a correlation of about minus their share
+        all[measure] = {std::sqrt(one.squares / std::max(1.0, one.rows - one.taken)),
+                        std::min(0.95, one.next / one.now + one.taken / one.rows)};
+    return all;
+}
+
 } // namespace
 
 MatrixXd Noise::whiten(const MatrixXd& columns, const Model& model, double horizon) const {
     MatrixXd white = MatrixXd::Zero(columns.rows(), columns.cols());
-    const double fresh = std::sqrt(1 - correlation * correlation);
+    std::vector<std::vector<double>> memory; // [record][channel]
+    for (const Record& record : model.records()) {
+        memory.emplace_back();
+        for (const Channel& channel : record.channels) {
+            const auto known = of.find(channel.measure);
+            memory.back().push_back(known == of.end() ? 0 : known->second.correlation);
+        }
+    }
     for (Eigen::Index k = 0; k < columns.rows(); ++k) {
         const auto row = static_cast<std::size_t>(k);
         const Row& one = model.rows()[row];
@@ -57,6 +89,8 @@ MatrixXd Noise::whiten(const MatrixXd& columns, const Model& model, double horiz
         if (left_out[row] || one.time > horizon * model.records()[record].time.back())
             continue;
         const double scale = 1 / sigma[record][static_cast<std::size_t>(one.channel)];
+        const double correlation = memory[record][static_cast<std::size_t>(one.channel)];
+        const double fresh = std::sqrt(1 - correlation * correlation);
         if (correlation != 0 && follows(model, row) && !left_out[row - 1])
             white.row(k) = (columns.row(k) - correlation * columns.row(k - 1)) * scale / fresh;
         else
@@ -79,7 +113,7 @@ Noise first_noise(const Model& model) {
 Noise refined_noise(const Noise& before, const Model& model, const VectorXd& misfit, const MatrixXd& explained,
                     NoiseReport& report) {
     Noise noise = before;
-    noise.correlation = 0;
+    noise.of.clear();
     VectorXd scaled = noise.whiten(misfit, model);
     noise.left_out = lone_outliers(model, scaled);
     report.left_out = static_cast<int>(std::count(noise.left_out.begin(), noise.left_out.end(), true));
@@ -90,26 +124,16 @@ Noise refined_noise(const Noise& before, const Model& model, const VectorXd& mis
             scaled[static_cast<Eigen::Index>(k)] = 0;
 
     const Projector projector(explained.topRows(scaled.size()));
-    const VectorXd rest = projector.out(scaled);
-    const double left = static_cast<double>(rest.size() - projector.rank());
-    report.ratio = std::sqrt(rest.squaredNorm() / std::max(1.0, left));
-
-    // Smooth directions taken out of white noise leave a correlation of about minus their share.
-    double now = 0, next = 0;
-    for (std::size_t k = 1; k < model.rows().size(); ++k)
-        if (follows(model, k)) {
-            const auto i = static_cast<Eigen::Index>(k);
-            next += rest[i] * rest[i - 1];
-            now += 0.5 * (rest[i] * rest[i] + rest[i - 1] * rest[i - 1]);
-        }
-    const double taken = static_cast<double>(projector.rank()) / static_cast<double>(rest.size());
-    report.correlation = std::min(0.95, next / now + taken);
-    noise.correlation = report.correlation > least_correlation ? report.correlation : 0;
+    report.of = by_measure(model, projector.out(scaled), projector.leverages());
+    noise.of = report.of;
+    for (auto& [measure, one] : noise.of)
+        if (one.correlation <= least_correlation)
+            one.correlation = 0;
 
     double stated = 0, used = 0, counted = 0;
     for (std::size_t r = 0; r < model.records().size(); ++r)
         for (std::size_t c = 0; c < model.records()[r].channels.size(); ++c) {
-            noise.sigma[r][c] *= report.ratio;
+            noise.sigma[r][c] *= report.of[model.records()[r].channels[c].measure].ratio;
             if (model.records()[r].channels[c].measure != model.records()[0].channels[0].measure)
                 continue;
             stated += model.records()[r].channels[c].sigma;

@@ -4,12 +4,18 @@
 
 namespace tumble::diagnose {
 
+/// How the readings of one measure scatter: a height read from a picture otherwise than the clock beside it.
+struct NoiseOfMeasure {
+    double ratio = 1;       // scatter of the residual over the noise before
+    double correlation = 0; // from one reading to the next
+};
+
 /// Scatter of the readings: a standard deviation for each channel of each record, how much of one reading's error is
 /// still in the next (AR(1)), and readings that are left out.
 struct Noise {
-    std::vector<std::vector<double>> sigma; // SI, [record][channel]
-    double correlation = 0;                 // -, from one reading to the next
-    std::vector<bool> left_out;             // per row of the model
+    std::vector<std::vector<double>> sigma;     // SI, [record][channel]
+    std::map<std::string, NoiseOfMeasure> of{}; // by measure, a correlation below 0.08 as none; empty: nothing is known
+    std::vector<bool> left_out;                 // per row of the model
 
     /// Readings of scatter 1 that do not depend on each other; rows beyond the horizon and those left out become 0.
     [[nodiscard]] MatrixXd whiten(const MatrixXd& columns, const Model& model, double horizon = 1) const;
@@ -19,13 +25,12 @@ struct Noise {
 Noise first_noise(const Model& model);
 
 struct NoiseReport {
-    double stated = 0;      // SI, mean over channels of the first measure; 0: not stated
-    double used = 0;        // SI, the same
-    double ratio = 1;       // scatter of the residual over the noise before
-    double correlation = 0; // from one reading to the next
-    int left_out = 0;       // readings
-    double repeats = 0;     // scatter between records of one condition over the noise used before; 0: nothing repeats
-    double widened = 1;     // factor on every sigma for that
+    double stated = 0; // SI, mean over channels of the first measure; 0: not stated
+    double used = 0;   // SI, the same
+    std::map<std::string, NoiseOfMeasure> of{};
+    int left_out = 0;   // readings
+    double repeats = 0; // scatter between records of one condition over the noise used before; 0: nothing repeats
+    double widened = 1; // factor on every sigma for that
 };
 
 /// Scatter between records that repeat each other (one condition, the same times), over what the noise says: pure
@@ -33,8 +38,9 @@ struct NoiseReport {
 double scatter_of_repeats(const Noise& noise, const Model& model, const VectorXd& misfit);
 
 /// The noise that the residual shows once every direction that an effect could take is projected out of it: `explained`
-/// are the whitened columns of those directions. A correlation below 0.08 counts as none. Lone readings that stand out
-/// of their neighbours by 6 standard deviations are left out, unless there are more than 2 % of them.
+/// are the whitened columns of those directions; every measure by itself. A correlation below 0.08 counts as none. Lone
+/// readings that stand out of their neighbours by 6 standard deviations are left out, unless there are more than 2 % of
+/// them.
 Noise refined_noise(const Noise& before, const Model& model, const VectorXd& misfit, const MatrixXd& explained,
                     NoiseReport& report);
 

@@ -85,7 +85,7 @@ constexpr Experiment catalogue[] = {
 /// Noise of the records there were, for records made from them.
 Noise noise_for(const Model& model, const Noise& known) {
     Noise noise = first_noise(model);
-    noise.correlation = known.correlation;
+    noise.of = known.of;
     const std::size_t before = known.sigma.size();
     for (std::size_t r = 0; r < noise.sigma.size(); ++r)
         for (std::size_t c = 0; c < noise.sigma[r].size(); ++c) {
@@ -127,6 +127,26 @@ Result<double> separation_in(Model& model, const Noise& noise, const VectorXd& v
 
 } // namespace
 
+std::vector<int> rivals_in(const Decision& decision) {
+    std::vector<int> rivals = decision.causes;
+    if (rivals.size() != 1)
+        return rivals;
+    const MatrixXd& left = decision.isolability;
+    const int named = rivals[0];
+    int near = -1;
+    for (int k = 0; k < left.cols(); ++k)
+        if (k != named && !std::isnan(left(named, k)) && (near < 0 || left(named, k) < left(named, near)))
+            near = k;
+    if (near >= 0)
+        rivals.push_back(near);
+    return rivals;
+}
+
+int repeats_for(double separation) {
+    const double needed = std::ceil(std::pow(enough / std::max(separation, 1e-9), 2));
+    return needed > 1000 ? 0 : std::max(1, static_cast<int>(needed));
+}
+
 std::vector<Proposal> proposals_for(const SceneText& scene, const Model& model, const std::vector<Nuisance>& nuisances,
                                     const Noise& noise, const Simulate& simulate, const VectorXd& values,
                                     const std::vector<int>& causes, const std::vector<double>& amplitudes) {
@@ -148,9 +168,7 @@ std::vector<Proposal> proposals_for(const SceneText& scene, const Model& model, 
         const auto apart = separation_in(*planned, noise_for(*planned, noise), at, amplitudes);
         if (!apart)
             continue;
-        const double needed = std::ceil(std::pow(enough / std::max(*apart, 1e-9), 2));
-        proposals.push_back(
-            {experiment.id, experiment.sentence, *apart, needed > 1000 ? 0 : std::max(1, static_cast<int>(needed))});
+        proposals.push_back({experiment.id, experiment.sentence, *apart, repeats_for(*apart)});
     }
     std::sort(proposals.begin(), proposals.end(),
               [](const Proposal& a, const Proposal& b) { return a.separation > b.separation; });

@@ -12,6 +12,13 @@ struct Proposal {
     int repeats = 0;       // of the experiment, to reach 5 standard errors; 0: it never does
 };
 
+/// What a decision leaves to be told apart: the causes that it cannot; else the one that it names, and who comes
+/// nearest to it by what the data could tell.
+std::vector<int> rivals_in(const Decision& decision);
+
+/// Times that an experiment must be made, for two causes so many standard errors apart, to reach 5; 0: more than 1000.
+int repeats_for(double separation);
+
 /// Every experiment of the catalogue, the most telling first. `values`: where the nuisances are; `amplitudes`: what the
 /// causes, numbers of the model's, would have to be. Experiments that cannot be simulated are left out.
 std::vector<Proposal> proposals_for(const SceneText& scene, const Model& model, const std::vector<Nuisance>& nuisances,

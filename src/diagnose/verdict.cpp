@@ -8,6 +8,15 @@ namespace tumble::diagnose {
 
 namespace {
 
+constexpr int most_decimals = 8;
+
+/// The unit with a space before it, as sentences have it; of an instrument's numbers that of its channel.
+std::string unit_words(const Cause& cause) {
+    if (cause.unit.empty() || cause.unit.starts_with("SI unit"))
+        return "";
+    return " " + (cause.unit == "1_s" ? "1/s" : cause.unit);
+}
+
 const Cause& cause_of(const Diagnosis& diagnosis, int k) {
     return diagnosis.causes[static_cast<std::size_t>(k)];
 }
@@ -86,7 +95,7 @@ std::string none_known(const Diagnosis& diagnosis) {
 
 std::string consistent(const Diagnosis& diagnosis) {
     return fmt::format("The simulation agrees with the data: {} scatter about it as their noise does. Effects "
-                       "larger than the limits in the table are excluded.",
+                       "beyond the limits that stand beside each cause are excluded.",
                        diagnosis.beds.empty() ? fmt::format("{} readings", diagnosis.readings)
                                               : fmt::format("{} means of the bed", diagnosis.readings));
 }
@@ -132,7 +141,7 @@ std::string verdict_of(const Diagnosis& diagnosis) {
 
 std::string next_step(const Diagnosis& diagnosis) {
     const auto& proposals = diagnosis.proposals;
-    if (!proposals.empty() && proposals[0].repeats > 0)
+    if (diagnosis.decision.outcome == Outcome::ambiguous && !proposals.empty() && proposals[0].repeats > 0)
         return fmt::format("To tell them apart, {}{}: that would set them {:.1f} standard errors apart.",
                            proposals[0].sentence,
                            proposals[0].repeats > 1 ? fmt::format(", {} times", proposals[0].repeats) : "",
@@ -149,8 +158,11 @@ std::string next_step(const Diagnosis& diagnosis) {
     case Outcome::two_causes:
         return "Confirm each with an experiment in which the other cannot act.";
     case Outcome::none_known:
-        return "Look at the residual: what does it follow? Then check the apparatus, or add the missing law to the "
-               "scene.";
+        return (diagnosis.follows.empty() ? "Look at the residual: what does it follow?"
+                                          : fmt::format("What is left follows most of all {}, by {:.1f} standard "
+                                                        "errors. Ask what could do that.",
+                                                        diagnosis.follows[0].what, std::abs(diagnosis.follows[0].z))) +
+               " Then check the apparatus, or add the missing law to the scene.";
     case Outcome::cannot_decide:
         break;
     }
@@ -160,10 +172,12 @@ std::string next_step(const Diagnosis& diagnosis) {
 }
 
 std::string amplitude_words(const Cause& cause, double amplitude, double error) {
-    const int digits =
-        error > 0 ? std::clamp(static_cast<int>(std::floor(std::log10(std::abs(amplitude) / error))) + 2, 1, 8) : 4;
-    std::string unit = cause.unit == "1_s" ? "1/s" : cause.unit;
-    return fmt::format("{:.{}g} +- {:.2g}{}{}", amplitude, digits, error, unit.empty() ? "" : " ", unit);
+    const std::string unit = unit_words(cause);
+    const int decimals =
+        error > 0 ? std::max(0, 1 - static_cast<int>(std::floor(std::log10(error)))) : most_decimals + 1;
+    if (decimals <= most_decimals) // both to the error's second digit
+        return fmt::format("{0:.{2}f} +- {1:.{2}f}{3}", amplitude, error, decimals, unit);
+    return fmt::format("{:.4g} +- {:.2g}{}", amplitude, error, unit);
 }
 
 std::string standing_of(const Diagnosis& diagnosis, int cause) {
@@ -176,15 +190,21 @@ std::string standing_of(const Diagnosis& diagnosis, int cause) {
                : seen.share < 0.005 ? "does not show: nuisances absorb it"
                                     : "does not show in these data";
     if (std::find(decision.causes.begin(), decision.causes.end(), cause) != decision.causes.end())
-        return "named";
+        return decision.outcome == Outcome::ambiguous ? "may be it" : "named";
     if (seen.refit && !seen.refit->possible)
         return "refused: " + seen.refit->refused;
-    if (decision.best && decision.outcome == Outcome::named)
+    const bool one_explains_it = decision.outcome == Outcome::named ||
+                                 (decision.outcome == Outcome::ambiguous && decision.pairs.empty()) ||
+                                 (decision.outcome == Outcome::none_known && decision.largest >= decision.gate);
+    if (decision.best && one_explains_it) {
+        if (decision.best->causes == std::vector<int>{cause})
+            return "comes nearest";
         return fmt::format("{:.1f} nats behind", nats_between(diagnosis.evidence, decision.best->gain, seen.gain));
+    }
     const Cause& suspect = cause_of(diagnosis, cause);
     const double low = std::max(seen.lower, suspect.lo), high = std::min(seen.upper, suspect.hi);
-    return suspect.lo == 0 ? fmt::format("below {:.2g} (95 %)", std::max(0.0, high))
-                           : fmt::format("between {:.2g} and {:.2g} (each 95 %)", low, high);
+    return suspect.lo == 0 ? fmt::format("below {:.2g}{} (95 %)", high, unit_words(suspect))
+                           : fmt::format("between {:.2g} and {:.2g}{} (each 95 %)", low, high, unit_words(suspect));
 }
 
 } // namespace tumble::diagnose

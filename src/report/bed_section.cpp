@@ -73,15 +73,22 @@ std::string bed_section(const Diagnosis& diagnosis) {
 }
 
 std::string bed_small_print(const Diagnosis& diagnosis, const std::string& warnings, const std::string& version) {
+    std::string innocent;
+    for (const FittedNuisance& nuisance : diagnosis.nuisances)
+        innocent +=
+            fmt::format("<tr><td>{}</td>{}</tr>", escaped(nuisance.name), with_error(nuisance.value, nuisance.error));
+    if (!innocent.empty())
+        innocent = "<table><tr><th>adjusted under every explanation</th><th>fitted, baseline</th></tr>" + innocent +
+                   "</table>";
     return fmt::format(
-        "<h2>Small print</h2>{}<p class=\"small\">{} numbers of {} seeds each; their scatter is known with {:.0f} "
+        "<h2>Small print</h2>{}{}<p class=\"small\">{} numbers of {} seeds each; their scatter is known with {:.0f} "
         "degrees "
         "of freedom, from all runs of the response table together. Adequacy of the baseline p = {:.2g}, of the "
         "extension "
         "p = {:.2g} (Hotelling's T squared). Causes were run at two amplitudes each and are read between them, which "
         "the "
         "runs at the fitted value check. {} runs now, {:.3g} s simulated. Scene {}, data {} ({}). tumble {}.</p>",
-        warnings.empty() ? "" : "<ul>" + warnings + "</ul>", diagnosis.readings,
+        warnings.empty() ? "" : "<ul>" + warnings + "</ul>", innocent, diagnosis.readings,
         diagnosis.beds.empty() ? 0 : diagnosis.beds[0].seeds, diagnosis.evidence.degrees,
         diagnosis.decision.baseline.p(), diagnosis.decision.winner.p(), diagnosis.runs, diagnosis.simulated,
         escaped(diagnosis.scene.string()), escaped(diagnosis.data.string()), diagnosis.hash, version);

@@ -125,6 +125,9 @@ Json decision_of(const Diagnosis& diagnosis) {
     Json pairs = Json::array();
     for (const auto& pair : decision.pairs)
         pairs.push_back(ids_of(diagnosis, pair));
+    Json follows = Json::array();
+    for (const Followed& one : diagnosis.follows)
+        follows.push_back({{"what", one.what}, {"standard_errors", one.z}});
     Json folds = Json::array();
     for (const Fold& fold : decision.folds)
         folds.push_back({{"without", fold.condition},
@@ -146,7 +149,8 @@ Json decision_of(const Diagnosis& diagnosis) {
             {"largest_chi_square_gain", decision.largest},
             {"adequacy_baseline", adequacy_of_it(decision.baseline)},
             {"adequacy_winner", adequacy_of_it(decision.winner)},
-            {"folds", std::move(folds)}};
+            {"folds", std::move(folds)},
+            {"residual_follows", std::move(follows)}};
 }
 
 } // namespace
@@ -177,9 +181,14 @@ Json to_json(const Diagnosis& diagnosis, const std::string& version) {
                              {"value", nuisance.value},
                              {"standard_error", number(nuisance.error)}});
     json["nuisances"] = std::move(nuisances);
-    json["noise"] = {{"stated", diagnosis.noise.stated},     {"used", diagnosis.noise.used},
-                     {"ratio", diagnosis.noise.ratio},       {"correlation", diagnosis.noise.correlation},
-                     {"outliers", diagnosis.noise.left_out}, {"repeats", diagnosis.noise.repeats}};
+    Json measures;
+    for (const auto& [measure, one] : diagnosis.noise.of)
+        measures[measure] = {{"ratio", one.ratio}, {"correlation", one.correlation}};
+    json["noise"] = {{"stated", diagnosis.noise.stated},
+                     {"used", diagnosis.noise.used},
+                     {"measures", std::move(measures)},
+                     {"outliers", diagnosis.noise.left_out},
+                     {"repeats", diagnosis.noise.repeats}};
     json["readings"] = diagnosis.readings;
     json["chi_square_baseline"] = diagnosis.chi_square;
     Json warnings = Json::array();

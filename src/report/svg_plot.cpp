@@ -138,12 +138,15 @@ private:
         return 26 + static_cast<int>(6.6 * static_cast<double>(trace.label.size()));
     }
 
+    /// The first row stands beside the title.
     void lay_out_legend() {
-        int spare = 0;
+        int spare = inner_width() - 12 - static_cast<int>(7.8 * static_cast<double>(plot_.title.size()));
         for (const Trace& trace : plot_.traces) {
             if (trace.label.empty())
                 continue;
-            if (legend_.empty() || entry_width(trace) > spare) {
+            if (legend_.empty())
+                legend_.emplace_back();
+            if (entry_width(trace) > spare) {
                 legend_.emplace_back();
                 spare = inner_width();
             }

@@ -1,19 +1,25 @@
 #!/usr/bin/python3
 """What each experiment can tell apart: its own simulation as data, with noise, and the share of every cause's effect that
-the others leave. Prints Markdown for docs/diagnosis.md.
+the others leave. The tables of docs/diagnosis.md are its output.
 
-    tests/blind/isolability.py build/release/tumble [EXPERIMENT...]
+    tests/blind/isolability.py build/release/tumble [EXPERIMENT...]             # prints them
+    tests/blind/isolability.py build/release/tumble --write [EXPERIMENT...]     # puts them into the page
+    tests/blind/isolability.py build/release/tumble --check [EXPERIMENT...]     # holds the page against them
 """
+import argparse
 import csv
 import json
 import math
 import pathlib
 import random
+import re
+import shutil
 import subprocess
 import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+PAGE = ROOT / "docs" / "diagnosis.md"
 
 
 def leaning(degrees):
@@ -31,12 +37,12 @@ LIGHT = [[f"fill.0.position_m.1={0.12 + height}", "body.ball.mass_kg=0.15"] for 
 THROWS = [[f"fill.0.velocity_m_s.0={speed}"] for speed in (2.5, -2.5, 1.4, -1.4)]
 ON_SLOPE = [[f"fill.0.velocity_m_s.0={2.0 * way}", leaning(-3 * way)] for way in (1, -1)]
 ROLLED = [[f"fill.0.velocity_m_s.0={v}", f"fill.0.angular_velocity_rad_s.2={-v / 0.05}"] for v in (1.0, -1.0, 0.5, -0.5)]
-OBLIQUE = [["fill.0.position_m.1=0.15", f"fill.0.velocity_m_s=[{3 * math.sin(math.radians(a)):.5f}, "
-            f"{-3 * math.cos(math.radians(a)):.5f}, 0.0]"] for a in (10, 25, 40, 55, 70, 80)]
 WAY = [("way", "centre_of_mass_x", 2e-3)]
 SPEED = "key = \"fill.0.velocity_m_s.0\"\nper = \"series\"\nspread = 0.03"
 
-EXPERIMENTS = {  # scene, sets of each record, columns (head, measure, sigma), nuisances, duration, readings a second, clock
+EXPERIMENTS = {  # of records: scene, sets of each record, columns (head, measure, sigma), nuisances, duration, readings a second, clock
+    "one drop": ("bounce", DROPS[2:3], [("height", "centre_of_mass_y", 2e-3)],
+                 ['key = "pair.leather-wood.restitution"\nspread = 0.05', offset(0.005)], 2.5, 120, False),
     "drops": ("bounce", DROPS, [("height", "centre_of_mass_y", 2e-3)],
               ['key = "pair.leather-wood.restitution"\nspread = 0.05', offset(0.005)], 2.5, 120, False),
     "drops, light ball, clock": ("bounce", DROPS + LIGHT, [("height", "centre_of_mass_y", 2e-3)],
@@ -47,15 +53,9 @@ EXPERIMENTS = {  # scene, sets of each record, columns (head, measure, sigma), n
     "throws, slope, clock": ("lane", THROWS + ON_SLOPE, WAY, [FRICTION.format("rubber-wood"), SPEED, offset(0.005)], 3.0, 60,
                              True),
     "roll-out": ("lane", ROLLED, WAY, [SPEED, offset(0.005)], 3.0, 60, False),
-    "oblique impact": ("lane", OBLIQUE, WAY + [("height", "centre_of_mass_y", 2e-3), ("spin", "angular_speed_max", 0.5)],
-                       ['key = "pair.rubber-wood.restitution"\nspread = 0.05', FRICTION.format("rubber-wood"), offset(0.002)],
-                       0.4, 200, False),
     "spin-down": ("slope", [["gravity_m_s2=[0.0, -9.81, 0.0]", f"fill.0.angular_velocity_rad_s.1={w}"]
                             for w in (40, -40, 20, -20)], [("spin", "angular_speed_max", 0.2)],
                   [FRICTION.format("plastic-board"), offset(0.002)], 0.3, 200, False),
-    "ball on a shaking plate": ("plate", [[f"wall.0.motion.0.amplitude_m={0.00155262 * g:.6f}"] for g in (1.3, 1.6, 2.0, 2.4)],
-                                [("height", "centre_of_mass_y", 5e-4)],
-                                ['key = "pair.plastic-steel.restitution"\nspread = 0.05', offset(0.001)], 0.6, 200, False),
 }
 
 
@@ -92,29 +92,104 @@ def case(tumble, folder, scene, records, columns, nuisances, duration, rate, clo
     (folder / "m.toml").write_text(toml)
 
 
+def beds(scene, measurement, seeds):
+    """A bed's table, from the numbers measured of it and the runs that are kept beside its scene: none is made."""
+    def command(tumble, folder):
+        kept = shutil.copy((ROOT / scene).with_suffix(".response.csv"), folder)
+        return [tumble, "diagnose", str(ROOT / scene), "--data", str(ROOT / measurement), "--seeds", str(seeds), "--table",
+                str(kept), "--old-runs"]
+    return command
+
+
+def records(name):
+    def command(tumble, folder):
+        case(tumble, folder, *EXPERIMENTS[name])
+        scene = ROOT / "scenes" / f"{EXPERIMENTS[name][0]}.toml"
+        return [tumble, "diagnose", str(scene), "--data", str(folder / "m.toml")]
+    return command
+
+
+COMMANDS = {name: records(name) for name in EXPERIMENTS}
+COMMANDS["trough"] = beds("scenes/measured/trough/trough.toml", "scenes/measured/trough/measurement-2.toml", 3)
+COMMANDS["heap"] = beds("tests/blind/beds/heap.toml", "tests/blind/beds/rolling.toml", 4)
+
+
+def table_of(tumble, name):
+    with tempfile.TemporaryDirectory() as place:
+        command = COMMANDS[name](tumble, pathlib.Path(place))
+        done = subprocess.run([*command, "--json", "--quiet"], capture_output=True, text=True)
+    if done.returncode:
+        sys.exit(f"{name}: {done.stdout}{done.stderr}")
+    found = json.loads(done.stdout)
+    ids = [cause["id"] for cause in found["library"]]
+    left = found["isolability"]
+    shown = [k for k in range(len(ids)) if left[k][k] is not None]
+    if not shown:
+        sys.exit(f"{name}: {found['verdict']}")
+    lines = ["| | least | " + " | ".join(f"`{ids[k].split('.')[1]}`" for k in shown) + " |",
+             "| --- " * (len(shown) + 2) + "|"]
+    for i in shown:
+        cells = ["" if i == j else f"**{left[i][j]:.2f}**" if left[i][j] < 0.055 else f"{left[i][j]:.2f}" for j in shown]
+        lines.append(f"| `{ids[i]}` | {3 * found['library'][i]['standard_error']:.2g} | " + " | ".join(cells) + " |")
+    return lines
+
+
+def marker(name):
+    return f"<!-- isolability.py: {name} -->"
+
+
+def on_the_page(page, name):
+    """Where the table begins and ends."""
+    found = re.search(re.escape(marker(name)) + r"\n\n((?:.+\n)+)", page)
+    if not found:
+        sys.exit(f"{PAGE}: it has no table of '{name}': add {marker(name)} and run this with --write")
+    return found.span(1)
+
+
+def differences(name, old, new):
+    """Where two tables are not in step: other causes, a share off by more than 0.03, a least amplitude by a tenth."""
+    def cells(lines):
+        return [[cell.strip(" `*") for cell in line.strip("|").split("|")] for line in lines]
+    old, new = cells(old), cells(new)
+    if [row[0] for row in old] != [row[0] for row in new] or old[0] != new[0]:
+        return [f"{name}: the page lists {', '.join(row[0] for row in old[2:])}; there show {', '.join(row[0] for row in new[2:])}"]
+    wrong = []
+    for was, now in zip(old[2:], new[2:]):
+        if abs(float(was[1]) / float(now[1]) - 1) > 0.1:
+            wrong.append(f"{name}: least {was[0]} is {was[1]} on the page, {now[1]} in fact")
+        for other, a, b in zip(old[0][2:], was[2:], now[2:]):
+            if a and abs(float(a) - float(b)) > 0.03:
+                wrong.append(f"{name}: of {was[0]} {other} leaves {a} on the page, {b} in fact")
+    return wrong
+
+
 def main():
-    tumble = str(pathlib.Path(sys.argv[1]).resolve())
-    for name in sys.argv[2:] or EXPERIMENTS:
-        scene = EXPERIMENTS[name][0]
-        with tempfile.TemporaryDirectory() as place:
-            folder = pathlib.Path(place)
-            case(tumble, folder, *EXPERIMENTS[name])
-            done = subprocess.run([tumble, "diagnose", str(ROOT / "scenes" / f"{scene}.toml"), "--data", str(folder / "m.toml"),
-                                   "--json", "--quiet"], capture_output=True, text=True)
-        if done.returncode:
-            print(f"\n### {name}\n\n{done.stdout}{done.stderr}")
-            continue
-        found = json.loads(done.stdout)
-        ids = [cause["id"] for cause in found["library"]]
-        left = found["isolability"]
-        shown = [k for k in range(len(ids)) if left[k][k] is not None]
-        print(f"\n### {name}: `scenes/{scene}.toml`\n\n{found['outcome'].capitalize()}, {found['readings']} readings.\n")
-        print("| | smallest, 3 se | " + " | ".join(f"`{ids[k]}`" for k in shown) + " |")
-        print("| --- " * (len(shown) + 2) + "|")
-        for i in shown:
-            cells = ["" if i == j else f"**{left[i][j]:.2f}**" if left[i][j] < 0.05 else f"{left[i][j]:.2f}" for j in shown]
-            print(f"| `{ids[i]}` | {3 * found['library'][i]['standard_error']:.2g} | " + " | ".join(cells) + " |")
-        print(flush=True)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("tumble")
+    parser.add_argument("--write", action="store_true")
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("experiments", nargs="*", metavar="EXPERIMENT", help="; ".join(COMMANDS))
+    args = parser.parse_intermixed_args()
+    tumble = str(pathlib.Path(args.tumble).resolve())
+    wrong = []
+    if args.check:
+        wrong += [f"{PAGE}: '{name}' is no experiment of this script"
+                  for name in re.findall(r"<!-- isolability.py: (.+) -->", PAGE.read_text()) if name not in COMMANDS]
+        for name in COMMANDS:
+            on_the_page(PAGE.read_text(), name)
+    for name in args.experiments or COMMANDS:
+        lines = table_of(tumble, name)
+        if args.write:
+            page = PAGE.read_text()
+            begin, end = on_the_page(page, name)
+            PAGE.write_text(page[:begin] + "\n".join(lines) + "\n" + page[end:])
+        elif args.check:
+            page = PAGE.read_text()
+            wrong += differences(name, page[slice(*on_the_page(page, name))].splitlines(), lines)
+        else:
+            print(f"\n**{name}**\n\n" + "\n".join(lines), flush=True)
+    if wrong:
+        sys.exit("\n".join(wrong))
 
 
 if __name__ == "__main__":

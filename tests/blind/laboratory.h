@@ -17,8 +17,10 @@ namespace blind {
 namespace dg = tumble::diagnose;
 
 inline dg::SceneText scene_of(Bench bench) {
-    const std::filesystem::path file =
-        std::filesystem::path(TUMBLE_ROOT) / "scenes" / (bench == Bench::drop ? "bounce.toml" : "lane.toml");
+    const std::filesystem::path file = std::filesystem::path(TUMBLE_ROOT) / "scenes" /
+                                       (bench == Bench::drop   ? "bounce.toml"
+                                        : bench == Bench::lane ? "lane.toml"
+                                                               : "slope.toml");
     return {*tumble::scene::read_file(file, tumble::scene::largest_scene), file};
 }
 

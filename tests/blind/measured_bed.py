@@ -16,7 +16,7 @@ import tempfile
 
 UNITS = {"circulation": "rad_s", "surface_slope": "deg", "surface_slope_left": "deg", "surface_slope_right": "deg",
          "bulk_height": "m", "centre_of_mass_y": "m", "mean_speed": "m_s",
-         "rms_velocity_x": "m_s", "rms_velocity_y": "m_s", "contacts_per_body": ""}
+         "rms_velocity_x": "m_s", "rms_velocity_y": "m_s", "rms_velocity_z": "m_s", "contacts_per_body": ""}
 
 
 def means_of(arguments, sets, seed, begin, end):

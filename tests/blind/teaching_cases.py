@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Makes the sealed cases for students, scenes/measured/cases/1 ... 5:
 
-    tests/blind/teaching_cases.py build/release/tests/blind/blindgen scenes/measured/cases
+    tests/blind/teaching_cases.py build/release/tests/blind/blindgen scenes/measured/cases [NUMBER...]
 
 What each hides stands below; whoever wants to solve them should not read on.
 """
@@ -15,7 +15,7 @@ import tempfile
 CASES = [  # bench, kind, effect, standard errors from the best other explanation, seed
     ("lane", "listed", "roll.coulomb", 10, 4101),
     ("drop", "null", "", 5, 4102),
-    ("drop", "listed", "ins.low_pass", 10, 4103),
+    ("drop", "listed", "ins.low_pass", 10, 4113),
     ("lane", "listed", "grav.tilt_x", 10, 4104),
     ("drop", "unlisted", "warms-up", 14, 4105),
 ]
@@ -24,6 +24,8 @@ CASES = [  # bench, kind, effect, standard errors from the best other explanatio
 def main():
     blindgen, out = sys.argv[1], pathlib.Path(sys.argv[2])
     for number, (bench, kind, effect, size, seed) in enumerate(CASES, 1):
+        if sys.argv[3:] and str(number) not in sys.argv[3:]:
+            continue
         with tempfile.TemporaryDirectory() as folder:
             made = subprocess.run([blindgen, folder, "1", str(seed), bench, kind, effect, str(size)],
                                   capture_output=True, text=True, check=True)

@@ -1,4 +1,4 @@
-// Something hidden in beds of discs, found through response tables that are kept in the repository: no test runs a bed.
+// Something hidden in beds of discs and of spheres, found through response tables that are kept in the repository: no test runs a bed.
 // tests/blind/beds/README.md tells how the cases and the tables were made.
 #include "base/table.h"
 #include "diagnose/bed_diagnosis.h"
@@ -77,6 +77,17 @@ TEST_CASE("with the number that was asked for, the phase is named") {
     CHECK(ids_of(diagnosis) == std::set<std::string>{"exc.phase"});
     const Refit& best = *diagnosis.decision.best;
     CHECK(std::abs(best.amplitude[0] - 90) < 4 * best.error[0]);
+    CHECK(diagnosis.confirmation->p > 0.005);
+}
+
+TEST_CASE("in space, too: a phase dropped from a trough of spheres is named, far from rocking and tilt") {
+    const Diagnosis diagnosis = diagnosed("tests/blind/beds/trough-3d.toml", "tests/blind/beds/phase-3d.toml");
+    REQUIRE_MESSAGE(diagnosis.decision.outcome == Outcome::named, verdict_of(diagnosis));
+    CHECK_MESSAGE(diagnosis.decision.sure, verdict_of(diagnosis));
+    CHECK(ids_of(diagnosis) == std::set<std::string>{"exc.phase"});
+    const Refit& best = *diagnosis.decision.best;
+    CHECK(std::abs(best.amplitude[0] - 90) < 4 * best.error[0]);
+    CHECK(best.error[0] < 90.0 / 20);
     CHECK(diagnosis.confirmation->p > 0.005);
 }
 

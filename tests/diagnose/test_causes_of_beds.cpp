@@ -42,6 +42,27 @@ TEST_CASE("sideways shaking, load and restitution are scaled, and nothing else")
     CHECK(with("rest.factor", 1).pair(0, 0).restitution == 1);
 }
 
+TEST_CASE(
+    "sizes are spread in three, as many bodies of each, with the deviation asked for and steps that the small bear") {
+    const scene::Scene scene = with("size.poly", 0.1);
+    REQUIRE(scene.fills.size() == 3);
+    double count = 0, sum = 0, squares = 0;
+    for (const scene::Fill& fill : scene.fills) {
+        const scene::BodyTemplate& body = scene.bodies[static_cast<std::size_t>(fill.body)];
+        const double radius = body.spheres[0].radius, bodies = static_cast<double>(*fill.count);
+        count += bodies;
+        sum += bodies * radius;
+        squares += bodies * radius * radius;
+    }
+    CHECK(count == 100);
+    CHECK(sum / count == about(0.005, 2e-3));
+    CHECK(std::sqrt(squares / count - sum * sum / count / count) == about(0.1 * 0.005, 0.02)); // 100 is no three times
+    CHECK(scene.time_step == about(1e-5 * (1 - 0.1 * std::sqrt(1.5))));
+    const auto again = scene::load_scene_text(scene::to_toml(scene), "again.toml");
+    REQUIRE(again);
+    CHECK(again->bodies.size() == 3);
+}
+
 TEST_CASE("wall friction acts on walls alone, also where they are of the bodies' material") {
     const scene::Scene scene = with("fric.wall", std::log(3));
     REQUIRE(scene.materials.size() == 2);

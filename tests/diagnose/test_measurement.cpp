@@ -99,7 +99,7 @@ TEST_CASE("what is wrong with a measurement is told with its place and what to d
     says(replaced(whole, "sigma = 1.5", "sigma = -1"), good, "m.toml:11:9: 'sigma' = -1 is out of range");
     says("causes = [\"ins.gian\"]\n" + whole, good, "m.toml:1:10: there is no cause 'ins.gian'");
     says(replaced(whole, "key = ", "instrument = \"gain\"\nkey = "), good,
-         "m.toml:2:1: [[nuisance]] has 2 of key or instrument");
+         "m.toml:2:1: [[nuisance]] has 2 of key or instrument or measure or cause");
 }
 
 TEST_CASE("time that does not rise, numbers that are none and records stored twice are refused") {

@@ -104,14 +104,32 @@ TEST_CASE("one number under one condition bears no diagnosis, nor does what is h
                "= \"rad_s\"\n"));
 }
 
-TEST_CASE("records and beds are two measurements, a bed has no nuisances and no instrument over time") {
+TEST_CASE("what is innocent of a bed is the zero of a number measured, or one cause of the library") {
+    const auto innocent = [](const std::string& rest) { return whole + "[[nuisance]]\n" + rest; };
+    const auto read =
+        load(innocent("measure = \"circulation\"\nspread = 0.1\n[[nuisance]]\ncause = \"fric.factor\"\n"));
+    REQUIRE_MESSAGE(read, to_string(read.problems()));
+    CHECK(read->nuisances.at(0).measure == "circulation");
+    CHECK(read->nuisances[0].spread == 0.1);
+    CHECK(read->nuisances.at(1).cause == "fric.factor");
+    CHECK(read->nuisances[1].spread == 0);
+    CHECK(refusal(innocent("key = \"pair.media-lining.friction\"\nspread = 0.1\n")) ==
+          "m.toml:17:7: 'key' is a nuisance of records\n    of a bed write measure, a number whose zero is not well "
+          "known, or cause, one of the library that is innocent here, such as fric.factor");
+    CHECK(refusal(innocent("measure = \"bulk_height\"\n")) ==
+          "m.toml:17:11: no [[bulk.number]] is of 'bulk_height'\n    write the measure of a number that is given");
+    CHECK(refusal(innocent("cause = \"friction\"\n")) ==
+          "m.toml:17:9: 'friction' is a family of causes\n    name one of it, such as fric.factor");
+    CHECK(refusal(innocent("cause = \"ins.gain\"\n")) ==
+          "m.toml:17:9: ins.gain acts on readings over time, and means of a bed are none\n    leave it out");
+    CHECK(refusal(innocent("cause = \"fric.factor\"\nper = \"series\"\n")) ==
+          "m.toml:18:7: a cause acts under all conditions alike\n    leave per out");
+}
+
+TEST_CASE("records and beds are two measurements, and a bed has no instrument over time") {
     CHECK(refusal("title = \"nothing\"\n") ==
           "m.toml:1:1: the measurement has neither [[series]] nor [[bulk]]\n    add [[series]] for what was read over "
           "time, or [[bulk]] for means of a bed");
-    CHECK(
-        refusal(whole + "[[nuisance]]\nkey = \"pair.media-lining.friction\"\nspread = 0.1\n") ==
-        "m.toml:16:1: nuisances of a bed are not adjusted\n    leave it out, and have the cause considered that stands "
-        "for it, such as fric.factor or rest.factor");
     CHECK(refusal(replaced(whole, "exc.phase", "ins.gain")) ==
           "m.toml:2:10: ins.gain acts on readings over time, and means of a bed are none\n    leave it out");
     CHECK(refusal(whole + "[[bulk]]\nname = \"quarter load\"\nruns = 2\n[[bulk.number]]\nmeasure = \"bodies\"\nvalue = "

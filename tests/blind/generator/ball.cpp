@@ -89,7 +89,8 @@ private:
         const State next = stepped(s, h, [&](double y, double v) {
             const double overlap = std::max(0.0, ball_.radius - y);
             const double root = std::sqrt(overlap);
-            return stiffness_ * overlap * root - damping_ * std::sqrt(root) * v + drag(v) - ball_.gravity;
+            const double stuck = overlap > 0 ? 2 * pi * ball_.adhesion * ball_.radius / ball_.mass : 0;
+            return stiffness_ * overlap * root - damping_ * std::sqrt(root) * v - stuck + drag(v) - ball_.gravity;
         });
         s = next;
         if (h < contact_step)

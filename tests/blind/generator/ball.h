@@ -18,6 +18,7 @@ struct Ball {
     double exponent = 0;  // restitution (v / 1 m/s)^-exponent
     double linear = 0;    // N s/m
     double quadratic = 0; // N s2/m2
+    double adhesion = 0;  // J/m2, work of adhesion
     // Effects that no library has.
     double by_impact = 0;       // restitution changes by this share from impact to impact (warms up)
     double plate_amplitude = 0; // m/s, speed of a plate that swings
@@ -43,7 +44,8 @@ private:
 
 /// The height of the ball's centre above the plate until `duration`, released at rest at `height` at time 0.
 /// Flights: exact where nothing drags, else Runge and Kutta's fourth order. Contacts: the same, of Hertz's spring with
-/// Tsuji's dashpot (Tsuji, Tanaka, Ishida 1992), at a seventh of the solver's step.
+/// Tsuji's dashpot (Tsuji, Tanaka, Ishida 1992), at a seventh of the solver's step; 2 pi w R holds back as long as they
+/// touch (Derjaguin, Muller and Toporov 1975).
 Path path_of(const Ball& ball, double height, double duration);
 
 } // namespace blind

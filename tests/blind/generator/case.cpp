@@ -2,6 +2,7 @@
 
 #include "separation.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace blind {
@@ -9,6 +10,20 @@ namespace blind {
 namespace {
 
 const double sizes[] = {2, 3.5, 5, 8};
+constexpr double pi = 3.14159265358979323846;
+
+/// What a measurement of a bench begins with: its title, and what nobody knows of it exactly.
+const char* head_of(Bench bench) {
+    if (bench == Bench::drop)
+        return "title = \"A ball dropped, filmed from the side\"\n\n"
+               "[[nuisance]]\nkey = \"pair.leather-wood.restitution\"\nspread = 0.05\n";
+    if (bench == Bench::lane)
+        return "title = \"A ball thrown along a lane, filmed from above\"\n\n"
+               "[[nuisance]]\nkey = \"pair.rubber-wood.friction\"\nspread = 0.03\n\n"
+               "[[nuisance]]\nkey = \"fill.0.velocity_m_s.0\"\nper = \"series\"\nspread = 0.03\n";
+    return "title = \"A tripod that slides down a slope, filmed from above\"\n\n"
+           "[[nuisance]]\nkey = \"pair.plastic-board.friction\"\nspread = 0.03\n";
+}
 
 std::vector<std::string> ids(bool listed, Bench bench) {
     std::vector<std::string> all;
@@ -23,28 +38,27 @@ std::string sets_of(const Setup& setup, const Trial& trial, const Truth& known) 
     if (setup.bench == Bench::drop)
         return fmt::format("\"fill.0.position_m.1={}\"{}", known.ball.radius + trial.height,
                            trial.light ? fmt::format(", \"body.ball.mass_kg={}\"", known.ball.mass / 4) : "");
-    const double slope = trial.slope * 3.14159265358979323846 / 180;
-    return fmt::format("\"fill.0.velocity_m_s.0={}\"{}", trial.speed,
-                       trial.slope == 0
-                           ? ""
-                           : fmt::format(", \"gravity_m_s2=[{:.9f}, {:.9f}, 0.0]\"",
-                                         known.lane.gravity * std::sin(slope), -known.lane.gravity * std::cos(slope)));
+    const double slope = trial.slope * pi / 180;
+    const std::string leaning =
+        fmt::format("\"gravity_m_s2=[{:.9f}, {:.9f}, 0.0]\"", known.lane.gravity * std::sin(slope),
+                    -known.lane.gravity * std::cos(slope));
+    if (setup.bench == Bench::slope)
+        return leaning;
+    return fmt::format("\"fill.0.velocity_m_s.0={}\"{}", trial.speed, trial.slope == 0 ? "" : ", " + leaning);
 }
 
 std::string name_of(const Setup& setup, const Trial& trial) {
     if (setup.bench == Bench::drop)
         return fmt::format("{}{:.0f} mm", trial.light ? "light ball, " : "", 1000 * trial.height);
+    if (setup.bench == Bench::slope)
+        return fmt::format("{:+.1f} deg", trial.slope);
     return trial.slope == 0 ? fmt::format("{:+.2f} m/s", trial.speed)
                             : fmt::format("{:+.2f} m/s on {:+.0f} deg", trial.speed, trial.slope);
 }
 
 std::string measurement_of(const Case& made, const Truth& known) {
     const bool drops = made.setup.bench == Bench::drop;
-    std::string toml = drops ? "title = \"A ball dropped, filmed from the side\"\n\n"
-                               "[[nuisance]]\nkey = \"pair.leather-wood.restitution\"\nspread = 0.05\n"
-                             : "title = \"A ball thrown along a lane, filmed from above\"\n\n"
-                               "[[nuisance]]\nkey = \"pair.rubber-wood.friction\"\nspread = 0.03\n\n"
-                               "[[nuisance]]\nkey = \"fill.0.velocity_m_s.0\"\nper = \"series\"\nspread = 0.03\n";
+    std::string toml = head_of(made.setup.bench);
     toml += "\n[[nuisance]]\ninstrument = \"clock_offset\"\nper = \"series\"\nspread = 0.005\n";
     for (std::size_t r = 0; r < made.files.size(); ++r) {
         const Trial& trial = made.setup.trials[r];
@@ -104,7 +118,8 @@ void write_records(Case& made, const Eigen::VectorXd& clean, const Dirt& dirt, R
             }
             csv += '\n';
         }
-        made.files.push_back(fmt::format("{}-{}.csv", made.setup.bench == Bench::drop ? "drop" : "throw", r + 1));
+        const char* done[] = {"drop", "throw", "slide"};
+        made.files.push_back(fmt::format("{}-{}.csv", done[static_cast<int>(made.setup.bench)], r + 1));
         made.csv.push_back(std::move(csv));
     }
 }
@@ -132,10 +147,21 @@ void draw_throws(Setup& setup, bool more, Random& random) {
     setup.duration = 2;
 }
 
+/// Three slopes, each to either side; with `more` a steeper one, and a clock in the picture.
+void draw_slides(Setup& setup, bool more, Random& random) {
+    for (const double slope : {18.0, -18.0, 24.0, -24.0, 30.0, -30.0})
+        setup.trials.push_back({.slope = std::round(10 * slope * random.uniform(0.97, 1.03)) / 10});
+    if (more)
+        for (const double slope : {36.0, -36.0})
+            setup.trials.push_back({.slope = std::round(10 * slope * random.uniform(0.97, 1.03)) / 10});
+    setup.rate_hz = std::round(random.uniform(80, 120));
+    setup.duration = 0.8;
+}
+
 Setup draw_setup(Bench bench, bool more, Random& random) {
     Setup setup;
     setup.bench = bench;
-    (bench == Bench::drop ? draw_drops : draw_throws)(setup, more, random);
+    (bench == Bench::drop ? draw_drops : bench == Bench::lane ? draw_throws : draw_slides)(setup, more, random);
     setup.sigma = std::round(1e6 * random.uniform(0.7, 1.3) * 2e-3) / 1e6;
     setup.clock = more;
     return setup;
@@ -143,11 +169,16 @@ Setup draw_setup(Bench bench, bool more, Random& random) {
 
 } // namespace
 
-Truth baseline() {
+Truth baseline(Bench bench) {
     const auto modulus = [](double soft) { return 1 / ((1 - 0.3 * 0.3) / soft + (1 - 0.3 * 0.3) / 1e10); };
     Truth truth;
     truth.ball = {.radius = 0.12, .mass = 0.6, .modulus = modulus(1.27e6), .restitution = 0.8};
     truth.lane = {.radius = 0.05, .mass = 0.5, .modulus = modulus(2e7), .friction = 0.2, .fast_friction = 0.2};
+    if (bench == Bench::slope) // air takes its three feet of 5 mm for one sphere of their volume
+        truth.lane = {.radius = 5e-3 * std::cbrt(3.0),
+                      .mass = 1200 * 3 * 4.0 / 3 * pi * 5e-3 * 5e-3 * 5e-3,
+                      .friction = 0.27,
+                      .fast_friction = 0.27};
     return truth;
 }
 
@@ -155,7 +186,7 @@ std::vector<Order> mixed_orders(int count, Random& random) {
     std::vector<Order> orders;
     for (int k = 0; k < count; ++k) {
         Order order{.kind = "null", .effects = {}, .wanted = sizes[random.below(4)]};
-        order.bench = random.chance(0.5) ? Bench::lane : Bench::drop;
+        order.bench = static_cast<Bench>(random.below(3));
         order.more = random.chance(0.5);
         const std::vector<std::string> listed = ids(true, order.bench), unlisted = ids(false, order.bench);
         const auto one_of = [&](const std::vector<std::string>& all) {
@@ -180,42 +211,72 @@ std::vector<Order> mixed_orders(int count, Random& random) {
     return orders;
 }
 
-Case make_case(const Order& order, Random& random) {
-    Case made;
-    made.setup = draw_setup(order.bench, order.more, random);
-    const Truth known = baseline();
-    Truth without = known;
-    const double off = random.uniform(-1, 1); // of restitution or friction, from what the scene has
-    without.ball.restitution += 0.03 * off;
-    without.lane.friction += 0.02 * off;
-    without.lane.fast_friction = without.lane.friction;
-    without.offsets.assign(made.setup.trials.size(), 0);
-    without.speeds.assign(made.setup.trials.size(), 0);
-    without.restitution.assign(made.setup.trials.size(), 0);
-    Truth truth = without;
+namespace {
+
+void measure(Case& made, Random& random) {
+    const Order& order = made.order;
+    Truth truth = made.without;
     nlohmann::ordered_json hidden = nlohmann::ordered_json::array();
-    for (const std::string& id : order.effects) {
-        const Effect& effect = *find_effect(id);
-        const double sign = effect.one_sided || random.chance(0.5) ? 1 : -1;
-        const double amplitude = amplitude_for(made.setup, without, effect, order.wanted, sign);
-        made.possible = made.possible && amplitude != 0;
-        effect.hide(truth, amplitude);
-        hidden.push_back({{"id", id}, {"listed", effect.listed}, {"amplitude", amplitude}});
+    for (std::size_t k = 0; k < order.effects.size(); ++k) {
+        const Effect& effect = *find_effect(order.effects[k]);
+        effect.hide(truth, made.amplitudes[k]);
+        hidden.push_back({{"id", effect.id}, {"listed", effect.listed}, {"amplitude", made.amplitudes[k]}});
     }
     const std::string own = order.effects.size() == 1 ? order.effects[0] : "";
     const Separation size =
-        order.effects.size() == 1 && made.possible ? separation_of(made.setup, truth, without, own) : Separation{};
+        order.effects.size() == 1 && made.possible ? separation_of(made.setup, truth, made.without, own) : Separation{};
     for (double& offset : truth.offsets)
         offset = std::clamp(0.004 * random.normal(), -0.012, 0.012);
     for (double& speed : truth.speeds)
         speed = std::clamp(0.02 * random.normal(), -0.06, 0.06);
     write_records(made, readings_of(made.setup, truth), draw_dirt(random), random);
-    made.measurement = measurement_of(made, known);
-    made.answer = {{"kind", order.kind},      {"bench", order.bench == Bench::drop ? "drop" : "lane"},
-                   {"more", order.more},      {"hidden", hidden},
-                   {"wanted", order.wanted},  {"d", size.detectable},
-                   {"d_sep", size.separable}, {"nearest", size.nearest},
-                   {"innocent", off}};
+    made.measurement = measurement_of(made, baseline(order.bench));
+    made.answer = {{"kind", order.kind},      {"bench", word_of(order.bench)}, {"more", order.more},
+                   {"hidden", hidden},        {"wanted", order.wanted},        {"d", size.detectable},
+                   {"d_sep", size.separable}, {"nearest", size.nearest}};
+}
+
+void forget_trials(Truth& truth, std::size_t trials) {
+    truth.offsets.assign(trials, 0);
+    truth.speeds.assign(trials, 0);
+    truth.restitution.assign(trials, 0);
+}
+
+} // namespace
+
+Case make_case(const Order& order, Random& random) {
+    Case made;
+    made.order = order;
+    made.setup = draw_setup(order.bench, order.more, random);
+    made.without = baseline(order.bench);
+    const double off = random.uniform(-1, 1); // of restitution or friction, from what the scene has
+    made.without.ball.restitution += 0.03 * off;
+    made.without.lane.friction += 0.02 * off;
+    made.without.lane.fast_friction = made.without.lane.friction;
+    forget_trials(made.without, made.setup.trials.size());
+    for (const std::string& id : order.effects) {
+        const Effect& effect = *find_effect(id);
+        const double sign = effect.one_sided || random.chance(0.5) ? 1 : -1;
+        made.amplitudes.push_back(amplitude_for(made.setup, made.without, effect, order.wanted, sign));
+        made.possible = made.possible && made.amplitudes.back() != 0;
+    }
+    measure(made, random);
+    return made;
+}
+
+Case with_more(const Case& plain, Random& random) {
+    Case made;
+    made.order = plain.order;
+    made.order.kind = "loop";
+    made.order.more = true;
+    made.setup = plain.setup;
+    made.setup.trials = draw_setup(plain.order.bench, true, random).trials;
+    std::copy(plain.setup.trials.begin(), plain.setup.trials.end(), made.setup.trials.begin());
+    made.setup.clock = true;
+    made.without = plain.without;
+    made.amplitudes = plain.amplitudes;
+    forget_trials(made.without, made.setup.trials.size());
+    measure(made, random);
     return made;
 }
 

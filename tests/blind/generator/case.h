@@ -25,7 +25,10 @@ std::vector<Order> mixed_orders(int count, Random& random);
 
 /// A case as it was made: its folder's files, and what is to be found.
 struct Case {
+    Order order;
     Setup setup;
+    Truth without;                  // what is innocent, but clocks and speeds
+    std::vector<double> amplitudes; // of the order's effects
     std::vector<std::string> files; // names, in the order of trials
     std::vector<std::string> csv;
     std::string measurement; // TOML
@@ -36,7 +39,11 @@ struct Case {
 /// Draws everything innocent, scales the effect, adds noise that is not quite as stated.
 Case make_case(const Order& order, Random& random);
 
-/// The baseline that every case is held against: the balls of scenes/bounce.toml and scenes/lane.toml.
-Truth baseline();
+/// The same ball with the same effect, measured again with the trials that a plain bench lacks.
+Case with_more(const Case& plain, Random& random);
+
+/// The baseline that every case is held against: the balls of scenes/bounce.toml and scenes/lane.toml, the tripod of
+/// scenes/slope.toml.
+Truth baseline(Bench bench);
 
 } // namespace blind

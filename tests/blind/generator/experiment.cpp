@@ -7,9 +7,11 @@ namespace blind {
 
 namespace {
 
-constexpr double clock_sigma = 1e-3; // s
-constexpr double fine = 2.5e-4;      // s, grid of the filters
-constexpr double light = 1.0 / 4;    // of the mass
+constexpr double clock_sigma = 1e-3;    // s
+constexpr double fine = 2.5e-4;         // s, grid of the filters
+constexpr double light = 1.0 / 4;       // of the mass
+constexpr double feet = 3, foot = 5e-3; // m, of the tripod
+constexpr double pi = 3.14159265358979323846;
 
 /// Heights on a fine grid, filtered by recursion for straight lines between its points.
 std::vector<double> filtered(const Path& path, const Sensor& sensor, double end) {
@@ -63,8 +65,6 @@ std::vector<double> read(const Path& path, const Sensor& sensor, const std::vect
     return y;
 }
 
-constexpr double pi = 3.14159265358979323846;
-
 void drag(Truth& t, double density, double viscosity) {
     const auto add = [&](auto& body) {
         body.quadratic += 0.125 * pi * 0.44 * density * 4 * body.radius * body.radius;
@@ -76,45 +76,53 @@ void drag(Truth& t, double density, double viscosity) {
 
 std::vector<Effect> listed() {
     return {
-        {"drag.quadratic", true, 0.1, 20, true, true, true, [](Truth& t, double a) { drag(t, a, 0); }},
-        {"drag.linear", true, 1e-3, 2, true, true, true, [](Truth& t, double a) { drag(t, 0, a); }},
-        {"rest.velocity", true, 0.01, 0.4, true, true, false, [](Truth& t, double a) { t.ball.exponent += a; }},
-        {"roll.coulomb", true, 1e-3, 0.3, true, false, true, [](Truth& t, double a) { t.lane.rolling += a; }},
-        {"fric.weakening", true, 0.05, 1, true, false, true, [](Truth& t, double a) { t.lane.fast_friction *= 1 - a; }},
-        {"grav.g", true, 1e-3, 0.05, false, true, true,
+        {"drag.quadratic", true, 0.1, 20, true, true, true, true, [](Truth& t, double a) { drag(t, a, 0); }},
+        {"drag.linear", true, 1e-3, 2, true, true, true, true, [](Truth& t, double a) { drag(t, 0, a); }},
+        {"rest.velocity", true, 0.01, 0.4, true, true, false, false, [](Truth& t, double a) { t.ball.exponent += a; }},
+        {"cohesion.work", true, 0.1, 100, true, true, false, true,
+         [](Truth& t, double a) {
+             t.ball.adhesion += a;
+             t.lane.squeeze += feet * 2 * pi * a * foot / t.lane.mass;
+         }},
+        {"roll.coulomb", true, 1e-3, 0.3, true, false, true, false, [](Truth& t, double a) { t.lane.rolling += a; }},
+        {"fric.weakening", true, 0.05, 1, true, false, true, true,
+         [](Truth& t, double a) { t.lane.fast_friction *= 1 - a; }},
+        {"grav.g", true, 1e-3, 0.05, false, true, true, true,
          [](Truth& t, double a) {
              t.ball.gravity *= 1 + a;
              t.lane.gravity *= 1 + a;
          }},
-        {"grav.tilt_x", true, 0.02, 5, false, false, true, [](Truth& t, double a) { t.lane.slope += a * pi / 180; }},
-        {"num.stiffness", true, 0.1, 3, false, true, false, [](Truth& t, double a) { t.ball.modulus *= std::exp(a); }},
-        {"ins.clock_rate", true, 1e-3, 0.05, false, true, true, [](Truth& t, double a) { t.sensor.rate += a; }},
-        {"ins.gain", true, 1e-3, 0.1, false, true, true, [](Truth& t, double a) { t.sensor.gain += a; }},
-        {"ins.bias", true, 1e-4, 0.05, false, true, true, [](Truth& t, double a) { t.sensor.bias += a; }},
-        {"ins.drift", true, 1e-4, 0.05, false, true, true, [](Truth& t, double a) { t.sensor.drift += a; }},
-        {"ins.low_pass", true, 1e-3, 0.05, true, true, true, [](Truth& t, double a) { t.sensor.low_pass += a; }},
-        {"ins.high_pass", true, 1e-2, 5, true, true, true, [](Truth& t, double a) { t.sensor.high_pass += a; }},
-        {"ins.clipping", true, 2e-2, 0.9, true, true, true, [](Truth& t, double a) { t.sensor.clip += a; }},
+        {"grav.tilt_x", true, 0.02, 5, false, false, true, true,
+         [](Truth& t, double a) { t.lane.slope += a * pi / 180; }},
+        {"num.stiffness", true, 0.1, 3, false, true, false, false,
+         [](Truth& t, double a) { t.ball.modulus *= std::exp(a); }},
+        {"ins.clock_rate", true, 1e-3, 0.05, false, true, true, true, [](Truth& t, double a) { t.sensor.rate += a; }},
+        {"ins.gain", true, 1e-3, 0.1, false, true, true, true, [](Truth& t, double a) { t.sensor.gain += a; }},
+        {"ins.bias", true, 1e-4, 0.05, false, true, true, true, [](Truth& t, double a) { t.sensor.bias += a; }},
+        {"ins.drift", true, 1e-4, 0.05, false, true, true, true, [](Truth& t, double a) { t.sensor.drift += a; }},
+        {"ins.low_pass", true, 1e-3, 0.05, true, true, true, true, [](Truth& t, double a) { t.sensor.low_pass += a; }},
+        {"ins.high_pass", true, 1e-2, 5, true, true, true, true, [](Truth& t, double a) { t.sensor.high_pass += a; }},
+        {"ins.clipping", true, 2e-2, 0.9, true, true, true, true, [](Truth& t, double a) { t.sensor.clip += a; }},
     };
 }
 
 std::vector<Effect> unlisted() {
     return {
-        {"sensor-bend", false, 1e-3, 0.2, false, true, true, [](Truth& t, double a) { t.sensor.bend += a; }},
-        {"restitution-of-one-drop", false, 1e-3, 0.1, false, true, false,
+        {"sensor-bend", false, 1e-3, 0.2, false, true, true, true, [](Truth& t, double a) { t.sensor.bend += a; }},
+        {"restitution-of-one-drop", false, 1e-3, 0.1, false, true, false, false,
          [](Truth& t, double a) { t.restitution[1] += a; }},
-        {"plate-swings", false, 1e-3, 0.3, true, true, false,
+        {"plate-swings", false, 1e-3, 0.3, true, true, false, false,
          [](Truth& t, double a) {
              t.ball.plate_amplitude += a;
              t.ball.plate_frequency = 7.3;
              t.ball.plate_phase = 1;
          }},
-        {"warms-up", false, 1e-3, 0.1, false, true, false, [](Truth& t, double a) { t.ball.by_impact += a; }},
-        {"sticks", false, 1e-4, 0.02, true, true, false, [](Truth& t, double a) { t.ball.sticks += a; }},
-        {"hollow-lane", false, 1e-4, 0.02, false, false, true, [](Truth& t, double a) { t.lane.hollow += a; }},
-        {"slippery-patch", false, 0.01, 0.5, true, false, true, [](Truth& t, double a) { t.lane.patch += a; }},
-        {"wind", false, 0.05, 10, false, false, true, [](Truth& t, double a) { t.lane.wind += a; }},
-        {"rolling-by-speed", false, 1e-3, 0.1, true, false, true,
+        {"warms-up", false, 1e-3, 0.1, false, true, false, false, [](Truth& t, double a) { t.ball.by_impact += a; }},
+        {"sticks", false, 1e-4, 0.02, true, true, false, false, [](Truth& t, double a) { t.ball.sticks += a; }},
+        {"hollow-lane", false, 1e-4, 0.02, false, false, true, true, [](Truth& t, double a) { t.lane.hollow += a; }},
+        {"slippery-patch", false, 0.01, 0.5, true, false, true, true, [](Truth& t, double a) { t.lane.patch += a; }},
+        {"wind", false, 0.05, 10, false, false, true, true, [](Truth& t, double a) { t.lane.wind += a; }},
+        {"rolling-by-speed", false, 1e-3, 0.1, true, false, true, false,
          [](Truth& t, double a) { t.lane.rolling_by_speed += a; }},
     };
 }
@@ -129,9 +137,11 @@ std::vector<Effect> all_effects() {
 Path path_in(const Setup& setup, const Truth& truth, std::size_t k) {
     const Trial& trial = setup.trials[k];
     const double duration = setup.duration + 0.05;
-    if (setup.bench == Bench::lane) {
+    if (setup.bench != Bench::drop) {
         Lane lane = truth.lane;
         lane.slope += trial.slope * pi / 180;
+        if (setup.bench == Bench::slope)
+            return path_down(lane, duration);
         return path_along(lane, trial.speed + (truth.speeds.empty() ? 0 : truth.speeds[k]), duration);
     }
     Ball ball = truth.ball;
@@ -186,7 +196,15 @@ std::vector<Innocent> innocents_of(const Setup& setup) {
 }
 
 bool shows(const Effect& effect, Bench bench) {
-    return bench == Bench::drop ? effect.drops : effect.lanes;
+    return bench == Bench::drop ? effect.drops : bench == Bench::lane ? effect.lanes : effect.slopes;
+}
+
+std::string word_of(Bench bench) {
+    return bench == Bench::drop ? "drop" : bench == Bench::lane ? "lane" : "slope";
+}
+
+Bench bench_of(const std::string& word) {
+    return word == "lane" ? Bench::lane : word == "slope" ? Bench::slope : Bench::drop;
 }
 
 const std::vector<Effect>& effects() {

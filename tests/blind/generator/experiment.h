@@ -21,9 +21,9 @@ struct Sensor {
     double bend = 0;      // 1/m, reads y + bend y^2; in no library
 };
 
-enum class Bench { drop, lane };
+enum class Bench { drop, lane, slope };
 
-/// What was done once: a ball dropped, or thrown along a lane.
+/// What was done once: a ball dropped or thrown along a lane, a tripod let go on a slope.
 struct Trial {
     double height = 0;  // m, of the ball's lowest point
     bool light = false; // a quarter of the mass
@@ -71,13 +71,16 @@ struct Effect {
     double typical = 0; // amplitude to begin with
     double most = 0;    // that a laboratory could overlook
     bool one_sided = false;
-    bool drops = true, lanes = true; // where it shows
+    bool drops = true, lanes = true, slopes = true; // where it shows
     void (*hide)(Truth&, double amplitude) = nullptr;
 };
 
 /// Those that the library of tumble has too, by the same ids and units; and those that it must not have.
 const std::vector<Effect>& effects();
 bool shows(const Effect& effect, Bench bench);
+/// "drop", "lane" or "slope"; and back, where it is none of them "drop".
+std::string word_of(Bench bench);
+Bench bench_of(const std::string& word);
 const Effect* find_effect(const std::string& id);
 
 } // namespace blind

@@ -15,6 +15,12 @@ double sign(double v) {
     return v > 0 ? 1 : v < 0 ? -1 : 0;
 }
 
+/// What the air does to its speed, m/s2.
+double air_on(const Lane& lane, double v) {
+    const double blown = lane.wind == 0 ? 0 : gust * ((lane.wind - v) * std::abs(lane.wind - v) + v * std::abs(v));
+    return (blown - lane.linear * v - lane.quadratic * v * std::abs(v)) / lane.mass;
+}
+
 /// Speeds: of the centre and of the surface about it, radius times spin.
 struct Rates {
     double speed = 0, surface = 0; // m/s2
@@ -49,11 +55,7 @@ public:
 private:
     [[nodiscard]] double pull(double x) const { return lane_.gravity * std::sin(lane_.slope - lane_.hollow * x); }
     [[nodiscard]] double press(double x) const { return lane_.gravity * std::cos(lane_.slope - lane_.hollow * x); }
-    [[nodiscard]] double air(double v) const {
-        const double blown =
-            lane_.wind == 0 ? 0 : gust * ((lane_.wind - v) * std::abs(lane_.wind - v) + v * std::abs(v));
-        return (blown - lane_.linear * v - lane_.quadratic * v * std::abs(v)) / lane_.mass;
-    }
+    [[nodiscard]] double air(double v) const { return air_on(lane_, v); }
     [[nodiscard]] double resistance(double v) const {
         return (lane_.rolling + lane_.rolling_by_speed * std::abs(v)) / arm_;
     }
@@ -131,7 +133,55 @@ private:
     bool rolls_ = false;
 };
 
+/// A body that only slides.
+class Slide {
+public:
+    explicit Slide(const Lane& lane) : lane_(lane) {}
+
+    std::vector<State> steps(double until) const {
+        State s;
+        std::vector<State> all{s};
+        while (s.t < until) {
+            const double h = std::min(step, until - s.t);
+            const double way = s.v != 0 ? sign(s.v) : sign(pull(0));
+            const bool held = s.v == 0 && std::abs(pull(s.y)) <= friction(0, s.y);
+            if (!held)
+                go(s, h, way);
+            s.t += h;
+            if (way * s.v < 0)
+                s.v = 0;
+            all.push_back(s);
+        }
+        return all;
+    }
+
+private:
+    [[nodiscard]] double pull(double x) const { return lane_.gravity * std::sin(lane_.slope - lane_.hollow * x); }
+    [[nodiscard]] double friction(double v, double x) const {
+        const double mu =
+            lane_.fast_friction + (lane_.friction - lane_.fast_friction) * std::exp(-std::abs(v) / lane_.slip_speed);
+        const double press = lane_.gravity * std::cos(lane_.slope - lane_.hollow * x) + lane_.squeeze;
+        return mu * press * (std::abs(x) < spot ? 1 - lane_.patch : 1);
+    }
+    [[nodiscard]] double rate(double x, double v, double way) const {
+        return pull(x) + air_on(lane_, v) - way * friction(v, x);
+    }
+    void go(State& s, double h, double way) const {
+        const double a = rate(s.y, s.v, way), b = rate(s.y + h / 2 * s.v, s.v + h / 2 * a, way),
+                     c = rate(s.y + h / 2 * (s.v + h / 2 * a), s.v + h / 2 * b, way),
+                     d = rate(s.y + h * (s.v + h / 2 * b), s.v + h * c, way);
+        s.y += h * s.v + h * h / 6 * (a + b + c);
+        s.v += h / 6 * (a + 2 * b + 2 * c + d);
+    }
+
+    const Lane& lane_;
+};
+
 } // namespace
+
+Path path_down(const Lane& lane, double duration) {
+    return Path(Slide(lane).steps(duration));
+}
 
 Path path_along(const Lane& lane, double speed, double duration) {
     return Path(Course(lane).steps(speed, duration));

@@ -19,6 +19,7 @@ struct Lane {
     double rolling = 0;   // mu_r of constant torque
     double linear = 0;    // N s/m
     double quadratic = 0; // N s2/m2
+    double squeeze = 0;   // m/s2, what holds a slider down beside its weight
     // Effects that no library has.
     double hollow = 0;           // 1/m, the lane rises on both sides: slope - hollow x
     double rolling_by_speed = 0; // s/m, mu_r v
@@ -30,5 +31,9 @@ struct Lane {
 /// fourth order between the events: sliding ends, the ball stops. The ball has sunk in by what Hertz' law makes of its
 /// weight, and turns on an arm that is so much shorter.
 Path path_along(const Lane& lane, double speed, double duration);
+
+/// Where a body that cannot roll was until `duration`, let go at rest at 0. The same method; radius, modulus and
+/// rolling do not count.
+Path path_down(const Lane& lane, double duration);
 
 } // namespace blind

@@ -1,6 +1,6 @@
 // blindgen OUT COUNT SEED [BENCH KIND EFFECT SIZE]: writes cases OUT/case-0000 ... with measured data, and a commitment
-// to each answer; prints the answers with their salts, one JSON object a line, for whoever judges. Nothing else is
-// written.
+// to each answer; of a plain drop with a listed effect a second one, CASE-more, with the trials that it lacks; prints
+// the answers with their salts, one JSON object a line, for whoever judges. Nothing else is written.
 #include "case.h"
 #include "seal.h"
 
@@ -8,11 +8,14 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <iostream>
+#include <sstream>
 
 namespace {
 
 namespace fs = std::filesystem;
 using namespace blind;
+
+const char* scenes[] = {"bounce.toml", "lane.toml", "slope.toml"}; // by the number of Bench
 
 void write(const fs::path& file, const std::string& text) {
     std::ofstream(file, std::ios::binary) << text;
@@ -27,7 +30,7 @@ std::string leave(const Case& made, const fs::path& folder, Random& salts) {
     const std::string answer = made.answer.dump();
     write(folder / "commitment.txt", sha256(salt + answer) + "\n");
     return nlohmann::ordered_json{{"case", folder.filename().string()},
-                                  {"scene", made.setup.bench == Bench::drop ? "bounce.toml" : "lane.toml"},
+                                  {"scene", scenes[static_cast<int>(made.setup.bench)]},
                                   {"salt", salt},
                                   {"answer", answer}}
         .dump();
@@ -37,30 +40,35 @@ std::string leave(const Case& made, const fs::path& folder, Random& salts) {
 
 int main(int count, char** words) {
     if (count != 4 && count != 8) {
-        std::cerr << "blindgen OUT COUNT SEED [drop|lane null|listed|two|unlisted EFFECT SIZE]\n";
+        std::cerr << "blindgen OUT COUNT SEED [drop|lane|slope null|listed|two|unlisted EFFECT[+EFFECT] SIZE]\n";
         return 2;
     }
     const fs::path out = words[1];
     const int cases = std::stoi(words[2]);
     const unsigned long long seed = std::stoull(words[3]);
-    Random random(seed),
+    Random random(seed), loops(seed + 1),
         salts((static_cast<unsigned long long>(std::random_device{}()) << 32) ^ std::random_device{}());
     std::vector<Order> orders = mixed_orders(cases, random);
     if (count == 8)
         for (Order& order : orders) {
-            order.bench = std::string(words[4]) == "lane" ? Bench::lane : Bench::drop;
+            order.bench = bench_of(words[4]);
             order.kind = words[5];
             order.effects.clear();
-            if (order.kind != "null")
-                order.effects = {words[6]};
+            std::istringstream effects(words[6]);
+            for (std::string id; order.kind != "null" && std::getline(effects, id, '+');)
+                order.effects.push_back(id);
             order.wanted = std::stod(words[7]);
         }
     std::vector<std::string> answers;
     int number = 0;
     for (const Order& order : orders) {
         const Case made = make_case(order, random);
-        if (made.possible)
-            answers.push_back(leave(made, out / fmt::format("case-{:04}", number++), salts));
+        if (!made.possible)
+            continue;
+        const std::string name = fmt::format("case-{:04}", number++);
+        answers.push_back(leave(made, out / name, salts));
+        if (order.kind == "listed" && !order.more && order.bench == Bench::drop)
+            answers.push_back(leave(with_more(made, loops), out / (name + "-more"), salts));
     }
     for (const std::string& answer : answers)
         std::cout << answer << '\n';

@@ -1,0 +1,113 @@
+#include "diagnose/cause_families.h"
+
+#include <cmath>
+#include <map>
+
+namespace tumble::diagnose {
+
+using scene::Scene;
+
+namespace {
+
+/// The same shape, so much larger, of the same density; discs keep their depth.
+scene::BodyTemplate scaled(scene::BodyTemplate body, double factor, int dimension) {
+    const double heavier = std::pow(factor, dimension);
+    for (scene::Sphere& sphere : body.spheres) {
+        sphere.centre *= factor;
+        sphere.radius *= factor;
+    }
+    if (body.mass)
+        *body.mass *= heavier;
+    if (body.principal_inertia)
+        *body.principal_inertia *= heavier * factor * factor;
+    if (body.tracer_point)
+        *body.tracer_point *= factor;
+    if (body.cone) {
+        body.cone->diameter *= factor;
+        body.cone->height *= factor;
+    }
+    return body;
+}
+
+/// Every fill in thirds, of larger bodies, of those as written and of smaller ones; the large ones come first, while
+/// there is most room. (-1, 0, 1) sqrt(3/2) has a standard deviation of 1.
+void spread_sizes(Scene& scene, double deviation) {
+    const double apart = std::sqrt(1.5) * deviation;
+    const std::pair<double, const char*> sizes[] = {{1 + apart, "_larger"}, {1, ""}, {1 - apart, "_smaller"}};
+    std::map<std::pair<int, double>, int> known; // templates by what they are made of, and how large
+    const auto of_size = [&](int body, double factor, const char* mark) {
+        if (factor == 1)
+            return body;
+        const auto [found, added] = known.try_emplace({body, factor}, static_cast<int>(scene.bodies.size()));
+        if (added) {
+            scene.bodies.push_back(scaled(scene.bodies[static_cast<std::size_t>(body)], factor, scene.dimension));
+            scene.bodies.back().name += mark;
+        }
+        return found->second;
+    };
+    double masses = 0;
+    for (const auto& size : sizes)
+        masses += std::pow(size.first, scene.dimension);
+    std::vector<scene::Fill> fills;
+    for (const scene::Fill& fill : scene.fills) {
+        std::int64_t given = 0, nth = 0;
+        for (const auto& [factor, mark] : sizes) {
+            scene::Fill part = fill;
+            part.body = fill.position ? fill.body : of_size(fill.body, factor, mark);
+            if (fill.count) {
+                part.count = *fill.count * ++nth / 3 - given;
+                given += *part.count;
+            }
+            if (fill.mass)
+                *part.mass *= std::pow(factor, scene.dimension) / masses;
+            if (!fill.count || *part.count > 0)
+                fills.push_back(std::move(part));
+        }
+    }
+    scene.fills = std::move(fills);
+    // The smallest bear the shortest steps: as their radius with springs of Hertz or of discs, as its power 3/2 with
+    // linear ones.
+    scene.time_step *= std::pow(1 - apart, scene.dimension / 2.0);
+}
+
+} // namespace
+
+std::vector<Cause> of_the_load() {
+    return {
+        {.id = "load.fill",
+         .family = "load",
+         .symbol = "share",
+         .lo = -0.5,
+         .hi = 0.5,
+         .typical = 0.02,
+         .beds = true,
+         .name = "a load that is more or less than the scene's",
+         .look = "the surface stands higher or lower; forces and energies scale with it",
+         .keys = "fill.count or fill.mass_kg, times 1 + share",
+         .extend =
+             [](Scene& s, double d) {
+                 for (scene::Fill& fill : s.fills) {
+                     if (fill.count)
+                         fill.count =
+                             std::max<std::int64_t>(1, std::llround(static_cast<double>(*fill.count) * (1 + d)));
+                     if (fill.mass)
+                         *fill.mass *= 1 + d;
+                 }
+             }},
+        {.id = "size.poly",
+         .family = "size",
+         .symbol = "relative standard deviation",
+         .lo = 0,
+         .hi = 0.4,
+         .typical = 0.02,
+         .in_beds = 0.2,
+         .beds = true,
+         .name = "bodies that are not all of one size",
+         .look =
+             "packs denser and lies lower; the small ones sink through in time, and what has formed rows loses them",
+         .keys = "body.* and fill.*: a third each larger, as written and smaller; time_step_s with the smallest",
+         .extend = spread_sizes},
+    };
+}
+
+} // namespace tumble::diagnose

@@ -1,0 +1,61 @@
+#!/usr/bin/python3
+"""One report of every outcome, from files alone, as a user would get it:
+
+    tests/blind/outcomes.py build/release/tumble build/release/tests/blind/blindgen out/outcomes [NAME...]
+
+Says what each came to; ends with 1 where one came to another outcome than it should.
+"""
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CASES = ROOT / "scenes" / "measured" / "cases"
+
+WANTED = {  # what to expect; the scene; where the case is: a folder, what blindgen makes, or a folder of which only an innocent cause is asked
+    "consistent": ("CONSISTENT WITH THE BASELINE", "bounce", CASES / "2"),
+    "named": ("NAMED", "lane", CASES / "1"),
+    "ambiguous": ("AMBIGUOUS", "bounce", ("51", "drop", "listed", "drag.linear", "1.5")),
+    "two-causes": ("TWO CAUSES", "lane", ("52", "lane", "two", "roll.coulomb+grav.tilt_x", "12")),
+    "none-known": ("NONE OF THE KNOWN CAUSES", "bounce", CASES / "5"),
+    "cannot-decide": ("CANNOT DECIDE", "bounce", [CASES / "2"]),
+}
+
+
+def laid_out(blindgen, case, folder):
+    shutil.rmtree(folder, ignore_errors=True)
+    if isinstance(case, tuple):
+        subprocess.run([blindgen, folder, "1", *case], check=True, stdout=subprocess.DEVNULL)
+        shutil.copytree(folder / "case-0000", folder, dirs_exist_ok=True)
+        for made in folder.glob("case-0000*"):
+            shutil.rmtree(made)
+        return
+    shutil.copytree(case[0] if isinstance(case, list) else case, folder, ignore=shutil.ignore_patterns("sealed.txt"))
+    if isinstance(case, list):
+        measurement = folder / "measurement.toml"
+        measurement.write_text('causes = ["ins.clock_offset"]  # which is innocent below\n' + measurement.read_text())
+
+
+def main():
+    tumble, blindgen = (str(pathlib.Path(word).resolve()) for word in sys.argv[1:3])
+    out, wrong = pathlib.Path(sys.argv[3]), 0
+    for name, (outcome, scene, case) in WANTED.items():
+        if sys.argv[4:] and name not in sys.argv[4:]:
+            continue
+        folder = out / name
+        laid_out(blindgen, case, folder)
+        shutil.copy(ROOT / "scenes" / f"{scene}.toml", folder / "scene.toml")
+        done = subprocess.run([tumble, "diagnose", "scene.toml", "--data", "measurement.toml", "--report", "report", "--quiet"],
+                              cwd=folder, capture_output=True, text=True)
+        if done.returncode:
+            sys.exit(f"{name}: {done.stdout}{done.stderr}")
+        found = json.loads((folder / "report" / "diagnosis.json").read_text())
+        wrong += found["outcome"] != outcome
+        print(f"{name}: {found['outcome']}{'' if found['outcome'] == outcome else ', not ' + outcome}\n  {found['verdict']}\n  {found['next']}")
+    sys.exit(1 if wrong else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,3 +1,4 @@
+#include "cli/canvas_flags.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -24,13 +25,15 @@ struct ExcitationArguments {
     std::string about = "x";
     double motor_rpm = 0, start_s = 0;
     ex::Settings settings;
+    CanvasFlags canvas_flags;
+    sheet::Canvas canvas; // what they say
     bool hammer = false, json = false;
 };
 
 int give(const ExcitationArguments& arguments, const std::string& title, const sheet::Sheet& sheet,
          const std::string& motion) {
     if (!arguments.folder.empty()) {
-        if (const int code = draw_and_note(sheet, arguments.folder, arguments.json); code != fine)
+        if (const int code = draw_and_note(sheet, arguments.folder, arguments.json, arguments.canvas); code != fine)
             return code;
         const fs::path file = arguments.folder / "motion.toml";
         if (!motion.empty()) {
@@ -95,6 +98,10 @@ int from_record(const ExcitationArguments& arguments, Result<ex::Record> record)
 
 int excite(ExcitationArguments arguments) {
     arguments.settings.motor = arguments.motor_rpm / 60;
+    const auto canvas = canvas_of(arguments.canvas_flags);
+    if (!canvas)
+        return refuse(canvas.problems(), arguments.json, wrong);
+    arguments.canvas = *canvas;
     constexpr std::size_t largest = std::size_t{256} << 20;
     Result<std::string> text = scene::read_file(arguments.file, largest);
     if (!text)
@@ -147,6 +154,7 @@ void add_excitation_command(CLI::App& program, Action& action) {
     command->add_option("--out", arguments->folder, "Folder for motion.toml and the figures (needs gnuplot)")
         ->type_name("DIR")
         ->check(refuse_no_place);
+    add_canvas_flags(*command, arguments->canvas_flags);
     command->add_flag("--json", arguments->json, "Print the result as JSON");
     command->callback([arguments, &action] { action = [arguments] { return excite(*arguments); }; });
 }

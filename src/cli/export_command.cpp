@@ -38,7 +38,9 @@ int export_model(const ExportArguments& arguments) {
     const auto recorded = stress::read_recorded(arguments.run, arguments.part);
     if (!recorded)
         return refuse(recorded.problems(), arguments.json, wrong);
-    const auto cases = stress::nodal_cases(recorded->specimen(), recorded->loads, arguments.means, arguments.patch);
+    Crew crew(1);
+    const auto cases =
+        stress::nodal_cases(recorded->specimen(), recorded->loads, arguments.means, arguments.patch, crew);
     if (!cases)
         return refuse(cases.problems(), arguments.json, wrong);
     const std::filesystem::path file = arguments.out.empty() ? arguments.run / "part.inp" : arguments.out;

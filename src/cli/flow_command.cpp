@@ -1,4 +1,5 @@
 #include "base/text.h"
+#include "cli/canvas_flags.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -27,6 +28,7 @@ struct FlowArguments {
     std::vector<double> axis{0, 0}, heights;
     std::optional<double> radius;
     std::filesystem::path out, picture;
+    CanvasFlags canvas;
     std::string time;
     bool force = false;
     bool quiet = false;
@@ -96,7 +98,7 @@ Json summary_of(const run::FlowReport& report) {
             {"warnings", report.replayed.warnings}};
 }
 
-std::string cell(const Json& value, int digits = 3) {
+std::string entry(const Json& value, int digits = 3) {
     return value.is_null() ? "-" : fixed(value.get<double>(), digits);
 }
 
@@ -107,18 +109,19 @@ void print(const Json& summary) {
     std::vector<std::vector<std::string>> rows{
         {"height m", "mass kg", "radial m/s", "tangential m/s", "vertical m/s", "speed m/s", "residence s"}};
     for (const Json& layer : summary["layers"])
-        rows.push_back({cell(layer["from_m"]) + " to " + cell(layer["to_m"]), cell(layer["mass_kg"]),
-                        cell(layer["v_radial_m_s"]), cell(layer["v_tangential_m_s"]), cell(layer["v_vertical_m_s"]),
-                        cell(layer["speed_m_s"]), cell(layer["residence_s"])});
+        rows.push_back({entry(layer["from_m"]) + " to " + entry(layer["to_m"]), entry(layer["mass_kg"]),
+                        entry(layer["v_radial_m_s"]), entry(layer["v_tangential_m_s"]), entry(layer["v_vertical_m_s"]),
+                        entry(layer["speed_m_s"]), entry(layer["residence_s"])});
     say(table(rows));
     for (const Json& body : summary["bodies"]) {
         say(fmt::format("{}: goes up and down by {} m (peak to peak), a cycle takes {} s ({} seen)",
-                        body["body"].get<std::string>(), cell(body["peak_to_peak_m"], 4), cell(body["period_s"]),
+                        body["body"].get<std::string>(), entry(body["peak_to_peak_m"], 4), entry(body["period_s"]),
                         body["cycles"].get<double>()));
         std::vector<std::vector<std::string>> spans{{"", "place m", "velocity m/s"}};
         for (const std::string axis : {"x", "y", "z"}) {
             const Json &place = body[axis + "_m"], &speed = body["v" + axis + "_m_s"];
-            spans.push_back({axis, cell(place[0]) + " to " + cell(place[1]), cell(speed[0]) + " to " + cell(speed[1])});
+            spans.push_back(
+                {axis, entry(place[0]) + " to " + entry(place[1]), entry(speed[0]) + " to " + entry(speed[1])});
         }
         say(table(spans));
     }
@@ -152,6 +155,9 @@ int tell_flow(FlowArguments& arguments) {
     }
     if (const auto problem = read_time_range(arguments.time, options.when.from, options.when.to))
         return refuse({*problem}, arguments.json, wrong);
+    const auto canvas = canvas_of(arguments.canvas, run::flow_canvas);
+    if (!canvas)
+        return refuse(canvas.problems(), arguments.json, wrong);
     if (!arguments.force)
         if (const auto problem = refuse_to_overwrite(files_of(arguments)))
             return refuse({*problem}, arguments.json, wrong);
@@ -171,7 +177,7 @@ int tell_flow(FlowArguments& arguments) {
         if (const auto written = run::write_flow(*report, arguments.out); !written)
             return refuse(written.problems(), arguments.json, failed);
     if (!arguments.picture.empty())
-        if (const auto drawn = run::draw_flow(*report, arguments.picture); !drawn)
+        if (const auto drawn = run::draw_flow(*report, arguments.picture, *canvas); !drawn)
             return refuse(drawn.problems(), arguments.json, failed);
     const Json summary = summary_of(*report);
     if (arguments.json)
@@ -218,7 +224,8 @@ void add_flow_command(CLI::App& program, Action& action) {
     command->add_option("--picture", arguments->picture, "Picture of the field (needs gnuplot)")
         ->type_name("FILE")
         ->check(refuse_no_place)
-        ->check(ends_in({".png", ".svg"}));
+        ->check(ends_in({".png", ".svg", ".pdf"}));
+    add_canvas_flags(*command, arguments->canvas);
     command->add_flag("--force", arguments->force, "Replace what is there");
     command->add_flag("--quiet", arguments->quiet, "No progress, no warnings on stderr");
     command->add_flag("--json", arguments->json, "Print the result as JSON");

@@ -1,3 +1,4 @@
+#include "cli/canvas_flags.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -26,6 +27,7 @@ struct LabArguments {
 struct ExperimentArguments {
     sheet::Typed typed;
     fs::path folder, record;
+    CanvasFlags canvas;
     bool json = false;
 };
 
@@ -49,14 +51,15 @@ Result<lab::Outcome> evaluate(const Experiment& experiment, const fs::path& reco
 
 int perform(const Experiment& experiment, const ExperimentArguments& arguments) {
     const Result<sheet::Values> values = lab::read_values(experiment, arguments.typed);
-    if (!values)
-        return refuse(values.problems(), arguments.json, wrong);
+    const auto canvas = canvas_of(arguments.canvas);
+    if (!values || !canvas)
+        return refuse(values ? canvas.problems() : values.problems(), arguments.json, wrong);
     const Result<lab::Outcome> outcome =
         arguments.record.empty() ? experiment.perform(*values) : evaluate(experiment, arguments.record, *values);
     if (!outcome)
         return refuse(outcome.problems(), arguments.json, wrong);
     if (!arguments.folder.empty()) {
-        if (const int code = draw_and_note(outcome->sheet, arguments.folder, arguments.json); code != fine)
+        if (const int code = draw_and_note(outcome->sheet, arguments.folder, arguments.json, *canvas); code != fine)
             return code;
         if (const int code = write_recordings(*outcome, arguments.folder, arguments.json); code != fine)
             return code;
@@ -107,6 +110,7 @@ void add_experiment(CLI::App& all, const Experiment& experiment, Action& action)
                      "Folder for the records as CSV and the figures as PNG and SVG (needs gnuplot)")
         ->type_name("DIR")
         ->check(refuse_no_place);
+    add_canvas_flags(*command, arguments->canvas);
     command->add_flag("--json", arguments->json, "Print the result as JSON: facts, tables, curves");
     command->callback([arguments, &experiment, &action] {
         action = [arguments, &experiment] { return perform(experiment, *arguments); };

@@ -1,5 +1,6 @@
 #include "base/make_folder.h"
 #include "base/text.h"
+#include "cli/canvas_flags.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
@@ -8,20 +9,12 @@
 #include "run/series_plot.h"
 #include "run/target.h"
 
-#include <algorithm>
-#include <array>
 #include <fmt/format.h>
 #include <memory>
-#include <optional>
 
 namespace tumble::cli {
 
 namespace {
-
-// As of pictures for print, scene keys render.width_mm and the like.
-constexpr double least_mm = 20, most_mm = 600;
-constexpr double print_dpi = 300, print_font = 8;
-constexpr double most_pixels = 8192; // as render.width_px
 
 struct PlotArguments {
     std::vector<std::filesystem::path> runs;
@@ -29,49 +22,23 @@ struct PlotArguments {
     std::string labels;
     std::string time;
     std::filesystem::path out;
-    std::string size;
-    std::optional<double> dpi, font;
+    CanvasFlags canvas;
     bool force = false;
     bool quiet = false;
     bool json = false;
 };
 
-/// "85x60" or "85,60", mm.
-std::optional<std::array<double, 2>> read_size(const std::string& text) {
-    const std::size_t cut = text.find_first_of("x,");
-    if (cut == std::string::npos)
-        return std::nullopt;
-    const auto width = parse_number(text.substr(0, cut)), height = parse_number(text.substr(cut + 1));
-    const auto fits = [](const Result<double>& mm) { return mm && *mm >= least_mm && *mm <= most_mm; };
-    if (!fits(width) || !fits(height))
-        return std::nullopt;
-    return std::array{*width, *height};
-}
-
-/// A plot of a given size is meant for print: as dense, with letters as large, and without a title, which stands in
-/// the text there.
+/// Without a size as high as its panels are to be.
 Result<sheet::Canvas> canvas_for(const PlotArguments& arguments, sheet::Stack& stack) {
-    sheet::Canvas canvas;
-    const auto size = read_size(arguments.size);
-    if (!arguments.size.empty() && !size)
-        return Problem{
-            .what = fmt::format("--size-mm {} is no size", excerpt(arguments.size)),
-            .fix = fmt::format("write width x height, each from {:g} to {:g} mm, such as 85x60", least_mm, most_mm)};
-    if (size) {
-        canvas.dpi = print_dpi;
-        canvas.font_pt = print_font;
+    auto canvas = canvas_of(arguments.canvas);
+    if (!canvas)
+        return canvas;
+    if (!canvas->titled)
         stack.title.clear();
-    }
-    canvas.dpi = arguments.dpi.value_or(canvas.dpi);
-    canvas.font_pt = arguments.font.value_or(canvas.font_pt);
-    if (size)
-        canvas.width_mm = (*size)[0];
-    canvas.height_mm = size ? (*size)[1] : sheet::usual_height(stack, canvas);
-    if (const double pixels = std::max(canvas.width_mm, canvas.height_mm) / 25.4 * canvas.dpi; pixels > most_pixels)
-        return Problem{.what =
-                           fmt::format("{:.0f} x {:.0f} mm at {:g} dpi are {:.0f} pixels along a side, more than {:g}",
-                                       canvas.width_mm, canvas.height_mm, canvas.dpi, pixels, most_pixels),
-                       .fix = "choose a lower --dpi or a smaller --size-mm"};
+    if (arguments.canvas.size.empty())
+        canvas->height_mm = sheet::usual_height(stack, *canvas);
+    if (auto problem = refuse_pixels(*canvas))
+        return *problem;
     return canvas;
 }
 
@@ -155,14 +122,7 @@ void add_plot_command(CLI::App& program, Action& action) {
                      "The file: .png, .svg or .pdf; redrawn/plot.png in the first run's folder without it")
         ->type_name("FILE")
         ->check(refuse_no_place);
-    command->add_option("--size-mm", arguments->size, "Size for print, mm, such as 85x60; the title is left out then")
-        ->type_name("WxH");
-    command->add_option("--dpi", arguments->dpi, "Pixels an inch of a PNG file; 300 with --size-mm")
-        ->type_name("N")
-        ->check(number_from(72, 1200));
-    command->add_option("--font-pt", arguments->font, "Points of the letters; 8 with --size-mm")
-        ->type_name("N")
-        ->check(number_from(4, 24));
+    add_canvas_flags(*command, arguments->canvas);
     command->add_flag("--force", arguments->force, "Replace what is there");
     command->add_flag("--quiet", arguments->quiet, "No warnings on stderr, nothing on stdout");
     command->add_flag("--json", arguments->json, "Print the result as JSON");

@@ -61,30 +61,35 @@ void add_render_settings(CLI::App& command, std::vector<std::string>& sets) {
         };
     };
     add("--camera", "front|top|side|free", "Where the eye stands", word("render.camera"));
-    const auto free_camera = [list](const char* key) {
-        return [to_list = list(key)](std::vector<std::string>& all, const std::string& text) {
-            const bool chosen = std::any_of(all.begin(), all.end(),
-                                            [](const std::string& set) { return set.starts_with("render.camera="); });
-            if (!chosen)
-                all.emplace_back("render.camera=\"free\"");
-            to_list(all, text);
-        };
-    };
-    add("--eye", "X,Y,Z", "Place of the free camera, m; takes the free camera without --camera",
-        free_camera("render.eye_m"));
-    add("--target", "X,Y,Z", "What the free camera looks at, m; the same", free_camera("render.target_m"));
-    add("--clip-lo", "X,Y,Z", "Lowest corner of a section: bodies outside are not drawn, m", list("render.clip_lo_m"));
-    add("--clip-hi", "X,Y,Z", "Highest corner of it, m", list("render.clip_hi_m"));
-    add("--color", "QUANTITY", "What colours the bodies: " + words_of("color"), word("render.color"));
-    add("--range", "LO,HI", "Values at the ends of the colour scale, SI", list("render.range"));
-    add("--colormap", "NAME", "Colour scale: " + words_of("colormap"), word("render.colormap"));
-    add("--arrows", "none|bodies|field", "Velocities: of bodies, or their mean over the frames on a grid",
-        word("render.arrows"));
     const auto number = [](const char* key) {
         return [key](std::vector<std::string>& all, const std::string& text) {
             all.push_back(std::string(key) + "=" + text);
         };
     };
+    const auto free_camera = [](auto to_sets) {
+        return [to_sets](std::vector<std::string>& all, const std::string& text) {
+            const bool chosen = std::any_of(all.begin(), all.end(),
+                                            [](const std::string& set) { return set.starts_with("render.camera="); });
+            if (!chosen)
+                all.emplace_back("render.camera=\"free\"");
+            to_sets(all, text);
+        };
+    };
+    add("--eye", "X,Y,Z", "Place of the free camera, m; takes the free camera without --camera",
+        free_camera(list("render.eye_m")));
+    add("--target", "X,Y,Z", "What the free camera looks at, m; the same", free_camera(list("render.target_m")));
+    add("--turn", "DEG_S", "Degrees that it goes around per second of the scene; the same",
+        free_camera(number("render.turn_deg_s")));
+    add("--clip-lo", "X,Y,Z", "Lowest corner of a section: bodies outside are not drawn, m", list("render.clip_lo_m"));
+    add("--clip-hi", "X,Y,Z", "Highest corner of it, m", list("render.clip_hi_m"));
+    command.add_flag_callback(
+        "--cut", [&sets] { sets.emplace_back("render.clip_cuts=true"); },
+        "The section, or --sections, cut bodies open instead of leaving out whole ones");
+    add("--color", "QUANTITY", "What colours the bodies: " + words_of("color"), word("render.color"));
+    add("--range", "LO,HI", "Values at the ends of the colour scale, SI", list("render.range"));
+    add("--colormap", "NAME", "Colour scale: " + words_of("colormap"), word("render.colormap"));
+    add("--arrows", "none|bodies|field", "Velocities: of bodies, or their mean over the frames on a grid",
+        word("render.arrows"));
     add("--arrow", "M_S", "Speed of the legend's arrow, m/s", number("render.arrow_m_s"));
     command.add_flag_callback(
         "--force-chains", [&sets] { sets.emplace_back("render.force_chains=true"); },

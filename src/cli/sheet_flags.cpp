@@ -25,8 +25,9 @@ void add_parameters(CLI::App& command, const std::vector<sheet::Parameter>& para
             ->type_name("X");
 }
 
-int draw_and_note(const sheet::Sheet& sheet, const std::filesystem::path& folder, bool json) {
-    const auto files = sheet::draw_all(sheet, folder, {".png", ".svg"});
+int draw_and_note(const sheet::Sheet& sheet, const std::filesystem::path& folder, bool json,
+                  const sheet::Canvas& canvas) {
+    const auto files = sheet::draw_all(sheet, folder, {".png", ".svg"}, canvas);
     if (!files)
         return refuse(files.problems(), json, failed);
     for (const std::filesystem::path& file : *files)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sheet/canvas.h"
 #include "sheet/parameter.h"
 
 #include <CLI/CLI.hpp>
@@ -17,6 +18,7 @@ std::string example_of(const std::vector<sheet::Parameter>& parameters);
 void add_parameters(CLI::App& command, const std::vector<sheet::Parameter>& parameters, sheet::Typed& typed);
 
 /// Draws the figures as PNG and SVG and names them on stderr. Exit code.
-int draw_and_note(const sheet::Sheet& sheet, const std::filesystem::path& folder, bool json);
+int draw_and_note(const sheet::Sheet& sheet, const std::filesystem::path& folder, bool json,
+                  const sheet::Canvas& canvas = {});
 
 } // namespace tumble::cli

@@ -30,6 +30,7 @@ struct StressArguments {
     std::string part;
     std::string element = "incompatible";
     std::vector<double> depths_mm;
+    double edge_mm = 3;
     std::vector<std::string> remesh;
     run::LoadOptions loads;
     stress::StudyOptions study;
@@ -114,6 +115,7 @@ int solve_it(StressArguments& arguments) {
         arguments.study.depths.clear();
     for (const double depth : arguments.depths_mm)
         arguments.study.depths.push_back(1e-3 * depth);
+    arguments.study.counting.edge = 1e-3 * arguments.edge_mm;
     const bool again = fs::is_directory(arguments.scene.file);
     if (arguments.out.empty())
         arguments.out =
@@ -184,6 +186,17 @@ void add_stress_command(CLI::App& program, Action& action) {
         ->type_name("NAME")
         ->expected(1)
         ->take_all();
+    command
+        ->add_option("--lower", study.counting.lower,
+                     "Only this share of the part's length, from its lower end, counts in slices; 1 without it, the "
+                     "thesis has 0.5")
+        ->type_name("X")
+        ->check(number_from(0, 1));
+    command
+        ->add_option("--edge", arguments->edge_mm,
+                     "What is near an edge: so far from where a side ends, mm; 3 without it")
+        ->type_name("MM")
+        ->check(number_from(0, 1e6));
     command
         ->add_option("--remesh", arguments->remesh,
                      "With a folder: key of the specimen and a value, as around=120; the same contacts on another "

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <map>
+#include <utility>
 
 namespace tumble::fem {
 
@@ -11,6 +13,7 @@ using Eigen::Vector3d;
 
 namespace {
 
+constexpr double rounding = 1e-9;   // of the part's length
 constexpr double across_axis = 0.9; // cosine between a facet's normal and the axis from which on it is an end's
 
 /// Of a side at one of its nodes.
@@ -18,6 +21,32 @@ struct Surface {
     Vector3d outward = Vector3d::Zero(); // m2, along the normal
     double area = 0;                     // m2
 };
+
+struct Line {
+    Vector3d from, way; // m
+};
+
+/// Edges that one facet of a side has alone.
+std::vector<Line> ends_of(const solid::HexMesh& mesh, const std::vector<int>& side) {
+    std::map<std::pair<int, int>, int> facets; // by the edge's nodes
+    for (const int facet : side)
+        for (std::size_t k = 0; k < 4; ++k) {
+            const auto& corners = mesh.facets[static_cast<std::size_t>(facet)].corners;
+            ++facets[std::minmax({corners[k], corners[(k + 1) % 4]})];
+        }
+    std::vector<Line> lines;
+    for (const auto& [edge, count] : facets) {
+        const Vector3d& from = mesh.nodes[static_cast<std::size_t>(edge.first)];
+        if (count == 1)
+            lines.push_back({from, mesh.nodes[static_cast<std::size_t>(edge.second)] - from});
+    }
+    return lines;
+}
+
+double distance(const Vector3d& place, const Line& line) {
+    const Vector3d off = place - line.from;
+    return (off - std::clamp(off.dot(line.way) / line.way.squaredNorm(), 0.0, 1.0) * line.way).norm();
+}
 
 std::string names_of(const std::map<std::string, std::vector<int>>& sets) {
     std::string names;
@@ -55,6 +84,12 @@ Result<Slice> slice_of(const solid::HexMesh& mesh, const solid::Locator& locator
             nodes[node].area += area.norm() / 4;
         }
     }
+    const std::vector<Line> ends = ends_of(mesh, found->second);
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest; // m, along the axis
+    for (const Vector3d& node : mesh.nodes) {
+        lowest = std::min(lowest, node.dot(axis));
+        highest = std::max(highest, node.dot(axis));
+    }
     Slice slice{side, depth, {}};
     for (const auto& [node, surface] : nodes) {
         const Vector3d normal = surface.outward.normalized();
@@ -69,6 +104,10 @@ Result<Slice> slice_of(const solid::HexMesh& mesh, const solid::Locator& locator
                                                mesh.node_numbers[static_cast<std::size_t>(node)]),
                            .fix = "take a smaller depth"};
         point.inside = *inside;
+        const Vector3d& above = mesh.nodes[static_cast<std::size_t>(node)];
+        for (const Line& end : ends)
+            point.edge = std::min(point.edge, distance(above, end));
+        point.height = (above.dot(axis) - lowest) / (highest - lowest);
         slice.points.push_back(point);
     }
     return slice;
@@ -82,13 +121,19 @@ Eigen::Matrix3Xd components_on(const Slice& slice, const solid::HexMesh& mesh, c
     return parts;
 }
 
-SliceFigures figures_of(const Slice& slice, const Eigen::Matrix3Xd& parts, double trivial) {
+SliceFigures figures_of(const Slice& slice, const Eigen::Matrix3Xd& parts, const Counting& counting) {
     SliceFigures figures;
-    double area = 0;
+    double area = 0, edge_area = 0;
     for (std::size_t p = 0; p < slice.points.size(); ++p) {
         const Vector3d part = parts.col(static_cast<Eigen::Index>(p));
-        const double here = slice.points[p].area;
+        const SlicePoint& point = slice.points[p];
+        if (point.height > counting.lower + rounding)
+            continue;
+        const double here = point.area;
+        const bool at_edge = point.edge <= counting.edge;
         area += here;
+        edge_area += at_edge ? here : 0;
+        (at_edge ? figures.near_edges : figures.elsewhere) += here * std::abs(part[0]);
         if (std::abs(part[0]) > std::abs(figures.normal)) {
             figures.normal = part[0];
             figures.worst_point = static_cast<int>(p);
@@ -97,11 +142,11 @@ SliceFigures figures_of(const Slice& slice, const Eigen::Matrix3Xd& parts, doubl
         figures.along = std::max(figures.along, std::abs(part[2]));
         figures.compression = std::min(figures.compression, part[0]);
         figures.tension = std::max(figures.tension, part[0]);
-        if (part[0] < -trivial) {
+        if (part[0] < -counting.trivial) {
             figures.mean_compression += part[0];
             figures.compressed_area += here;
             ++figures.compressed;
-        } else if (part[0] > trivial) {
+        } else if (part[0] > counting.trivial) {
             figures.mean_tension += part[0];
             figures.stretched_area += here;
             ++figures.stretched;
@@ -111,6 +156,8 @@ SliceFigures figures_of(const Slice& slice, const Eigen::Matrix3Xd& parts, doubl
     figures.mean_tension /= std::max(figures.stretched, 1);
     figures.compressed_area /= area;
     figures.stretched_area /= area;
+    figures.near_edges /= edge_area;
+    figures.elsewhere /= area - edge_area;
     return figures;
 }
 

@@ -6,6 +6,7 @@
 #include "solid/locate.h"
 
 #include <Eigen/Core>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,9 @@ struct SlicePoint {
     double area = 0;                                 // m2, the node's share of the facets that meet there
     Eigen::Vector3d place = Eigen::Vector3d::Zero(); // m
     solid::Inside inside;
-    Directions directions; // normal: the mean of those facets'
+    Directions directions;                                 // normal: the mean of those facets'
+    double edge = std::numeric_limits<double>::infinity(); // m, from the node to where the side ends
+    double height = 0;                                     // along the axis, 0 at the part's lower end, 1 at its upper
 };
 
 struct Slice {
@@ -48,12 +51,20 @@ struct SliceFigures {
     double compressed_area = 0; // share of the area, beyond trivial
     double stretched_area = 0;
     int worst_point = 0; // of `normal`
+    // Means over the area of the normal stress' size; NaN where no point is.
+    double near_edges = 0; // Pa
+    double elsewhere = 0;  // Pa
 
     /// Compression's share of the two means, as table 7.4 has it; NaN where there is neither.
     [[nodiscard]] double compressive_share() const { return mean_compression / (mean_compression - mean_tension); }
 };
 
-/// `trivial`: Pa; the thesis leaves out what is within 500 Pa.
-SliceFigures figures_of(const Slice& slice, const Eigen::Matrix3Xd& components, double trivial);
+/// Which points count as what.
+struct Counting {
+    double trivial = 0; // Pa, normal stresses below are neither compression nor tension; the thesis has 500
+    double lower = 1;   // share of the part's length, from its lower end, that counts at all; the thesis has a half
+    double edge = 0;    // m, points so near to an end of their side are near its edges
+};
+SliceFigures figures_of(const Slice& slice, const Eigen::Matrix3Xd& components, const Counting& counting);
 
 } // namespace tumble::fem

@@ -12,9 +12,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// Free room between what is shown and the edge of its area, as a share of the area.
-constexpr double margin = 0.03;
-
 Vector2d Camera::to_picture(const Vector3d& world) const {
     const Vector3d v = to_view(world);
     const double zoom = perspective ? scale / -v.z() : scale;
@@ -85,15 +82,38 @@ static Matrix3d looking(const Vector3d& direction, const Vector3d& up) {
     return axes;
 }
 
+/// From the middle of a box to what must be in the picture (m): its corners, or the rings they run along as seen from a
+/// camera that goes around it.
+static std::vector<Vector3d> arms_of(const Eigen::AlignedBox3d& box, const Matrix3d& axes, bool turning) {
+    std::vector<Vector3d> arms;
+    if (!turning) {
+        for (const Vector3d& corner : corners_of(box)) {
+            arms.emplace_back(corner - box.center());
+        }
+        return arms;
+    }
+    constexpr int around = 72; // one at each 5 degrees: what lies between reaches 0.1 % further, well within the margin
+    const Vector3d half = 0.5 * box.sizes(), right = axes.row(0).transpose(), away = right.cross(Vector3d::UnitY());
+    const double radius = std::hypot(half.x(), half.z());
+    for (int k = 0; k < around; ++k) {
+        const double angle = 2 * std::numbers::pi * k / around;
+        const Vector3d flat = radius * (std::cos(angle) * right + std::sin(angle) * away);
+        arms.emplace_back(flat + half.y() * Vector3d::UnitY());
+        arms.emplace_back(flat - half.y() * Vector3d::UnitY());
+    }
+    return arms;
+}
+
 /// Places the eye or the scale so that the box just fits.
-static void fit(Camera& camera, const Eigen::AlignedBox3d& box, const Area& area, double field_of_view) {
-    const double half_width = 0.5 * area.width() * (1 - 2 * margin);
-    const double half_height = 0.5 * area.height() * (1 - 2 * margin);
+static void fit(Camera& camera, const Eigen::AlignedBox3d& box, const Area& area, double field_of_view, bool turning) {
+    const double half_width = 0.5 * area.width() * (1 - 2 * camera_margin);
+    const double half_height = 0.5 * area.height() * (1 - 2 * camera_margin);
     camera.target = box.center();
     double across = 1e-9;
     double along = 1e-9;
-    for (const Vector3d& corner : corners_of(box)) {
-        const Vector3d v = camera.axes * (corner - camera.target);
+    const std::vector<Vector3d> arms = arms_of(box, camera.axes, turning);
+    for (const Vector3d& arm : arms) {
+        const Vector3d v = camera.axes * arm;
         across = std::max(across, std::abs(v.x()));
         along = std::max(along, std::abs(v.y()));
     }
@@ -104,8 +124,8 @@ static void fit(Camera& camera, const Eigen::AlignedBox3d& box, const Area& area
     }
     camera.scale = 0.5 * area.height() / std::tan(0.5 * field_of_view);
     double distance = 1e-6;
-    for (const Vector3d& corner : corners_of(box)) {
-        const Vector3d v = camera.axes * (corner - camera.target);
+    for (const Vector3d& arm : arms) {
+        const Vector3d v = camera.axes * arm;
         distance = std::max(distance, v.z() + std::abs(v.x()) * camera.scale / half_width);
         distance = std::max(distance, v.z() + std::abs(v.y()) * camera.scale / half_height);
     }
@@ -139,7 +159,8 @@ static Result<Vector3d> direction_of(const scene::Render& settings) {
     return Vector3d(1.0, -0.55, -0.75);
 }
 
-Result<Camera> make_camera(const scene::Render& settings, const Eigen::AlignedBox3d& box, const Area& area) {
+Result<Camera> make_camera(const scene::Render& settings, const Eigen::AlignedBox3d& box, const Area& area,
+                           double time) {
     const auto direction = direction_of(settings);
     if (!direction) {
         return direction.problems();
@@ -157,17 +178,20 @@ Result<Camera> make_camera(const scene::Render& settings, const Eigen::AlignedBo
     const double field_of_view = settings.field_of_view_deg * std::numbers::pi / 180;
     Camera camera;
     camera.perspective = settings.projection == "perspective";
-    camera.axes = looking(*direction, Vector3d::UnitY());
+    const bool turns = settings.turn_deg_s != 0 && settings.camera == "free";
+    const double angle = turns ? settings.turn_deg_s * time * std::numbers::pi / 180 : 0;
+    const Matrix3d turn = Eigen::AngleAxisd(angle, Vector3d::UnitY()).toRotationMatrix();
+    camera.axes = looking(turns ? Vector3d(turn * *direction) : *direction, Vector3d::UnitY());
     camera.centre = {0.5 * (area.left + area.right), 0.5 * (area.top + area.bottom)};
     if (settings.camera == "free" && settings.eye != settings.target) {
-        camera.eye = settings.eye;
+        camera.eye = turns ? Vector3d(settings.target + turn * (settings.eye - settings.target)) : settings.eye;
         camera.target = settings.target;
         camera.scale = 0.5 * area.height() / std::tan(0.5 * field_of_view);
         if (!camera.perspective) {
             camera.scale /= (settings.target - settings.eye).norm();
         }
     } else {
-        fit(camera, box, area, field_of_view);
+        fit(camera, box, area, field_of_view, turns);
     }
     camera.enclose(box);
     return camera;

@@ -14,9 +14,10 @@ namespace tumble::render {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-// Outlines of discs, pixels at a picture's usual size; on small discs no more than this share of the smallest radius.
+// Outlines of discs, pixels at a picture's usual size; on small discs no more than this share of the smallest radius,
+// which leaves 0.9^2 = 81 % of a disc in the legend's colour.
 constexpr double usual_disc_line = 1.2;
-constexpr double disc_line_share = 0.25;
+constexpr double disc_line_share = 0.1;
 
 Composition::Composition(const scene::Render& wanted, const PainterOptions& chosen,
                          std::shared_ptr<const observe::FrameLayout> scenery, Style shown)
@@ -55,12 +56,14 @@ void Composition::arrange() {
         const Camera tried = look(area);
         return tried.pixels_per_metre(tried.target);
     };
-    arrangement = make_layout(settings.width, settings.height, settings.plot, zoom,
-                              settings.paper ? std::optional(letter_unit(*settings.paper)) : std::nullopt);
+    const int rows = key_rows(settings.marks);
+    arrangement =
+        make_layout(settings.width, settings.height, settings.plot, zoom,
+                    settings.paper ? std::optional(letter_unit(*settings.paper)) : std::nullopt, key_height(rows));
     if (settings.paper) {
         leave_out_title(arrangement);
     }
-    take_key(arrangement, mark_maker.key(*layout, mark_view()).rows(), !style.plain());
+    take_key(arrangement, rows, !style.plain());
     if (!options.lettering) {
         arrangement = Layout{};
         arrangement.lettered = false;
@@ -87,12 +90,12 @@ Result<Done> Composition::restyle(const scene::Render& shown) {
         style.range = found->range; // else what an automatic range has seen goes on to count
     }
     const bool was_plain = style.plain();
+    const int rows = key_rows(settings.marks);
     style.quantity = found->quantity;
     style.map = found->map;
     settings = std::move(wanted);
-    const int rows = mark_maker.key(*layout, mark_view()).rows();
     mark_maker.restyle(settings.marks);
-    if (mark_maker.key(*layout, mark_view()).rows() != rows || style.plain() != was_plain) {
+    if (key_rows(settings.marks) != rows || style.plain() != was_plain) {
         arranged = false; // their key takes or leaves room
     } else if (arranged) {
         camera = *make_camera(settings, box(), arrangement.scene);
@@ -135,6 +138,9 @@ std::vector<std::uint32_t> Composition::colors_of(const observe::Frame& frame, L
 
 std::vector<std::uint32_t> Composition::take_in(const observe::Frame& frame, Legend& legend) {
     settle_for(frame);
+    if (settings.turn_deg_s != 0) {
+        camera = *make_camera(settings, box(), arrangement.scene, frame.time);
+    }
     enclose(frame);
     mark_maker.take_in(frame, mark_view());
     return colors_of(frame, legend);

@@ -158,11 +158,17 @@ struct FieldCanvas {
     }
 };
 
-OverlayContent content_of(const Field& field, const FieldLook& look, const Camera& camera, const Span& span,
-                          const ColorMap& map) {
+OverlayContent content_of(const Field& field, const FieldLook& look, const FieldPicture& painted, const ColorMap& map) {
+    const Camera& camera = painted.camera;
+    const Span& span = painted.span;
     OverlayContent content;
     content.title = look.title;
     content.time = look.note;
+    if (!look.caption.empty()) {
+        Area under = painted.layout.scene; // in the margin that the camera leaves
+        under.top = under.bottom - camera_margin * under.height() + 2 * painted.layout.unit;
+        content.captions = {{under, look.caption}};
+    }
     content.legend = {field.label, field.unit, span, map};
     for (const double value : field.values) {
         content.legend.below = content.legend.below || value < span.lo;
@@ -216,7 +222,7 @@ Result<FieldPicture> paint_field(const scene::Render& settings, const Field& fie
     if (around && look.veil > 0)
         lay_over(canvas->draw(field, painted.span, look.lit, camera, around, false), look.veil, painted.picture);
     if (painted.layout.lettered)
-        painted.legend_bar = canvas->letter(painted.picture, content_of(field, look, camera, painted.span, *map));
+        painted.legend_bar = canvas->letter(painted.picture, content_of(field, look, painted, *map));
     return painted;
 }
 

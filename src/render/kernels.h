@@ -53,6 +53,13 @@ struct Light {
     float rim = 0;   // added where a body bends away from the eye
 };
 
+/// A plane in view space: what lies on its side of normal . place <= offset is seen.
+struct CutPlane {
+    float x, y, z; // unit normal
+    float offset;  // m
+};
+constexpr int planes_of_cut = 6; // of a box
+
 /// A ball in a tile: what tells whether it is hidden stands together, since most are.
 struct ListedBall {
     std::uint32_t ball;                    // index
@@ -71,6 +78,7 @@ struct TileJob {
     int count = 0;                      // of them
     float disorder = 0;                 // m, how much nearer than one before it one of them may be
     bool skip_hidden = true;            // false: draws what lies behind others too, for the same picture
+    const CutPlane* cut = nullptr;      // planes_of_cut of them, which cut balls open; null: none does
     std::uint32_t* colors = nullptr;    // of the tile's first sample
     float* depths = nullptr;
     std::ptrdiff_t row = 0; // samples from a row of the picture to the one above it
@@ -96,7 +104,8 @@ struct CreviceJob {
 
 struct Kernels {
     /// Colour and depth (1 where there is no ball) of every sample of a tile: each ball meets each sample's line of
-    /// sight where the true sphere does, the nearest is seen, of equals the first.
+    /// sight where the true sphere does, the nearest is seen, of equals the first. Where a plane cuts a ball its inside
+    /// is seen, flat.
     void (*draw_tile)(const TileJob& job);
     /// depth -> distance
     void (*measure_distances)(const CreviceJob& job);

@@ -5,13 +5,14 @@
 
 namespace tumble::render {
 
-constexpr double gap = 16;          // units between panels and to the edge
-constexpr double title_height = 28; // units
-constexpr double bar_height = 58;   // units: axes, scale bar and its label
+constexpr double gap = 16;           // units between panels and to the edge
+constexpr double title_height = 28;  // units
+constexpr double bar_height = 58;    // units: axes, scale bar and its label
+constexpr double legend_height = 64; // units, where it lies
 
-static Layout in_column(double width, double height, double unit, bool with_plot) {
+static Layout in_column(double width, double height, double unit, bool with_plot, bool with_key) {
     const double pad = std::round(gap * unit);
-    const double panel = std::round(with_plot ? std::max(0.225 * width, 190 * unit) : 150 * unit);
+    const double panel = std::round(with_plot ? std::max(0.225 * width, 190 * unit) : (with_key ? 170 : 150) * unit);
     Layout layout;
     layout.unit = unit;
     const double left = width - pad - panel;
@@ -31,12 +32,13 @@ static Layout in_column(double width, double height, double unit, bool with_plot
     return layout;
 }
 
-static Layout in_strip(double width, double height, double unit, bool with_plot) {
+static Layout in_strip(double width, double height, double unit, bool with_plot, double legend) {
     const double pad = std::round(gap * unit);
     Layout layout;
     layout.unit = unit;
     layout.column = false;
-    const double strip = with_plot ? std::max(0.245 * height, 135 * unit) : 68 * unit;
+    const double usual = with_plot ? std::max(0.245 * height, 135 * unit) : 68 * unit;
+    const double strip = legend > legend_height * unit ? std::max(usual, legend + 4 * unit) : usual;
     const double strip_top = height - pad - strip;
     const double top = pad + title_height * unit;
     const double clock = 150 * unit;
@@ -47,7 +49,7 @@ static Layout in_strip(double width, double height, double unit, bool with_plot)
     const double plot_width = with_plot ? std::min(0.36 * width, 440 * unit) : 0;
     const double legend_left = layout.scale_bar.right + 2 * pad;
     const double legend_right = width - pad - (with_plot ? plot_width + 2 * pad : 0);
-    layout.legend = {std::max(legend_left, legend_right - 440 * unit), height - pad - 64 * unit, legend_right,
+    layout.legend = {std::max(legend_left, legend_right - 440 * unit), height - pad - legend, legend_right,
                      height - pad};
     if (with_plot) {
         layout.plot = {width - pad - plot_width, strip_top, width - pad, height - pad};
@@ -58,7 +60,7 @@ static Layout in_strip(double width, double height, double unit, bool with_plot)
 }
 
 /// For upright pictures: the legend over the plot and the scale bar.
-static Layout in_rows(double width, double height, double unit, bool with_plot) {
+static Layout in_rows(double width, double height, double unit, bool with_plot, double legend) {
     const double pad = std::round(gap * unit);
     Layout layout;
     layout.unit = unit;
@@ -75,7 +77,7 @@ static Layout in_rows(double width, double height, double unit, bool with_plot) 
         layout.plot = {pad, bottom - row, layout.scale_bar.left - 2 * pad, bottom};
     }
     const double legend_bottom = bottom - row - pad;
-    layout.legend = {pad, legend_bottom - 64 * unit, width - pad, legend_bottom};
+    layout.legend = {pad, legend_bottom - legend, width - pad, legend_bottom};
     layout.scene = {pad, top, width - pad, layout.legend.top - 0.5 * pad};
     layout.window = {0, top, width, layout.legend.top - 0.25 * pad};
     return layout;
@@ -90,7 +92,7 @@ void leave_out_title(Layout& layout) {
 }
 
 Layout make_layout(int width, int height, bool with_plot, const std::function<double(const Area&)>& zoom,
-                   std::optional<double> unit) {
+                   std::optional<double> unit, double key) {
     const double w = width;
     const double h = height;
     if (!unit && (width < 320 || height < 200)) {
@@ -105,8 +107,9 @@ Layout make_layout(int width, int height, bool with_plot, const std::function<do
     const bool upright = h > w;
     const double share = upright ? std::min(w / 720, h / 1280) : std::min(w / 1280, h / 720);
     const double u = unit.value_or(share >= 0.5 ? std::max(share, 0.68) : 0.68 * share / 0.5);
-    const Layout column = in_column(w, h, u, with_plot);
-    const Layout strip = upright ? in_rows(w, h, u, with_plot) : in_strip(w, h, u, with_plot);
+    const Layout column = in_column(w, h, u, with_plot, key > 0);
+    const double legend = std::max(legend_height, key - 2) * u; // the last row ends a little above its end
+    const Layout strip = upright ? in_rows(w, h, u, with_plot, legend) : in_strip(w, h, u, with_plot, legend);
     return zoom(column.scene) >= zoom(strip.scene) ? column : strip;
 }
 

@@ -33,9 +33,10 @@ struct Layout {
 
 /// The arrangement in which the scene is larger: a column, or below the scene a strip (two rows in an upright picture).
 /// `zoom` tells how large the scene gets in an area (pixels a metre); `with_plot` reserves room for the plot. Below 320
-/// x 200 pixels there is no lettering. `unit` (pixels) is chosen by the size where it is not given.
+/// x 200 pixels there is no lettering. `unit` (pixels) is chosen by the size where it is not given; below the scene the
+/// legend's place is as high as a key of `key` units beside it.
 Layout make_layout(int width, int height, bool with_plot, const std::function<double(const Area&)>& zoom,
-                   std::optional<double> unit = {});
+                   std::optional<double> unit = {}, double key = 0);
 
 /// Gives the title's place to the scene where nothing else stands beside it.
 void leave_out_title(Layout& layout);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <fmt/core.h>
+#include <functional>
+#include <vector>
 
 namespace tumble::render {
 
@@ -12,6 +14,29 @@ constexpr double key_row = 22;
 constexpr double key_sample = 44;
 constexpr double key_gap = 8;
 constexpr double key_words = 118;
+constexpr double least_legend = 64; // in a column, for the colours above the key
+
+int MarkKey::rows() const {
+    const int of_trails = static_cast<int>(trails.size()) + (more_trails > 0 ? 1 : 0);
+    return (arrow ? (arrow->mean ? 2 : 1) : 0) + (chain ? 1 : 0) + (of_trails > 0 ? of_trails + 1 : 0);
+}
+
+void MarkKey::join(const MarkKey& other) {
+    if (chain && other.chain) {
+        chain->beyond = chain->beyond || other.chain->beyond;
+    }
+}
+
+int key_rows(const scene::Marks& marks) {
+    const MarkMaker maker(marks);
+    const Camera camera{};
+    const Theme theme{};
+    return maker.key({}, {camera, {}, 1, theme, {}}).rows();
+}
+
+double key_height(int rows) {
+    return rows * key_row;
+}
 
 void take_key(Layout& layout, int rows, bool with_legend) {
     if (rows == 0) {
@@ -26,7 +51,8 @@ void take_key(Layout& layout, int rows, bool with_legend) {
     const double pad = 16 * u;
     Area& legend = layout.legend;
     if (layout.column) {
-        const double top = legend.bottom - rows * key_row * u;
+        const double room = std::max(legend.height() - least_legend * u - pad, 0.0);
+        const double top = legend.bottom - std::min(key_height(rows) * u, room);
         layout.key = {legend.left, top, legend.right, legend.bottom};
         legend.bottom = top - pad;
     } else {
@@ -42,6 +68,11 @@ static std::string amount(double value, const char* unit) {
     return fmt::format("{:.3g} {}", value * shown.factor, shown.unit);
 }
 
+static std::string time_of(const Span& over) {
+    return over.lo == over.hi ? fmt::format("t = {:.4g} s", over.lo)
+                              : fmt::format("t = {:.4g} to {:.4g} s", over.lo, over.hi);
+}
+
 static void draw_arrow(Pen& pen, double left, double y, double length, const Eigen::Vector3d& color) {
     const double u = pen.unit();
     const double head = std::min(9 * u, 0.5 * length);
@@ -49,32 +80,61 @@ static void draw_arrow(Pen& pen, double left, double y, double length, const Eig
     pen.triangle({left + length - head, y - 3.7 * u}, {left + length, y}, {left + length - head, y + 3.7 * u}, color);
 }
 
+/// With fewer of the trails named where there are not so many rows.
+static MarkKey fitted(MarkKey key, int rows) {
+    for (; key.rows() > rows && !key.trails.empty(); key.trails.pop_back()) {
+        ++key.more_trails;
+    }
+    return key;
+}
+
 void draw_key(Pen& pen, const Area& area, const MarkKey& key, const Theme& theme) {
+    struct Row {
+        std::string words;
+        std::function<void(double)> sample{}; // at that height
+    };
     const double u = pen.unit();
+    const double right = area.left + key_sample * u;
+    const auto fit = static_cast<std::size_t>(std::max(area.height() / (key_row * u) + 0.1, 0.0));
+    const MarkKey shown = fitted(key, static_cast<int>(fit));
+    std::vector<Row> rows;
+    if (shown.arrow) {
+        rows.push_back({amount(shown.arrow->speed, "m/s") + (shown.arrow->mean ? ", mean" : ""),
+                        [&](double y) { draw_arrow(pen, area.left, y, shown.arrow->length, theme.arrow); }});
+        if (shown.arrow->mean) {
+            rows.push_back({time_of(shown.arrow->over)});
+        }
+    }
+    if (shown.chain) {
+        const double half = 0.5 * shown.chain->thickness;
+        rows.push_back({"0 to " + amount(shown.chain->force, "N") + (shown.chain->beyond ? " and up" : ""),
+                        [&pen, &area, &theme, right, half](double y) {
+                            pen.triangle({area.left, y}, {right, y - half}, {right, y + half}, theme.chain);
+                        }});
+    }
+    for (const MarkKey::Trail& trail : shown.trails) {
+        rows.push_back({trail.name, [&](double y) { pen.line({area.left, y}, {right, y}, 2.4 * u, trail.color); }});
+    }
+    if (shown.more_trails > 0) {
+        rows.push_back({fmt::format("and {} more", shown.more_trails)});
+    }
+    if (shown.since) {
+        rows.push_back({fmt::format("since t = {:.4g} s", *shown.since)});
+    }
+    rows.resize(std::min(rows.size(), fit));
     const double line = pen.height(Lettering::small);
-    const double words = area.left + (key_sample + key_gap) * u;
     double y = area.top + 0.5 * key_row * u;
-    const auto next = [&](const std::string& text) {
-        pen.text(words, y - 0.5 * line, pen.shortened(text, Lettering::small, area.right - words), Lettering::small,
+    for (const Row& row : rows) {
+        if (row.sample) {
+            row.sample(y);
+        }
+        // Without a sample in line with the others' words where it fits so.
+        const double beside = right + key_gap * u;
+        const bool wide = !row.sample && beside + pen.width(row.words, Lettering::small) > area.right;
+        const double left = wide ? area.left : beside;
+        pen.text(left, y - 0.5 * line, pen.shortened(row.words, Lettering::small, area.right - left), Lettering::small,
                  Align::left, theme.text);
         y += key_row * u;
-    };
-    if (key.arrow) {
-        draw_arrow(pen, area.left, y, key.arrow->length, theme.arrow);
-        next(amount(key.arrow->speed, "m/s") + (key.arrow->mean ? ", mean" : ""));
-    }
-    if (key.chain) {
-        const double half = 0.5 * key.chain->thickness;
-        const double right = area.left + key_sample * u;
-        pen.triangle({area.left, y}, {right, y - half}, {right, y + half}, theme.chain);
-        next("0 to " + amount(key.chain->force, "N") + (key.chain->beyond ? " and up" : ""));
-    }
-    for (const MarkKey::Trail& trail : key.trails) {
-        if (y > area.bottom) {
-            return;
-        }
-        pen.line({area.left, y}, {area.left + key_sample * u, y}, 2.4 * u, trail.color);
-        next(trail.name);
     }
 }
 

@@ -7,12 +7,15 @@
 
 namespace tumble::render {
 
+/// Units that a panel of so many rows of the key is high.
+double key_height(int rows);
+
 /// Makes room for a key of so many rows beside or below the legend, or in its place where there is none; layout.key is
 /// where it stands. Without rows nothing changes.
 void take_key(Layout& layout, int rows, bool with_legend);
 
-/// What the lines over the bodies mean, a row each, as many as fit: an arrow with its speed, a wedge that grows to the
-/// thickness of a force, trails by name.
+/// What the lines over the bodies mean, a row each: an arrow with its speed, and the time of the mean where it is one;
+/// a wedge that grows to the thickness of a force; trails by name, as many as fit, how many more, and since when.
 void draw_key(Pen& pen, const Area& area, const MarkKey& key, const Theme& theme);
 
 } // namespace tumble::render

@@ -105,6 +105,7 @@ void MarkMaker::restyle(const scene::Marks& wanted) {
     if (wanted.arrows != wanted_.arrows) {
         speeds_ = ColorRange(std::nullopt, false);
         field_.clear();
+        seen_.reset();
         foreseen_ = false;
     }
     if (wanted.trails != wanted_.trails) {
@@ -126,15 +127,14 @@ void MarkMaker::foresee(const observe::Frame& frame, const MarkView& view) {
 
 /// The mean of what was gathered before, with another camera or clip or of a later time, means nothing now.
 void MarkMaker::add_to_field(const observe::Frame& frame, const MarkView& view) {
-    if (!seen_ || !seen_->shows_as(view)) {
+    if (!seen_ || !seen_->shows_as(view) || frame.time < gathered_.hi) {
         field_.clear();
         seen_.emplace(View{view.camera, view.clip});
-    } else if (frame.time < gathered_) {
-        field_.clear();
-    } else if (frame.time == gathered_ && !field_.empty()) {
+        gathered_.lo = frame.time;
+    } else if (frame.time == gathered_.hi && !field_.empty()) {
         return;
     }
-    gathered_ = frame.time;
+    gathered_.hi = frame.time;
     for (std::size_t b = 0; b < frame.bodies(); ++b) {
         const Vector2d velocity = in_picture(view.camera, frame.velocity[b]);
         if (const auto place = marked_at(view, frame.position[b]); place && velocity.allFinite()) {
@@ -460,15 +460,27 @@ void MarkMaker::add_trails(const observe::Frame& frame, const MarkView& view, st
     }
 }
 
+/// Of so many trails those that have a row of their own in the key; the last row of more says how many they are.
+static std::size_t trails_named(std::size_t trails) {
+    return trails > trail_colors.size() ? trail_colors.size() - 1 : trails;
+}
+
 MarkKey MarkMaker::key(const observe::FrameLayout& layout, const MarkView& view) const {
     MarkKey key;
     if (wanted_.arrows != "none") {
-        key.arrow = {speed_, arrow_length * view.unit, wanted_.arrows == "field"};
+        key.arrow = {speed_, arrow_length * view.unit, wanted_.arrows == "field", gathered_};
     }
     if (wanted_.chains) {
         key.chain = {force_, chain_thickness * view.unit, beyond_};
     }
-    for (std::size_t t = 0; t < wanted_.trails.size(); ++t) {
+    const std::size_t named_trails = trails_named(wanted_.trails.size());
+    key.more_trails = static_cast<int>(wanted_.trails.size() - named_trails);
+    for (const Trail& trail : trails_) {
+        if (!trail.empty()) {
+            key.since = std::min(key.since.value_or(trail.front().time), trail.front().time);
+        }
+    }
+    for (std::size_t t = 0; t < named_trails; ++t) {
         const auto named = [&](const observe::FrameShape& shape) { return shape.name == wanted_.trails[t]; };
         const bool name = std::any_of(layout.shapes.begin(), layout.shapes.end(), named);
         key.trails.push_back({(name ? "" : "body ") + wanted_.trails[t], trail_color(t)});

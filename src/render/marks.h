@@ -26,6 +26,7 @@ struct MarkKey {
         double speed = 0; // m/s, of an arrow of this length
         double length = 0;
         bool mean = false; // of the field
+        Span over{};       // s, from the first to the last of the mean's frames
     };
     struct Chain {
         double force = 0; // N, of a line of this thickness
@@ -38,10 +39,18 @@ struct MarkKey {
     };
     std::optional<Arrow> arrow;
     std::optional<Chain> chain;
-    std::vector<Trail> trails;
+    std::vector<Trail> trails;   // those with a row of their own
+    int more_trails = 0;         // beside them
+    std::optional<double> since; // s, where the first of all trails begins
 
-    [[nodiscard]] int rows() const { return (arrow ? 1 : 0) + (chain ? 1 : 0) + static_cast<int>(trails.size()); }
+    /// The mean has a second row for its time, trails together one for theirs.
+    [[nodiscard]] int rows() const;
+    /// What holds for either of two pictures that share a key.
+    void join(const MarkKey& other);
 };
+
+/// Rows of the key of such marks.
+int key_rows(const scene::Marks& marks);
 
 /// How one picture looks at them.
 struct MarkView {
@@ -123,7 +132,7 @@ private:
     bool beyond_ = false;                       // some line is thicker
     std::map<std::pair<int, int>, Cell> field_; // by column and row of the grid in the picture
     std::optional<View> seen_;                  // that the field was gathered for
-    double gathered_ = 0;                       // s, of the last frame in the field
+    Span gathered_;                             // s, from the first to the last frame in the field
     bool foreseen_ = false;
     std::vector<Trail> trails_;      // parallel to wanted_.trails
     std::optional<double> followed_; // s, of the last frame

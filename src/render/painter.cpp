@@ -166,9 +166,12 @@ void Painter::Inside::draw_spheres(const observe::Frame& frame, const std::vecto
     if (settings.clip) {
         clip.emplace(settings.clip->lo, settings.clip->hi);
     }
-    const SphereLook look{arrangement.window, style.theme.rim, options.lighting, options.skip_hidden};
-    drawers->spheres.draw(collect_spheres(frame, showing, colors, camera, clip), camera, drawers->canvas, look, raster,
-                          *crew);
+    SphereLook look{arrangement.window, style.theme.rim, options.lighting, options.skip_hidden};
+    if (settings.clip_cuts) {
+        look.cut = clip;
+    }
+    drawers->spheres.draw(collect_spheres(frame, showing, colors, camera, clip, settings.clip_cuts), camera,
+                          drawers->canvas, look, raster, *crew);
 }
 
 void Painter::Inside::draw_discs(const observe::Frame& frame, const std::vector<std::uint32_t>& colors) {

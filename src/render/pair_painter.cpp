@@ -28,6 +28,8 @@ constexpr int least_height = 240;
 
 /// Side by side, or for wide scenes one above the other. Both halves are of one size.
 PairArrangement arrange(const scene::Render& settings, bool stacked) {
+    // Of the strip's height the legend's place has less than all: half a gap.
+    const double strip_units = std::max(strip_height, key_height(key_rows(settings.marks)) + 0.5 * pair_gap);
     PairArrangement all;
     Layout& layout = all.lettering;
     const double w = settings.width, h = settings.height;
@@ -35,7 +37,7 @@ PairArrangement arrange(const scene::Render& settings, bool stacked) {
     layout.column = false;
     const double pad = std::round(pair_gap * layout.unit), middle = std::round(w / 2);
     const double top = std::round(pad + label_height * layout.unit);
-    const double bottom = std::round(h - pad - strip_height * layout.unit);
+    const double bottom = std::round(h - pad - strip_units * layout.unit);
     layout.title = {pad, pad, middle - pad, top};
     if (stacked) {
         const double each = std::floor((bottom - 2 * top) / 2), second = 2 * top + each;
@@ -46,7 +48,7 @@ PairArrangement arrange(const scene::Render& settings, bool stacked) {
         all.second_label = {middle + pad, pad, w - pad, top};
     }
     const double strip = bottom + pad;
-    layout.scale_bar = {pad, strip, pad + 0.2 * w, h - pad};
+    layout.scale_bar = {pad, std::round(h - strip_height * layout.unit), pad + 0.2 * w, h - pad};
     layout.time = {w - pad - clock_width * layout.unit, strip + 0.5 * pad, w - pad, h - pad};
     const double legend = std::min(legend_width * layout.unit, layout.time.left - layout.scale_bar.right - 4 * pad);
     layout.legend = {(layout.scale_bar.right + layout.time.left - legend) / 2, strip - 0.5 * pad,
@@ -114,7 +116,7 @@ Result<PairPainterOf<Medium>> PairPainterOf<Medium>::open(const scene::Render& w
                        .fix = "give the speed of the legend's arrow"};
     PairArrangement arrangement = arrange(settings, *layouts[0]);
     const auto theme = theme_of(settings);
-    const PainterOptions bare_half{.lettering = false, .unit = settings.paper ? arrangement.lettering.unit : 1};
+    const PainterOptions bare_half{.lettering = false, .unit = arrangement.lettering.unit};
     std::array<Result<typename Medium::Artist>, 2> artists{
         Medium::Artist::open(of_half(settings, arrangement.halves[0]), layouts[0], bare_half),
         Medium::Artist::open(of_half(settings, arrangement.halves[1]), layouts[1], bare_half)};
@@ -123,7 +125,7 @@ Result<PairPainterOf<Medium>> PairPainterOf<Medium>::open(const scene::Render& w
             return artist.problems();
     std::array<Quantity, 2> quantities{*find_quantity(settings.color, layouts[0]->dimension),
                                        *find_quantity(settings.color, layouts[1]->dimension)};
-    take_key(arrangement.lettering, artists[0]->mark_key().rows(), !quantities[0].label.empty());
+    take_key(arrangement.lettering, key_rows(settings.marks), !quantities[0].label.empty());
     auto sheet = Medium::Sheet::open(settings, settings.height, arrangement.lettering, *theme);
     if (!sheet)
         return sheet.problems();
@@ -162,6 +164,7 @@ typename Medium::Work PairPainterOf<Medium>::draw(const observe::Frame& left, co
     content.time = time_stamp(left.time, in.settings.every);
     content.legend = in.legend_for(left, right);
     content.key = in.artists[0].mark_key();
+    content.key.join(in.artists[1].mark_key());
     content.now = left.time;
     content.look_with(in.artists[0].camera());
     return in.sheet.put_together(halves, in.arrangement.halves, content);

@@ -80,7 +80,7 @@ Result<SphereDrawer> SphereDrawer::open(const Canvas& canvas) {
 
 void SphereDrawer::draw(std::span<const SphereMark> marks, const Camera& camera, const Canvas& canvas,
                         const SphereLook& look, SphereRaster& raster, Crew& crew) {
-    raster.take(marks, camera, canvas.width, canvas.height, look.window, sampling_, look.skip_hidden);
+    raster.take(marks, camera, canvas.width, canvas.height, look.window, sampling_, look.skip_hidden, look.cut);
     const std::size_t a_row = raster.row_length() * static_cast<std::size_t>(raster.tile_height());
     const int at_once = std::max(static_cast<int>(samples_at_once_travelling / a_row), 1);
     const std::size_t needed = a_row * static_cast<std::size_t>(std::min(at_once, raster.rows()));

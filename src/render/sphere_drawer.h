@@ -6,16 +6,18 @@
 #include "render/sphere_list.h"
 #include "render/sphere_raster.h"
 
+#include <optional>
 #include <span>
 
 namespace tumble::render {
 
 /// How spheres look.
 struct SphereLook {
-    Area window;             // pixels, where they are seen
-    float rim = 0;           // brightens (below 0: darkens) what bends away from the eye
-    bool lit = true;         // false: bare colours
-    bool skip_hidden = true; // false: draws what lies behind others too, for the same picture
+    Area window;                              // pixels, where they are seen
+    float rim = 0;                            // brightens (below 0: darkens) what bends away from the eye
+    bool lit = true;                          // false: bare colours
+    bool skip_hidden = true;                  // false: draws what lies behind others too, for the same picture
+    std::optional<Eigen::AlignedBox3d> cut{}; // m: its faces cut spheres open
 };
 
 /// Brings spheres that a raster draws into a canvas: colour and depth of every sample, so that what else is drawn there

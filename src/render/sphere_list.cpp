@@ -55,14 +55,14 @@ std::vector<std::vector<int>> showing_spheres(const observe::FrameLayout& layout
 
 std::vector<SphereMark> collect_spheres(const observe::Frame& frame, const std::vector<std::vector<int>>& showing,
                                         const std::vector<std::uint32_t>& colors, const Camera& camera,
-                                        const std::optional<Eigen::AlignedBox3d>& clip) {
+                                        const std::optional<Eigen::AlignedBox3d>& clip, bool cuts) {
     std::vector<SphereMark> marks;
     for (std::size_t b = 0; b < frame.bodies(); ++b) {
         const auto kind = static_cast<std::size_t>(frame.shape[b]);
         const observe::FrameShape& shape = frame.layout->shapes[kind];
         const Vector3d place = camera.to_view(frame.position[b]);
         const Matrix3d turn = camera.axes * frame.orientation[b].toRotationMatrix();
-        if (!place.allFinite() || !turn.allFinite() || (clip && !clip->contains(frame.position[b]))) {
+        if (!place.allFinite() || !turn.allFinite() || (clip && !cuts && !clip->contains(frame.position[b]))) {
             continue;
         }
         for (const int s : showing[kind]) {
@@ -70,6 +70,12 @@ std::vector<SphereMark> collect_spheres(const observe::Frame& frame, const std::
             const Vector3d centre = place + turn * shape.centres[i];
             if (camera.perspective && -centre.z() <= shape.radii[i]) {
                 continue;
+            }
+            if (clip && cuts) {
+                const Vector3d world = frame.position[b] + frame.orientation[b] * shape.centres[i];
+                if (clip->squaredExteriorDistance(world) >= shape.radii[i] * shape.radii[i]) {
+                    continue;
+                }
             }
             const Eigen::Vector3f at = centre.cast<float>();
             marks.push_back({at.x(), at.y(), at.z(), static_cast<float>(shape.radii[i]), colors[b]});

@@ -24,10 +24,10 @@ struct SphereMark {
 std::vector<std::vector<int>> showing_spheres(const observe::FrameLayout& layout);
 
 /// The spheres of a frame in view space. `showing` is showing_spheres(layout), `colors` has one entry a body.
-/// Bodies at places that are not finite numbers are left out, as are those with their centres outside the clip (m) and
-/// spheres behind the eye of a perspective camera.
+/// Bodies at places that are not finite numbers are left out, as are those with their centres outside the clip (m), or,
+/// where it `cuts` bodies, spheres that do not reach into it; and spheres behind the eye of a perspective camera.
 std::vector<SphereMark> collect_spheres(const observe::Frame& frame, const std::vector<std::vector<int>>& showing,
                                         const std::vector<std::uint32_t>& colors, const Camera& camera,
-                                        const std::optional<Eigen::AlignedBox3d>& clip = {});
+                                        const std::optional<Eigen::AlignedBox3d>& clip = {}, bool cuts = false);
 
 } // namespace tumble::render

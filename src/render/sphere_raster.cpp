@@ -57,13 +57,28 @@ Ball ball_of(const SphereMark& mark, const Camera& camera, int height) {
     return ball;
 }
 
+/// The box' faces in view space.
+std::vector<CutPlane> planes_of(const Eigen::AlignedBox3d& box, const Camera& camera) {
+    std::vector<CutPlane> planes;
+    for (const bool upper : {false, true})
+        for (int axis = 0; axis < 3; ++axis) {
+            const Eigen::Vector3d outwards = (upper ? 1 : -1) * Eigen::Vector3d::Unit(axis);
+            const Eigen::Vector3f normal = (camera.axes * outwards).cast<float>();
+            const double offset = outwards.dot((upper ? box.max() : box.min()) - camera.eye);
+            planes.push_back({normal.x(), normal.y(), normal.z(), static_cast<float>(offset)});
+        }
+    return planes;
+}
+
 } // namespace
 
 void SphereRaster::take(std::span<const SphereMark> marks, const Camera& camera, int width, int height,
-                        const Area& window, const Sampling& sampling, bool skip_hidden) {
+                        const Area& window, const Sampling& sampling, bool skip_hidden,
+                        const std::optional<Eigen::AlignedBox3d>& cut) {
     sampling_ = sampling;
     sight_ = sight_of(camera, height);
     skip_hidden_ = skip_hidden;
+    cut_ = cut ? planes_of(*cut, camera) : std::vector<CutPlane>{};
     const int tile_width = sampling.tile_width(), tile_height = sampling.tile_height();
     columns_ = (width + tile_width - 1) / tile_width;
     rows_ = (height + tile_height - 1) / tile_height;
@@ -174,6 +189,7 @@ std::vector<SphereRaster::Run> SphereRaster::draw(int first, int count, const Li
             job.count = static_cast<int>(begins_[tile + 1] - begin);
             job.disorder = disorder_;
             job.skip_hidden = skip_hidden_;
+            job.cut = cut_.empty() ? nullptr : cut_.data();
             const auto at =
                 static_cast<std::ptrdiff_t>(row - first) * height * static_cast<std::ptrdiff_t>(row_length_) +
                 static_cast<std::ptrdiff_t>(column) * width * sampling_.samples;

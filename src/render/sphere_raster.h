@@ -7,6 +7,7 @@
 #include "render/sphere_list.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,9 +24,9 @@ public:
     };
 
     /// Takes up the spheres of a picture of that size (pixels). What lies outside the window (pixels from the top) is
-    /// left out, whole tiles at a time.
+    /// left out, whole tiles at a time. The faces of `cut` (m, in the world) cut spheres open: what is seen lies in it.
     void take(std::span<const SphereMark> marks, const Camera& camera, int width, int height, const Area& window,
-              const Sampling& sampling, bool skip_hidden);
+              const Sampling& sampling, bool skip_hidden, const std::optional<Eigen::AlignedBox3d>& cut = {});
 
     /// Samples from a row of pixels to the one above it.
     [[nodiscard]] std::size_t row_length() const { return row_length_; }
@@ -48,6 +49,7 @@ private:
     Sampling sampling_;
     Sight sight_;
     bool skip_hidden_ = true;
+    std::vector<CutPlane> cut_; // planes_of_cut of them, or none
     std::size_t row_length_ = 0;
     int columns_ = 0, rows_ = 0;                    // tiles
     int left_ = 0, right_ = 0, low_ = 0, high_ = 0; // tiles of the window, ends not included

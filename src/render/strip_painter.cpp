@@ -24,6 +24,7 @@ constexpr double strip_title = 28;
 constexpr double strip_words = 26; // under each cell
 constexpr double strip_panels = 68;
 constexpr double strip_legend = 440;
+constexpr double strip_note = 150;
 constexpr double least_cell = 40; // pixels a side
 
 /// What is left of a picture for one of `columns` x `rows` cells, pixels.
@@ -36,13 +37,18 @@ double lettering_unit(const scene::Render& settings) {
                           : std::max(0.68, std::min(settings.width / 1280.0, settings.height / 720.0));
 }
 
-double above_cells(const scene::Render& settings, double unit) {
-    return settings.paper ? 0 : strip_title * unit;
+double above_cells(const scene::Render& settings, const StripPlan& plan, double unit) {
+    return settings.paper && plan.note.empty() ? 0 : strip_title * unit;
 }
 
-CellSize cell_size(const scene::Render& settings, double unit, int columns, int rows) {
+/// High enough for the key, pixels.
+double panel_height(const scene::Render& settings, double unit) {
+    return std::max(strip_panels, key_height(key_rows(settings.marks))) * unit;
+}
+
+CellSize cell_size(const scene::Render& settings, const StripPlan& plan, double unit, int columns, int rows) {
     const double gap = strip_gap * unit;
-    const double outside = 2 * gap + above_cells(settings, unit) + (strip_panels + strip_gap) * unit;
+    const double outside = 3 * gap + above_cells(settings, plan, unit) + panel_height(settings, unit);
     return {std::floor((settings.width - gap * (columns + 1)) / columns),
             std::floor((settings.height - outside) / rows - strip_words * unit)};
 }
@@ -70,12 +76,12 @@ double spare_height(const scene::Render& settings, const Eigen::AlignedBox3d& bo
 }
 
 /// The number of columns that shows the box largest; of equals the smallest, whose rows are fullest.
-int best_columns(const scene::Render& settings, const Eigen::AlignedBox3d& box, int cells, double unit) {
+int best_columns(const scene::Render& settings, const Eigen::AlignedBox3d& box, const StripPlan& plan, double unit) {
     int best = 1;
     double largest = -1;
-    for (int columns = 1; columns <= cells; ++columns) {
-        const int rows = (cells + columns - 1) / columns;
-        const double zoom = zoom_in(settings, box, cell_size(settings, unit, columns, rows));
+    for (int columns = 1; columns <= plan.cells; ++columns) {
+        const int rows = (plan.cells + columns - 1) / columns;
+        const double zoom = zoom_in(settings, box, cell_size(settings, plan, unit, columns, rows));
         if (zoom > 1.001 * largest) {
             largest = zoom;
             best = columns;
@@ -86,9 +92,9 @@ int best_columns(const scene::Render& settings, const Eigen::AlignedBox3d& box, 
 
 StripArrangement arrange_strip(const scene::Render& settings, const Eigen::AlignedBox3d& box, const StripPlan& plan) {
     const double unit = lettering_unit(settings), gap = strip_gap * unit;
-    const int columns = plan.columns > 0 ? plan.columns : best_columns(settings, box, plan.cells, unit);
+    const int columns = plan.columns > 0 ? plan.columns : best_columns(settings, box, plan, unit);
     const int rows = (plan.cells + columns - 1) / columns;
-    CellSize cell = cell_size(settings, unit, columns, rows);
+    CellSize cell = cell_size(settings, plan, unit, columns, rows);
     StripArrangement all;
     if (zoom_in(settings, box, cell) == 0)
         return all;
@@ -96,8 +102,12 @@ StripArrangement arrange_strip(const scene::Render& settings, const Eigen::Align
     Layout& layout = all.lettering;
     layout.unit = unit;
     layout.column = false;
-    const double w = settings.width, title = above_cells(settings, unit);
+    const double w = settings.width, title = above_cells(settings, plan, unit);
     layout.title = {gap, gap, w - gap, gap + title};
+    if (!plan.note.empty()) {
+        layout.title.right -= strip_note * unit;
+        layout.time = {layout.title.right, gap, w - gap, gap + title};
+    }
     double y = std::round(gap + title);
     for (int k = 0; k < plan.cells; ++k) {
         const double x = std::round(gap + (k % columns) * (cell.width + gap));
@@ -105,9 +115,9 @@ StripArrangement arrange_strip(const scene::Render& settings, const Eigen::Align
         if (k % columns == columns - 1 || k == plan.cells - 1)
             y = std::round(y + cell.height + strip_words * unit);
     }
-    const double bottom = y + gap + strip_panels * unit;
+    const double bottom = y + gap + panel_height(settings, unit);
     all.height = static_cast<int>(bottom + gap);
-    layout.scale_bar = {gap, y + gap, gap + std::min(0.4 * w, 260 * unit), bottom};
+    layout.scale_bar = {gap, bottom - strip_panels * unit, gap + std::min(0.4 * w, 260 * unit), bottom};
     const double left = layout.scale_bar.right + 2 * gap;
     layout.legend = {std::max(left, w - gap - strip_legend * unit), y + gap, w - gap, bottom};
     return all;
@@ -123,9 +133,11 @@ template <class Medium> struct StripPainterOf<Medium>::Inside {
     StripArrangement arrangement;
     typename Medium::Sheet sheet;
     Legend legend;
+    std::string note;
 
     std::vector<typename Medium::Work> drawn{};
     std::vector<std::string> words{};
+    MarkKey key{}; // of all cells
 };
 
 template <class Medium>
@@ -159,13 +171,14 @@ Result<StripPainterOf<Medium>> StripPainterOf<Medium>::open(const scene::Render&
     if (!artist)
         return artist.problems();
     artist->fit(box);
-    take_key(arrangement.lettering, artist->mark_key().rows(), !quantity->label.empty());
+    take_key(arrangement.lettering, key_rows(settings.marks), !quantity->label.empty());
     auto sheet = Medium::Sheet::open(settings, arrangement.height, arrangement.lettering, *theme);
     if (!sheet)
         return sheet.problems();
     const Legend legend{quantity->label, quantity->unit, {(*settings.range)[0], (*settings.range)[1]}, *map};
-    return StripPainterOf(std::shared_ptr<Inside>(new Inside{of_cell, std::move(layout), *quantity, std::move(*artist),
-                                                             std::move(arrangement), std::move(*sheet), legend}));
+    return StripPainterOf(
+        std::shared_ptr<Inside>(new Inside{of_cell, std::move(layout), *quantity, std::move(*artist),
+                                           std::move(arrangement), std::move(*sheet), legend, plan.note}));
 }
 
 template <class Medium> void StripPainterOf<Medium>::foresee(const observe::Frame& frame) {
@@ -180,20 +193,18 @@ template <class Medium> void StripPainterOf<Medium>::add(const observe::Frame& f
     Inside& in = *inside_;
     in.drawn.push_back(in.artist.draw(frame));
     in.words.push_back(words);
+    MarkKey key = in.artist.mark_key();
+    key.join(in.key);
+    in.key = std::move(key);
     for (const double value : values_of(in.quantity, frame)) {
         in.legend.below = in.legend.below || value < in.legend.span.lo;
         in.legend.above = in.legend.above || value > in.legend.span.hi;
     }
 }
 
-template <class Medium>
-Result<Done> StripPainterOf<Medium>::add(const observe::Frame& frame, const std::string& words,
-                                         const scene::Box& clip) {
+template <class Medium> Result<Done> StripPainterOf<Medium>::cut(const scene::Box& clip) {
     inside_->settings.clip = clip;
-    if (auto restyled = inside_->artist.restyle(inside_->settings); !restyled)
-        return restyled;
-    add(frame, words);
-    return Done{};
+    return inside_->artist.restyle(inside_->settings);
 }
 
 template <class Medium> typename Medium::Work StripPainterOf<Medium>::finish() {
@@ -201,13 +212,14 @@ template <class Medium> typename Medium::Work StripPainterOf<Medium>::finish() {
     OverlayContent content;
     content.title = in.settings.paper ? "" : in.layout->title;
     content.legend = in.legend;
-    content.key = in.artist.mark_key();
+    content.key = in.key;
     content.look_with(in.artist.camera());
     for (std::size_t k = 0; k < in.drawn.size(); ++k) {
         Area under = in.arrangement.cells[k];
         under.top = under.bottom + 3 * in.arrangement.lettering.unit;
         content.captions.push_back({under, in.words[k]});
     }
+    content.time = in.note;
     return in.sheet.put_together(in.drawn, in.arrangement.cells, content);
 }
 

@@ -12,6 +12,7 @@ namespace tumble::render {
 struct StripPlan {
     int cells = 1;
     int columns = 0;
+    std::string note{}; // above them, in a few words: what they have in common
 };
 
 /// Draws several pictures of one run into one: a view, a scale and a legend for all, a few words under each. Of pixels
@@ -29,10 +30,10 @@ public:
     void foresee(const observe::Frame& frame);
     void pass_over(const observe::Frame& frame);
 
+    /// Another clip from the next cell on, and another mean field. Problems: those of Painter::restyle.
+    Result<Done> cut(const scene::Box& clip);
     /// The next cell, from the left, then from the top.
     void add(const observe::Frame& frame, const std::string& words);
-    /// The same with another clip than before.
-    Result<Done> add(const observe::Frame& frame, const std::string& words, const scene::Box& clip);
 
     /// All cells with the lettering.
     typename Medium::Work finish();

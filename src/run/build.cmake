@@ -22,6 +22,7 @@ add_custom_command(
           ${CMAKE_CURRENT_SOURCE_DIR}/cmake/build_mark.cmake
   COMMENT "Marking the sources that decide bits"
   VERBATIM)
-target_sources(tumble_run PRIVATE ${CMAKE_BINARY_DIR}/build_mark.cpp)
-set_source_files_properties(${CMAKE_BINARY_DIR}/build_mark.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON
-                            SKIP_PRECOMPILE_HEADERS ON)
+add_library(tumble_build_mark STATIC ${CMAKE_BINARY_DIR}/build_mark.cpp)
+target_include_directories(tumble_build_mark PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
+target_link_libraries(tumble_build_mark PRIVATE tumble_options)
+target_link_libraries(tumble_run PUBLIC tumble_build_mark)

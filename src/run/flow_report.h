@@ -51,10 +51,13 @@ std::vector<std::filesystem::path> flow_files(const std::filesystem::path& folde
 /// system's reason.
 Result<std::vector<std::filesystem::path>> write_flow(const FlowReport& report, const std::filesystem::path& folder);
 
+/// As large as its cells and words are read well on a screen.
+inline const sheet::Canvas flow_canvas{.width_mm = 238, .height_mm = 169};
+
 /// The mean field in the plane of radius and height: coloured by the tangential velocity, arrows of radial and vertical
 /// velocity, the surface as a line; through gnuplot, of the kind that the file's name says (sheet/canvas.h).
 /// Problems: gnuplot is missing or failed.
 Result<Done> draw_flow(const FlowReport& report, const std::filesystem::path& file,
-                       const sheet::Canvas& canvas = {.width_mm = 238, .height_mm = 169});
+                       const sheet::Canvas& canvas = flow_canvas);
 
 } // namespace tumble::run

@@ -15,13 +15,8 @@ template <class Archive, As<LoadInstant> I> void carry(Archive& archive, I& inst
 }
 
 template <class Archive, As<MeanLoad> M> void carry(Archive& archive, M& mean) {
-    auto& [time, window, force] = mean;
-    std::vector<double> entries(force.data(), force.data() + force.size());
-    std::uint64_t size = entries.size();
-    archive(time, window, size);
-    archive(Sparse{entries, size}); // most nodes are touched by nothing
-    if constexpr (!std::is_const_v<M>)
-        force = Eigen::Map<const Eigen::Matrix3Xd>(entries.data(), 3, static_cast<Eigen::Index>(entries.size() / 3));
+    auto& [time, window, pushes] = mean;
+    archive(time, window, pushes);
 }
 
 namespace {
@@ -38,25 +33,19 @@ const scene::WallShape& shape_of(const scene::Scene& scene, int wall) {
 LoadRecorder::LoadRecorder(const scene::Scene& scene, int wall, const LoadOptions& options,
                            std::vector<observe::Measure> measures)
     : scene_(scene), wall_(wall), mesh_(*std::get<scene::SpecimenShape>(shape_of(scene, wall)).mesh), locator_(mesh_),
-      options_(options), measures_(std::move(measures)), history_(scene.time_step, pause) {
+      options_(options), measures_(std::move(measures)), history_(scene.time_step, pause),
+      means_(solid::triangles_of(mesh_)) {
     loads_.bulk.columns = {"time_s"};
     for (const observe::Measure& measure : measures_)
         loads_.bulk.columns.push_back(measure.column());
     loads_.bulk.values.resize(loads_.bulk.columns.size());
-    sum_.force.setZero(3, static_cast<Eigen::Index>(mesh_.nodes.size()));
 }
 
 void LoadRecorder::take(const Simulation& simulation) {
     const double time = simulation.books().time; // of the forces
     pushes_ = simulation.wall_pushes(wall_);
     history_.take(time, pushes_);
-    for (const observe::WallPush& push : pushes_) {
-        const Eigen::Vector4d shares = solid::shares_at(mesh_, push.triangle / 2, push.foot);
-        const auto& corners = mesh_.facets[static_cast<std::size_t>(push.triangle / 2)].corners;
-        for (std::size_t k = 0; k < 4; ++k)
-            sum_.force.col(corners[k]) += shares[static_cast<Eigen::Index>(k)] * push.force;
-    }
-    ++summed_;
+    means_.take(pushes_);
 }
 
 std::optional<Problem> LoadRecorder::keep(const Simulation& simulation) {
@@ -70,11 +59,8 @@ std::optional<Problem> LoadRecorder::keep(const Simulation& simulation) {
     if (const auto balanced = solid::nodal_loads(mesh_, pushes); !balanced)
         return balanced.problems()[0];
     loads_.instants.push_back({books.time, pushes_});
-    if (summed_ > 0)
-        loads_.means.push_back(
-            {books.time, static_cast<double>(summed_) * scene_.time_step, sum_.force / static_cast<double>(summed_)});
-    sum_.force.setZero();
-    summed_ = 0;
+    if (const double window = static_cast<double>(means_.steps()) * scene_.time_step; window > 0)
+        loads_.means.push_back({books.time, window, means_.finish()});
     const observe::Seen seen(frame, books);
     std::vector<double> row{books.time};
     for (const observe::Measure& measure : measures_)
@@ -90,16 +76,15 @@ PartLoads LoadRecorder::finish() {
 
 std::string LoadRecorder::state() const {
     ArchiveWriter writer;
-    writer(options_.every, options_.from, loads_.instants, loads_.means, loads_.bulk.values, history_, sum_, summed_);
+    writer(options_.every, options_.from, loads_.instants, loads_.means, loads_.bulk.values, history_, means_);
     return writer.take();
 }
 
 Result<Done> LoadRecorder::recall(const std::string& state) {
     double every = 0, from = 0;
-    const auto nodes = sum_.force.cols();
     ArchiveReader reader(state);
-    reader(every, from, loads_.instants, loads_.means, loads_.bulk.values, history_, sum_, summed_);
-    if (!reader.whole() || sum_.force.cols() != nodes || loads_.bulk.values.size() != loads_.bulk.columns.size())
+    reader(every, from, loads_.instants, loads_.means, loads_.bulk.values, history_, means_);
+    if (!reader.whole() || !means_.fits() || loads_.bulk.values.size() != loads_.bulk.columns.size())
         return Problem{.file = options_.folder.string(),
                        .what = "holds loads that make no sense",
                        .fix = "--force runs the scene again and replaces what is there"};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "observe/mean_pushes.h"
 #include "observe/measures.h"
 #include "observe/part_loads.h"
 #include "run/part_loads.h"
@@ -42,8 +43,7 @@ private:
     std::vector<observe::Measure> measures_;
     observe::TouchHistory history_;
     std::vector<observe::WallPush> pushes_; // of the last step
-    MeanLoad sum_;                          // N, over `summed_` steps
-    std::int64_t summed_ = 0;
+    observe::MeanPushes means_;             // since the last instant
     PartLoads loads_;
 };
 

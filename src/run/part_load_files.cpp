@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <unordered_map>
 
 namespace tumble::run {
@@ -18,12 +19,14 @@ using Row = std::vector<double>;
 const std::vector<std::string> contact_heads{"time_s", "body",   "triangle", "x_m",    "y_m",  "z_m",
                                              "nx",     "ny",     "nz",       "fx_N",   "fy_N", "fz_N",
                                              "vx_m_s", "vy_m_s", "vz_m_s",   "patch_m"};
-const std::vector<std::string> mean_heads{"time_s", "window_s", "node", "fx_N", "fy_N", "fz_N"};
+const std::vector<std::string> mean_heads{"time_s", "window_s", "triangle", "x_m",  "y_m",  "z_m",    "nx",
+                                          "ny",     "nz",       "fx_N",     "fy_N", "fz_N", "patch_m"};
+const std::string since_head = "since_last_s"; // nan of a row's first touch, so that nothing reads it back
 const std::vector<std::string> touch_heads{"body",
                                            "touch",
                                            "begin_s",
                                            "duration_s",
-                                           "since_last_s",
+                                           since_head,
                                            "element",
                                            "x_m",
                                            "y_m",
@@ -80,18 +83,16 @@ std::string facets_csv(const PartLoads& loads, const solid::HexMesh& mesh) {
     return text;
 }
 
-std::string means_csv(const PartLoads& loads, const solid::HexMesh& mesh) {
+std::string means_csv(const PartLoads& loads) {
     std::string text = csv_line(mean_heads);
     for (const MeanLoad& mean : loads.means) {
-        bool any = false;
-        for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
-            const Vector3d force = mean.force.col(static_cast<Eigen::Index>(n));
-            const bool last = n + 1 == mesh.nodes.size();
-            if (force.isZero(0) && !(last && !any))
-                continue;
-            any = true;
-            Row row{mean.time, mean.window, static_cast<double>(mesh.node_numbers[n])};
-            add(row, force);
+        if (mean.pushes.empty()) // the window is kept all the same
+            text += csv_line(Row{mean.time, mean.window, -1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+        for (const observe::WallPush& push : mean.pushes) {
+            Row row{mean.time, mean.window, static_cast<double>(push.triangle)};
+            for (const Vector3d& vector : {push.foot, push.normal, push.force})
+                add(row, vector);
+            row.push_back(push.patch);
             text += csv_line(row);
         }
     }
@@ -133,7 +134,8 @@ Result<std::vector<std::vector<double>>> columns_of(const Table& table, const st
     std::vector<std::vector<double>> columns;
     Problems problems;
     for (const std::string& head : heads) {
-        auto column = table.numbers(head);
+        auto column =
+            head == since_head ? Result<std::vector<double>>(std::vector<double>(table.rows())) : table.numbers(head);
         for (const Problem& problem : column.problems())
             problems.push_back(problem);
         if (column)
@@ -151,45 +153,82 @@ Result<Table> table_of(const std::filesystem::path& file) {
     return parse_table(std::move(*text), file.string());
 }
 
-bool whole_below(double value, std::size_t end) {
-    return value >= 0 && value < static_cast<double>(end) && value == std::floor(value);
-}
+/// What a reader needs of a table: its columns, and the part that they are of.
+struct LoadTable {
+    const Table& table;
+    const solid::HexMesh& mesh;
+    std::vector<std::vector<double>> columns{};
 
-std::optional<Problems> read_contacts(const Table& table, const solid::HexMesh& mesh, PartLoads& loads) {
-    const auto columns = columns_of(table, contact_heads);
-    if (!columns)
-        return columns.problems();
-    const auto& c = *columns;
-    for (std::size_t r = 0; r < table.rows(); ++r) {
+    [[nodiscard]] Vector3d vector(std::size_t column, std::size_t row) const {
+        return {columns[column][row], columns[column + 1][row], columns[column + 2][row]};
+    }
+    [[nodiscard]] Problem foreign(std::size_t row, std::size_t column, const std::string& what) const {
+        return table.problem_at(row, column, what, "the loads are of another part");
+    }
+    /// Of column 2.
+    [[nodiscard]] std::optional<Problem> no_triangle(std::size_t row) const {
+        const double triangle = columns[2][row];
+        if (triangle >= 0 && triangle < static_cast<double>(2 * mesh.facets.size()) && triangle == std::floor(triangle))
+            return std::nullopt;
+        return foreign(row, 2, "the part has no such triangle");
+    }
+};
+
+std::optional<Problems> read_contacts(const LoadTable& from, PartLoads& loads) {
+    const auto& c = from.columns;
+    for (std::size_t r = 0; r < from.table.rows(); ++r) {
         if (loads.instants.empty() || c[0][r] != loads.instants.back().time)
             loads.instants.push_back({c[0][r], {}});
-        if (c[1][r] < 0)
+        if (c[1][r] == -1)
             continue;
-        if (!whole_below(c[2][r], 2 * mesh.facets.size()))
-            return Problems{table.problem_at(r, 2, "the part has no such triangle", "the loads are of another part")};
-        const auto vector = [&](std::size_t k) { return Vector3d(c[k][r], c[k + 1][r], c[k + 2][r]); };
+        if (auto wrong = from.no_triangle(r))
+            return Problems{std::move(*wrong)};
         loads.instants.back().pushes.push_back({static_cast<std::int64_t>(c[1][r]), static_cast<int>(c[2][r]),
-                                                vector(3), vector(6), vector(9), vector(12), c[15][r]});
+                                                from.vector(3, r), from.vector(6, r), from.vector(9, r),
+                                                from.vector(12, r), c[15][r]});
     }
     return std::nullopt;
 }
 
-std::optional<Problems> read_means(const Table& table, const solid::HexMesh& mesh, PartLoads& loads) {
-    const auto columns = columns_of(table, mean_heads);
-    if (!columns)
-        return columns.problems();
-    std::unordered_map<double, Eigen::Index> index_of; // by a node's number
-    for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
-        index_of.emplace(mesh.node_numbers[n], static_cast<Eigen::Index>(n));
-    const auto& c = *columns;
-    for (std::size_t r = 0; r < table.rows(); ++r) {
+std::optional<Problems> read_means(const LoadTable& from, PartLoads& loads) {
+    const auto& c = from.columns;
+    for (std::size_t r = 0; r < from.table.rows(); ++r) {
         if (loads.means.empty() || c[0][r] != loads.means.back().time)
-            loads.means.push_back(
-                {c[0][r], c[1][r], Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(mesh.nodes.size()))});
-        const auto node = index_of.find(c[2][r]);
-        if (node == index_of.end())
-            return Problems{table.problem_at(r, 2, "the part has no such node", "the loads are of another part")};
-        loads.means.back().force.col(node->second) = Vector3d(c[3][r], c[4][r], c[5][r]);
+            loads.means.push_back({c[0][r], c[1][r], {}});
+        if (c[2][r] == -1)
+            continue;
+        if (auto wrong = from.no_triangle(r))
+            return Problems{std::move(*wrong)};
+        loads.means.back().pushes.push_back({-1, static_cast<int>(c[2][r]), from.vector(3, r), from.vector(6, r),
+                                             from.vector(9, r), Vector3d::Zero(), c[12][r]});
+    }
+    return std::nullopt;
+}
+
+/// Of a triangle the file keeps the element; one of its facets stands for it.
+std::optional<Problems> read_touches(const LoadTable& from, PartLoads& loads) {
+    const auto& c = from.columns;
+    std::unordered_map<double, int> facet_of; // by an element's number
+    for (std::size_t f = 0; f < from.mesh.facets.size(); ++f)
+        facet_of.emplace(from.mesh.hex_numbers[static_cast<std::size_t>(from.mesh.facets[f].hex)], static_cast<int>(f));
+    for (std::size_t r = 0; r < from.table.rows(); ++r) {
+        observe::Touching touch;
+        touch.body = static_cast<std::int64_t>(c[0][r]);
+        touch.number = static_cast<int>(c[1][r]);
+        touch.begin = c[2][r];
+        touch.duration = c[3][r];
+        const auto facet = facet_of.find(c[5][r]);
+        if (facet == facet_of.end())
+            return Problems{from.foreign(r, 5, "the part has no such element at its surface")};
+        touch.triangle = 2 * facet->second;
+        touch.foot = from.vector(6, r);
+        touch.approach = c[9][r];
+        touch.slip = c[10][r];
+        touch.peak_normal = c[11][r];
+        touch.peak_shear = c[12][r];
+        touch.normal_impulse = c[13][r];
+        touch.shear_impulse = c[14][r];
+        loads.touches.push_back(touch);
     }
     return std::nullopt;
 }
@@ -200,7 +239,7 @@ Result<Done> write_loads(const PartLoads& loads, const scene::SpecimenShape& spe
                          const std::filesystem::path& folder) {
     const solid::HexMesh& mesh = *specimen.mesh;
     for (const auto& [name, text] :
-         {std::pair{"contacts.csv", contacts_csv(loads)}, std::pair{"means.csv", means_csv(loads, mesh)},
+         {std::pair{"contacts.csv", contacts_csv(loads)}, std::pair{"means.csv", means_csv(loads)},
           std::pair{"facets.csv", facets_csv(loads, mesh)}, std::pair{"touches.csv", touches_csv(loads, mesh)},
           std::pair{"bulk.csv", bulk_csv(loads.bulk)}})
         if (const auto written = observe::write_whole(folder / name, text); !written)
@@ -210,17 +249,23 @@ Result<Done> write_loads(const PartLoads& loads, const scene::SpecimenShape& spe
 
 Result<PartLoads> read_loads(const std::filesystem::path& folder, const scene::SpecimenShape& specimen) {
     PartLoads loads;
-    Problems problems;
-    const auto contacts = table_of(folder / "contacts.csv"), means = table_of(folder / "means.csv");
-    for (const auto* table : {&contacts, &means})
-        for (const Problem& problem : table->problems())
-            problems.push_back(problem);
-    if (!problems.empty())
-        return problems;
-    if (const auto wrong = read_contacts(*contacts, *specimen.mesh, loads))
-        return *wrong;
-    if (const auto wrong = read_means(*means, *specimen.mesh, loads))
-        return *wrong;
+    struct File {
+        const char* name;
+        const std::vector<std::string>& heads;
+        std::optional<Problems> (*read)(const LoadTable&, PartLoads&);
+    };
+    for (const File& file :
+         {File{"contacts.csv", contact_heads, read_contacts}, File{"means.csv", mean_heads, read_means},
+          File{"touches.csv", touch_heads, read_touches}}) {
+        const auto table = table_of(folder / file.name);
+        if (!table)
+            return table.problems();
+        auto columns = columns_of(*table, file.heads);
+        if (!columns)
+            return columns.problems();
+        if (const auto wrong = file.read({*table, *specimen.mesh, std::move(*columns)}, loads))
+            return *wrong;
+    }
     return loads;
 }
 

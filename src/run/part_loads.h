@@ -7,7 +7,6 @@
 #include "run/run_scene.h"
 #include "scene/scene.h"
 
-#include <Eigen/Core>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -33,11 +32,11 @@ struct LoadInstant {
     std::vector<observe::WallPush> pushes;
 };
 
-/// Mean nodal forces over the window that ends at `time`.
+/// Mean over the window that ends at `time`.
 struct MeanLoad {
-    double time = 0;        // s
-    double window = 0;      // s
-    Eigen::Matrix3Xd force; // N, a column a node
+    double time = 0;                       // s
+    double window = 0;                     // s
+    std::vector<observe::WallPush> pushes; // of observe::MeanPushes
 };
 
 struct PartLoads {
@@ -59,13 +58,13 @@ Result<int> find_specimen(const scene::Scene& scene, const std::string& name);
 /// other options than the run was begun with.
 Result<PartLoads> record_loads(const scene::Scene& scene, int wall, const LoadOptions& options, RunListener& listener);
 
-/// Loads as files of a folder: contacts.csv (all instants), means.csv (nodes with a mean force), facets.csv,
-/// touches.csv, bulk.csv; docs/stress.md has the columns. Problems: the system's.
+/// Loads as files of a folder: contacts.csv (all instants), means.csv, facets.csv, touches.csv, bulk.csv;
+/// docs/stress.md has the columns. Problems: the system's.
 Result<Done> write_loads(const PartLoads& loads, const scene::SpecimenShape& specimen,
                          const std::filesystem::path& folder);
 
-/// Instants and means of such a folder, to the same bits. Problems: files that are missing or damaged, with the line;
-/// facets and nodes that the part does not have.
+/// Instants and means of such a folder, to the same bits, and its touches, but for Touching::since. Problems: files
+/// that are missing or damaged, with the line; facets and elements that the part does not have.
 Result<PartLoads> read_loads(const std::filesystem::path& folder, const scene::SpecimenShape& specimen);
 
 } // namespace tumble::run

@@ -61,7 +61,7 @@ Result<Replayed> redraw(const fs::path& run, const RedrawOptions& options, const
 }
 
 Result<Replayed> export_run(const fs::path& run, const ExportOptions& options, const TellFrames& tell) {
-    const Result<Recording> recording = open_recording(run, options.when);
+    const Result<Recording> recording = open_recording(run, options.when, Reading::heads);
     if (!recording)
         return recording.problems();
     Target paraview(options.paraview);
@@ -84,6 +84,9 @@ Result<Replayed> export_run(const fs::path& run, const ExportOptions& options, c
     if (!problems.empty())
         return problems;
     const Replayed replayed = replay(*recording, options.when, sinks, tell);
+    if (replayed.frames == 0 && replayed.reason.empty() && !replayed.stopped)
+        if (const auto whole = open_recording(run, options.when); !whole) // says what is wrong with each
+            return whole.problems();
     if (replayed.reason.empty()) {
         paraview.keep();
         text.keep();

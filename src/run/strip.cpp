@@ -170,19 +170,30 @@ template <class Painter> void foresee_all(const Recording& recording, const scen
 template <class Medium>
 Result<Replayed> draw_in_one(const Recording& recording, const std::vector<Part>& parts, const scene::Render& settings,
                              const StripOptions& options, const TellFrames& tell) {
+    if (options.sections && settings.marks.arrows == "field" && !settings.marks.arrow_speed)
+        return Problem{.key = "render.arrow_m_s",
+                       .what = "the mean fields of several sections need one scale of arrows",
+                       .fix = "give the speed of the legend's arrow: --arrow M_S"};
+    render::StripPlan plan = options.plan;
+    if (options.sections)
+        plan.note = render::time_stamp(recording.frames.back().time, settings.every);
     auto painter = render::StripPainterOf<Medium>::open(
         settings, recording.layout,
-        settings.view ? Eigen::AlignedBox3d(settings.view->lo, settings.view->hi) : recording.bounds, options.plan);
+        settings.view ? Eigen::AlignedBox3d(settings.view->lo, settings.view->hi) : recording.bounds, plan);
     if (!painter)
         return of_run(painter.problems(), recording.folder.root);
-    foresee_all(recording, settings, *painter);
+    if (!options.sections) // each of which has a field of its own
+        foresee_all(recording, settings, *painter);
     Replayed done;
     done.warnings = recording.warnings;
     done.reason = for_parts(
         recording, parts, options, done, tell,
         [&](const observe::Frame& frame, const Part& part) -> Result<Done> {
-            if (part.clip)
-                return painter->add(frame, words_of(part, frame, settings), *part.clip);
+            if (part.clip) {
+                if (auto cut = painter->cut(*part.clip); !cut)
+                    return cut;
+                foresee_all(recording, settings, *painter);
+            }
             painter->add(frame, words_of(part, frame, settings));
             return Done{};
         },
@@ -198,7 +209,8 @@ Result<Replayed> draw_apart(const Recording& recording, const std::vector<Part>&
     if (!painter)
         return painter.problems();
     painter->fit(recording.bounds);
-    foresee_all(recording, settings, *painter);
+    if (!options.sections)
+        foresee_all(recording, settings, *painter);
     if (const auto made = make_folder(options.out); !made)
         return made.problems();
     render::PngWriter writer;
@@ -212,6 +224,8 @@ Result<Replayed> draw_apart(const Recording& recording, const std::vector<Part>&
                 shown.clip = part.clip;
             if (auto restyled = painter->restyle(shown); !restyled)
                 return restyled;
+            if (part.clip)
+                foresee_all(recording, settings, *painter);
             const char* kind = part.clip ? "section" : "instant";
             return writer.add(options.out / fmt::format("{}_{}.png", kind, done.frames + 1), painter->draw(frame));
         },
@@ -231,7 +245,9 @@ Result<Replayed> draw_strip(const fs::path& run, const StripOptions& options, co
     const auto parts = options.sections ? sections(*recording, options) : instants(*recording, options.plan.cells);
     if (!parts)
         return parts.problems();
-    const auto settings = settle_scales(std::array{only(*recording, *parts)}, options.redraw.settings);
+    scene::Render wanted = options.redraw.settings;
+    wanted.turn_deg_s = 0; // the parts have one view
+    const auto settings = settle_scales(std::array{only(*recording, *parts)}, wanted);
     if (!settings)
         return settings.problems();
     const bool as_lines = render::is_drawing_file(options.out), in_one = options.out.extension() == ".png";

@@ -40,6 +40,11 @@ KeyTable render() {
         number("field_of_view_deg", "deg", from(1, 170), "Opening of a perspective camera, vertical.")
             .in_3d()
             .otherwise(35.0),
+        number("turn_deg_s", "deg/s", from(-1e5, 1e5),
+               "How fast, by the scene's time, a free camera goes around what it looks at, about the upward axis; "
+               "above 0 anticlockwise as seen from above.")
+            .in_3d()
+            .otherwise(0.0),
         vector("view_lo_m", "m", from(-1e4, 1e4),
                "Lowest corner of what must be in the picture; without it all walls "
                "and bodies."),
@@ -48,6 +53,10 @@ KeyTable render() {
                "Lowest corner of a box: bodies whose centres lie outside are not drawn, which shows a section.")
             .in_3d(),
         vector("clip_hi_m", "m", from(-1e4, 1e4), "Highest corner of it.").in_3d(),
+        flag("clip_cuts",
+             "The box, and sections, cut bodies open instead of leaving out whole ones: where a face cuts, a "
+             "body is flat and a little darker.")
+            .in_3d(),
         word("color", {"speed", "vx", "vy", "vz", "spin", "none"},
              "Quantity that colours the bodies; with none they are all alike and pale, for what is drawn over them.")
             .otherwise(std::string("speed")),

@@ -108,11 +108,18 @@ void resolve_render(const View& view, const Resolving& to) {
     } else if (view.written("clip_lo_m") != view.written("clip_hi_m"))
         to.refuse(view, view.written("clip_lo_m") ? "clip_lo_m" : "clip_hi_m", "a clip needs both of its corners",
                   "give clip_lo_m and clip_hi_m");
+    render.clip_cuts = view.flag("clip_cuts");
     const bool has_place = view.written("eye_m") || view.written("target_m");
     if (render.camera == "free" && has_place && render.eye == render.target)
         to.refuse(view, "camera", "a free camera stands where it looks at",
                   "give eye_m and target_m, two different points, or neither to look from the front, right and above");
     resolve_marks(view, to);
+    render.turn_deg_s = view.number("turn_deg_s");
+    if (render.turn_deg_s != 0 && render.camera != "free")
+        to.refuse(view, "turn_deg_s", "only a free camera turns", "write camera = \"free\", or turn_deg_s = 0");
+    if (render.turn_deg_s != 0 && render.marks.arrows == "field")
+        to.refuse(view, "turn_deg_s", "a mean field belongs to a camera that stands still",
+                  "write arrows = \"bodies\", or turn_deg_s = 0");
     render.color = view.text("color");
     if (view.given("range")) {
         const auto ends = view.numbers("range");

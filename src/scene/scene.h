@@ -226,8 +226,10 @@ struct Render {
     Vector3d eye = Vector3d::Zero();    // m, free camera
     Vector3d target = Vector3d::Zero(); // m, free camera
     double field_of_view_deg = 35;
+    double turn_deg_s = 0;   // by the scene's time, of a free camera about what it looks at, anticlockwise from above
     std::optional<Box> view; // m, what must be in the picture; default: walls and bodies
     std::optional<Box> clip; // m, bodies whose centres lie outside are not drawn
+    bool clip_cuts = false;  // the clip's faces cut bodies instead
     Marks marks;
     std::string color = "speed";
     std::optional<std::array<double, 2>> range; // in the quantity's SI unit

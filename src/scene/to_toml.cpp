@@ -419,6 +419,8 @@ void write_output(const Scene& scene, TomlWriter& to) {
             to.vector("target_m", render.target);
         }
         to.number("field_of_view_deg", render.field_of_view_deg);
+        if (render.turn_deg_s != 0)
+            to.number("turn_deg_s", render.turn_deg_s);
     }
     if (render.view) {
         to.vector("view_lo_m", render.view->lo);
@@ -428,6 +430,8 @@ void write_output(const Scene& scene, TomlWriter& to) {
         to.vector("clip_lo_m", render.clip->lo);
         to.vector("clip_hi_m", render.clip->hi);
     }
+    if (render.clip_cuts)
+        to.flag("clip_cuts", true);
     write_marks(render.marks, to);
     to.text("color", render.color);
     if (render.range)

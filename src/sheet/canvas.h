@@ -14,6 +14,7 @@ struct Canvas {
     double height_mm = 500 * 25.4 / 96;
     double dpi = 144; // of PNG files; the others know no pixels
     double font_pt = 9.75;
+    bool titled = true; // false: its words stand in the text beside it
 
     /// An em of its letters, mm.
     [[nodiscard]] double em() const { return font_pt * 25.4 / 72; }

@@ -121,7 +121,8 @@ std::string mark_of(const Figure& figure) {
 std::string gnuplot_script(const Figure& figure, const std::filesystem::path& file, Canvas canvas) {
     const std::string scales = bind_scales(figure, canvas);
     std::string script = open_canvas(canvas, file) + scales;
-    script += fmt::format("set title {}\n", in_gnuplots_quotes(figure.title));
+    if (canvas.titled)
+        script += fmt::format("set title {}\n", in_gnuplots_quotes(figure.title));
     script += "set grid lc rgb '#cccccc'\nset key below height 1\nset autoscale noextend\nset offsets graph 0.02, "
               "graph 0.02, "
               "graph 0.05, graph 0.05\n";
@@ -147,14 +148,14 @@ Result<Done> draw(const Figure& figure, const std::filesystem::path& file, const
 }
 
 Result<std::vector<std::filesystem::path>> draw_all(const Sheet& sheet, const std::filesystem::path& folder,
-                                                    const std::vector<std::string>& endings) {
+                                                    const std::vector<std::string>& endings, const Canvas& canvas) {
     if (const auto made = make_folder(folder); !made)
         return made.problems();
     std::vector<std::filesystem::path> files;
     for (const Figure* figure : sheet.figures())
         for (const std::string& ending : endings) {
             files.push_back(folder / (figure->name + ending));
-            if (const Result<Done> drawn = draw(*figure, files.back()); !drawn)
+            if (const Result<Done> drawn = draw(*figure, files.back(), canvas); !drawn)
                 return drawn.problems();
         }
     return files;

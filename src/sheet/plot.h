@@ -23,6 +23,6 @@ Result<Done> draw(const Figure& figure, const std::filesystem::path& file, const
 
 /// Draws every figure into a folder, which is made, once per ending (".png"). The files written, or what went wrong.
 Result<std::vector<std::filesystem::path>> draw_all(const Sheet& sheet, const std::filesystem::path& folder,
-                                                    const std::vector<std::string>& endings);
+                                                    const std::vector<std::string>& endings, const Canvas& canvas = {});
 
 } // namespace tumble::sheet

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>
-#include <numeric>
 
 namespace tumble::solid {
 
@@ -70,11 +69,8 @@ Eigen::Vector4d shares_at(const HexMesh& mesh, int facet, const Vector3d& point)
     // Gauss-Newton on the distance; a facet that is a parallelogram needs one step.
     Eigen::Vector2d at = Eigen::Vector2d::Zero();
     for (int round = 0; round < 20; ++round) {
-        const double r = at.x(), s = at.y();
-        Eigen::Matrix<double, 4, 2> slopes;
-        slopes << -(1 - s), -(1 - r), 1 - s, -(1 + r), 1 + s, 1 + r, -(1 + s), 1 - r;
-        const Eigen::Matrix<double, 3, 2> tangents = 0.25 * corners * slopes;
-        const Vector3d off = point - corners * facet_shape_at(r, s);
+        const Eigen::Matrix<double, 3, 2> tangents = corners * facet_slopes_at(at.x(), at.y());
+        const Vector3d off = point - corners * facet_shape_at(at.x(), at.y());
         const Eigen::Vector2d move = (tangents.transpose() * tangents).inverse() * (tangents.transpose() * off);
         at += move;
         if (move.cwiseAbs().maxCoeff() < 1e-15)
@@ -85,16 +81,9 @@ Eigen::Vector4d shares_at(const HexMesh& mesh, int facet, const Vector3d& point)
 }
 
 std::optional<Push> moved_to(const HexMesh& mesh, const Push& push, const Vector3d& normal) {
-    std::vector<int> all(mesh.facets.size());
-    std::iota(all.begin(), all.end(), 0);
-    return moved_to(mesh, all, push, normal);
-}
-
-std::optional<Push> moved_to(const HexMesh& mesh, std::span<const int> facets, const Push& push,
-                             const Vector3d& normal) {
     std::optional<Push> moved;
     double nearest = std::numeric_limits<double>::infinity(); // m
-    for (const int f : facets) {
+    for (int f = 0; f < static_cast<int>(mesh.facets.size()); ++f) {
         const auto& corners = mesh.facets[static_cast<std::size_t>(f)].corners;
         const auto node = [&](std::size_t k) -> const Vector3d& {
             return mesh.nodes[static_cast<std::size_t>(corners[k])];

@@ -5,7 +5,6 @@
 
 #include <Eigen/Core>
 #include <optional>
-#include <span>
 #include <vector>
 
 /// What touches a part, as forces on its nodes.
@@ -18,6 +17,13 @@ struct Push {
     Eigen::Vector3d force = Eigen::Vector3d::Zero();
 };
 
+/// Derivatives of facet_shape_at by r and s, a row a corner.
+inline Eigen::Matrix<double, 4, 2> facet_slopes_at(double r, double s) {
+    Eigen::Matrix<double, 4, 2> slopes;
+    slopes << -(1 - s), -(1 - r), 1 - s, -(1 + r), 1 + s, 1 + r, -(1 + s), 1 - r;
+    return 0.25 * slopes;
+}
+
 /// Shares of a facet's corners in a force at the facet's point nearest to `point`: the values of their shape functions
 /// there, so that the force does the same work on the brick's displacements. They add up to 1; inside a flat facet
 /// they bear the same moment.
@@ -27,9 +33,6 @@ Eigen::Vector4d shares_at(const HexMesh& mesh, int facet, const Eigen::Vector3d&
 /// look the same way as `normal` (unit, outward there), within 60 degrees (at an edge a body touches aslant); nothing
 /// where none does.
 std::optional<Push> moved_to(const HexMesh& mesh, const Push& push, const Eigen::Vector3d& normal);
-/// The same among some of the facets.
-std::optional<Push> moved_to(const HexMesh& mesh, std::span<const int> facets, const Push& push,
-                             const Eigen::Vector3d& normal);
 
 /// Forces of the pushes on the nodes: 3 x nodes, N. Problems: facets that do not exist; nodal forces whose sum or
 /// moment differs from that of the pushes by more than 1e-9 of what they add up to (a point off its facet), with the

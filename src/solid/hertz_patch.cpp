@@ -3,59 +3,203 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 namespace tumble::solid {
 
 namespace {
 
+using Eigen::Vector2d;
 using Eigen::Vector3d;
+using Eigen::Vector4d;
 
-constexpr int rings = 5, spokes = 12;
-constexpr int halvings = 6; // below a 64th of its radius a patch is a point
+constexpr int fewest_rings = 5, most_rings = 24;
+// Along a facet's shorter side: so many samples of its linear shape functions miss their integral by 1 / (3 pi)^2, 1 %.
+constexpr double points_a_facet = 3;
+constexpr double facing = 0.5; // cosine between a facet's normal and the push's
+// Times the radius: what is further above or below is another place of the part, for 60 degrees rise by 1.73 in 1.
+constexpr double steepest = 2;
+constexpr double rounding = 1e-12; // of the radius, or of half a facet's side
+constexpr int most_turns = 8;
+constexpr double nearly_middle = 1.0 / 64; // of the radius
 
-/// Points of the unit circle that bear equal shares of Hertz' force: within r lies 1 - (1 - r^2)^(3/2) of it. Each
-/// ring stands at the middle of its share, turned by half a spoke against its neighbours.
-const std::vector<Eigen::Vector2d>& circle() {
-    static const std::vector<Eigen::Vector2d> points = [] {
-        std::vector<Eigen::Vector2d> made;
-        for (int ring = 0; ring < rings; ++ring) {
-            const double within = (ring + 0.5) / rings, r = std::sqrt(1 - std::cbrt((1 - within) * (1 - within)));
-            for (int spoke = 0; spoke < spokes; ++spoke) {
-                const double angle = 2 * std::numbers::pi * (spoke + 0.5 * (ring % 2)) / spokes;
-                made.emplace_back(r * std::cos(angle), r * std::sin(angle));
-            }
+/// A point of the unit circle and the share of Hertz' force that it bears; its opposite bears the same.
+struct Sample {
+    Vector2d at;
+    double share = 0;
+};
+
+/// Half of the circle's points, in rings of equal width. Between radii r and R lie (1 - r^2)^(3/2) - (1 - R^2)^(3/2) of
+/// the force, and each ring stands at the mean radius of its force, so that the whole circle's comes out, 3 pi / 16:
+/// what is linear in the distance from a node, as its shape function nearly is, is then right about the middle, too.
+std::vector<Sample> samples_of(int rings) {
+    std::vector<Sample> samples;
+    // Integrals of 3 r sqrt(1 - r^2) dr, the force, from a radius to the rim, and of r times it to a radius.
+    const auto beyond = [](double r) { return std::pow(1 - r * r, 1.5); };
+    const auto within = [](double r) { return 3.0 / 8 * (std::asin(r) - r * (1 - 2 * r * r) * std::sqrt(1 - r * r)); };
+    for (int ring = 0; ring < rings; ++ring) {
+        const double inner = static_cast<double>(ring) / rings, outer = (ring + 1.0) / rings;
+        const double force = beyond(inner) - beyond(outer);
+        const double radius = (within(outer) - within(inner)) / force;
+        const int pairs = std::max(2, static_cast<int>(std::lround(std::numbers::pi * (ring + 0.5))));
+        for (int k = 0; k < pairs; ++k) {
+            const double angle = std::numbers::pi * (k + 0.5 * (ring % 2)) / pairs;
+            samples.push_back({radius * Vector2d(std::cos(angle), std::sin(angle)), force / (2 * pairs)});
         }
+    }
+    return samples;
+}
+
+const std::vector<Sample>& circle(int rings) {
+    static const auto circles = [] {
+        std::array<std::vector<Sample>, most_rings + 1> made;
+        for (int count = fewest_rings; count <= most_rings; ++count)
+            made[static_cast<std::size_t>(count)] = samples_of(count);
         return made;
     }();
-    return points;
+    return circles[static_cast<std::size_t>(rings)];
 }
 
-/// Scales the pushes' shares, linearly across the patch, so that they add up to 1 and their middle across the normal is
-/// the push's. Nothing where a share would fall below 0.
-bool balance(std::vector<Push>& points, const Push& push, const Vector3d& along, const Vector3d& across,
-             double radius) {
-    const auto place_of = [&](const Push& point) {
-        const Vector3d off = (point.point - push.point) / radius;
-        return Vector3d(1, off.dot(along), off.dot(across));
-    };
-    const double share = 1.0 / static_cast<double>(points.size());
-    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-    for (const Push& point : points)
-        moments += share * place_of(point) * place_of(point).transpose();
-    const Eigen::FullPivLU<Eigen::Matrix3d> solver(moments);
-    if (!solver.isInvertible())
-        return false;
-    const Vector3d slopes = solver.solve(Vector3d::UnitX());
-    for (Push& point : points) {
-        const double factor = slopes.dot(place_of(point));
-        if (!(factor >= 0))
-            return false;
-        point.force = factor * share * push.force;
+/// A place of the surface, and where it is seen along the normal.
+struct Foot {
+    int facet = 0;
+    Vector2d at = Vector2d::Zero();
+    Vector3d point = Vector3d::Zero();
+};
+
+/// The surface about a push as it looks along the normal, in a plane with the push at its origin.
+class View {
+public:
+    View(const HexMesh& mesh, const std::vector<int>& facets, const Vector3d& origin, const Vector3d& normal,
+         double radius)
+        : origin_(origin), normal_(normal), radius_(radius) {
+        along_ = normal.unitOrthogonal();
+        across_ = normal.cross(along_);
+        for (const int facet : facets)
+            if (mesh.area_of(facet).normalized().dot(normal) >= facing)
+                add(mesh, facet);
     }
-    return true;
-}
+
+    /// Whether the push lies on what is seen.
+    [[nodiscard]] bool holds_origin() const {
+        return !facets_.empty() && nearest(Vector2d::Zero()).at.norm() <= 1e-6 * radius_;
+    }
+
+    [[nodiscard]] int rings() const {
+        return std::clamp(static_cast<int>(std::ceil(points_a_facet * radius_ / finest_ - rounding)), fewest_rings,
+                          most_rings);
+    }
+
+    /// Places opposite to each other: `wanted` and its opposite where the surface has both; else both are drawn towards
+    /// the middle, in turn, until both are there.
+    [[nodiscard]] std::pair<Foot, Foot> opposite(const Vector2d& wanted) const {
+        Vector2d at = wanted;
+        for (int turn = 0; turn < most_turns; ++turn) {
+            const Foot one = nearest(at), two = nearest(-one.at);
+            if ((one.at + two.at).norm() <= rounding * radius_)
+                return {one, two};
+            at = -two.at;
+        }
+        // Turns at a curved edge may go on without end: straight to the middle, then.
+        for (at = wanted / 2; at.norm() > nearly_middle * radius_; at /= 2) {
+            const Foot one = nearest(at), two = nearest(-at);
+            if (one.at == at && two.at == -at)
+                return {one, two};
+        }
+        const Foot middle = nearest(Vector2d::Zero());
+        return {middle, middle};
+    }
+
+private:
+    struct Seen {
+        int facet = 0;
+        Eigen::Matrix<double, 3, 4> corners;
+        Eigen::Matrix<double, 2, 4> flat; // as they look
+        Vector2d lo, hi;                  // of those
+    };
+
+    void add(const HexMesh& mesh, int facet) {
+        Seen seen;
+        seen.facet = facet;
+        for (int k = 0; k < 4; ++k) {
+            const int node = mesh.facets[static_cast<std::size_t>(facet)].corners[static_cast<std::size_t>(k)];
+            seen.corners.col(k) = mesh.nodes[static_cast<std::size_t>(node)];
+            seen.flat.col(k) = flat(seen.corners.col(k));
+        }
+        seen.lo = seen.flat.rowwise().minCoeff().array() - rounding * radius_;
+        seen.hi = seen.flat.rowwise().maxCoeff().array() + rounding * radius_;
+        for (int k = 0; k < 4; ++k)
+            finest_ = std::min(finest_, (seen.corners.col((k + 1) % 4) - seen.corners.col(k)).norm());
+        facets_.push_back(seen);
+    }
+
+    [[nodiscard]] Vector2d flat(const Vector3d& point) const {
+        const Vector3d off = point - origin_;
+        return {off.dot(along_), off.dot(across_)};
+    }
+
+    [[nodiscard]] double height(const Vector3d& point) const { return std::abs((point - origin_).dot(normal_)); }
+
+    /// What lies straight beneath or above, of several the nearest; else the edge that is nearest across the normal.
+    [[nodiscard]] Foot nearest(const Vector2d& at) const {
+        Foot found;
+        double lowest = steepest * radius_;
+        bool beneath = false;
+        for (const Seen& seen : facets_) {
+            if ((at.array() < seen.lo.array()).any() || (at.array() > seen.hi.array()).any())
+                continue;
+            const auto point = beneath_of(seen, at);
+            if (!point || height(*point) > lowest)
+                continue;
+            lowest = height(*point);
+            found = {seen.facet, at, *point};
+            beneath = true;
+        }
+        return beneath ? found : at_edge(at);
+    }
+
+    /// The facet's point that looks to be at `at`; nothing where the facet looks to be elsewhere.
+    [[nodiscard]] static std::optional<Vector3d> beneath_of(const Seen& seen, const Vector2d& at) {
+        Vector2d place = Vector2d::Zero(); // Newton's method; one step finds it in a parallelogram
+        for (int round = 0; round < 20; ++round) {
+            const Eigen::Matrix2d tangents = seen.flat * facet_slopes_at(place.x(), place.y());
+            const Vector2d move = tangents.inverse() * (at - seen.flat * facet_shape_at(place.x(), place.y()));
+            place += move;
+            if (!(std::abs(move.x()) + std::abs(move.y()) > 1e-15))
+                break;
+        }
+        if (std::abs(place.x()) <= 1 + rounding && std::abs(place.y()) <= 1 + rounding) // so no NaN is
+            return Vector3d(seen.corners * facet_shape_at(place.x(), place.y()));
+        return std::nullopt;
+    }
+
+    [[nodiscard]] Foot at_edge(const Vector2d& at) const {
+        Foot found;
+        double least = std::numeric_limits<double>::infinity();
+        for (const Seen& seen : facets_)
+            for (int k = 0; k < 4; ++k) {
+                const int next = (k + 1) % 4;
+                const Vector2d from = seen.flat.col(k), way = seen.flat.col(next) - from;
+                const double part = std::clamp((at - from).dot(way) / way.squaredNorm(), 0.0, 1.0);
+                const double away = (from + part * way - at).squaredNorm();
+                const Vector3d point = (1 - part) * seen.corners.col(k) + part * seen.corners.col(next);
+                if (away < least && height(point) <= steepest * radius_) {
+                    least = away;
+                    found = {seen.facet, from + part * way, point};
+                }
+            }
+        return found;
+    }
+
+    Vector3d origin_, normal_, along_, across_;
+    double radius_;                                           // m, of the circle
+    double finest_ = std::numeric_limits<double>::infinity(); // m, shortest side of a facet
+    std::vector<Seen> facets_;
+};
 
 } // namespace
 
@@ -82,20 +226,16 @@ std::vector<int> PatchSpreader::facets_within(const Vector3d& point, double radi
 std::vector<Push> PatchSpreader::spread(const Push& push, const Vector3d& normal, double radius) const {
     if (!(radius > 0))
         return {push};
-    const Vector3d along = normal.unitOrthogonal(), across = normal.cross(along);
-    // Twice the radius: what is nearest to a point of the circle may lie beside it where the surface is round.
-    const std::vector<int> facets = facets_within(push.point, 2 * radius);
-    for (int halving = 0; halving < halvings; ++halving, radius /= 2) {
-        std::vector<Push> points;
-        for (const Eigen::Vector2d& at : circle()) {
-            const Vector3d place = push.point + radius * (at.x() * along + at.y() * across);
-            if (auto moved = moved_to(mesh_, facets, {push.facet, place, push.force}, normal))
-                points.push_back(*moved);
-        }
-        if (points.size() == circle().size() && balance(points, push, along, across, radius))
-            return points;
+    const View view(mesh_, facets_within(push.point, steepest * radius), push.point, normal, radius);
+    if (!view.holds_origin())
+        return {push};
+    std::vector<Push> points;
+    for (const Sample& sample : circle(view.rings())) {
+        const auto [one, two] = view.opposite(radius * sample.at);
+        for (const Foot& foot : {one, two})
+            points.push_back({foot.facet, foot.point, sample.share * push.force});
     }
-    return {push};
+    return points;
 }
 
 } // namespace tumble::solid

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <cmath>
 
 /// The eight-node brick and its four-node facet: shape functions, corners in the order of CalculiX and Abaqus (C3D8):
 /// the first four counter-clockwise seen from the second four, which stand above them.
@@ -11,47 +10,25 @@ namespace tumble::solid {
 using Corners = Eigen::Matrix<double, 3, 8>; // m, one column a corner
 
 /// Natural coordinates of the corners, each -1 or 1.
-inline const Eigen::Matrix<double, 3, 8> corner_signs = (Eigen::Matrix<double, 3, 8>() << -1, 1, 1, -1, -1, 1, 1, -1,
-                                                         -1, -1, 1, 1, -1, -1, 1, 1, -1, -1, -1, -1, 1, 1, 1, 1)
-                                                            .finished();
+extern const Eigen::Matrix<double, 3, 8> corner_signs;
 
 /// Where stresses and stiffnesses are sampled: the corners drawn in to 1/sqrt(3); each counts with weight 1.
-inline Eigen::Vector3d gauss_point(int point) {
-    return corner_signs.col(point) / std::sqrt(3.0);
-}
+Eigen::Vector3d gauss_point(int point);
 
 /// Values at a natural point; they add up to 1.
-inline Eigen::Matrix<double, 8, 1> shape_at(const Eigen::Vector3d& natural) {
-    Eigen::Matrix<double, 8, 1> n;
-    for (int k = 0; k < 8; ++k)
-        n[k] = 0.125 * (1 + corner_signs.col(k).array() * natural.array()).prod();
-    return n;
-}
+Eigen::Matrix<double, 8, 1> shape_at(const Eigen::Vector3d& natural);
 
 /// Derivatives by the three natural coordinates, one column a corner.
-inline Eigen::Matrix<double, 3, 8> slopes_at(const Eigen::Vector3d& natural) {
-    Eigen::Matrix<double, 3, 8> slopes;
-    for (int k = 0; k < 8; ++k) {
-        const Eigen::Vector3d sign = corner_signs.col(k);
-        const Eigen::Vector3d part = (1 + sign.array() * natural.array()).matrix();
-        slopes.col(k) = 0.125 * Eigen::Vector3d(sign.x() * part.y() * part.z(), sign.y() * part.x() * part.z(),
-                                                sign.z() * part.x() * part.y());
-    }
-    return slopes;
-}
+Eigen::Matrix<double, 3, 8> slopes_at(const Eigen::Vector3d& natural);
 
 /// d(place)/d(natural): column j is the derivative by natural coordinate j.
-inline Eigen::Matrix3d jacobian_at(const Corners& corners, const Eigen::Vector3d& natural) {
-    return corners * slopes_at(natural).transpose();
-}
+Eigen::Matrix3d jacobian_at(const Corners& corners, const Eigen::Vector3d& natural);
 
 /// Corners of the six faces, outward by the right-hand rule; numbered as CalculiX does, from 0.
 constexpr std::array<std::array<int, 4>, 6> face_corners{
     {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
 
 /// Values of a facet's four corners at its natural point (r, s); they add up to 1.
-inline Eigen::Vector4d facet_shape_at(double r, double s) {
-    return 0.25 * Eigen::Vector4d((1 - r) * (1 - s), (1 + r) * (1 - s), (1 + r) * (1 + s), (1 - r) * (1 + s));
-}
+Eigen::Vector4d facet_shape_at(double r, double s);
 
 } // namespace tumble::solid

@@ -21,7 +21,7 @@ const std::map<int, const char*> other_solids{{4, "tetrahedra of 4 nodes"},  {6,
                                               {18, "prisms of 15 nodes"},    {19, "pyramids of 13 nodes"}};
 
 using Words = std::vector<std::string_view>;
-using Place = std::pair<int, std::int64_t>; // dimension and number, of an entity or a physical group
+using Entity = std::pair<int, std::int64_t>; // dimension and number, also of a physical group
 
 class MshParser {
 public:
@@ -243,7 +243,7 @@ private:
     }
 
     struct Member {
-        Place group;
+        Entity group;
         int node = 0;
         int line = 0;
     };
@@ -254,8 +254,8 @@ private:
     int version_ = 0; // 2 or 4
     bool broken_ = false;
     Gatherer gathered_;
-    std::map<Place, std::string> name_of_;
-    std::map<Place, std::vector<std::int64_t>> groups_of_;
+    std::map<Entity, std::string> name_of_;
+    std::map<Entity, std::vector<std::int64_t>> groups_of_;
     std::vector<Member> members_;
     std::set<std::array<int, 8>> known_;
 };

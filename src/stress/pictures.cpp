@@ -176,6 +176,7 @@ private:
             const render::FieldLook look{.title = fmt::format("{}, normal stress {:.4g} mm beneath '{}', rolled out",
                                                               recorded_.name(), depth, slice.side),
                                          .note = time(),
+                                         .caption = "to the right: around the part, anticlockwise; up: along its axis",
                                          .lit = false,
                                          .axes = false};
             if (auto failure = paint(fmt::format("slice-{}-{:.4g}mm", slice.side, depth), settings, std::move(field),

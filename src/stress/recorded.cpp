@@ -78,19 +78,25 @@ Result<Recorded> read_remeshed(const fs::path& folder, const std::string& part, 
     if (!changed)
         return changed.problems();
     recorded->scene = std::move(*changed);
-    recorded->loads.means.clear();
     const solid::HexMesh& mesh = *recorded->specimen().mesh;
-    for (run::LoadInstant& instant : recorded->loads.instants)
-        for (observe::WallPush& push : instant.pushes) {
-            auto moved = solid::moved_to(mesh, {0, push.foot, push.force}, push.normal);
+    const auto move = [&](double time, std::vector<observe::WallPush>& pushes) -> std::optional<Problem> {
+        for (observe::WallPush& push : pushes) {
+            const auto moved = solid::moved_to(mesh, {0, push.foot, push.force}, push.normal);
             if (!moved)
                 return Problem{.file = folder.string(),
-                               .what =
-                                   fmt::format("a contact at {:.6g} s finds no facet of the new mesh", instant.time),
+                               .what = fmt::format("a contact at {:.6g} s finds no facet of the new mesh", time),
                                .fix = "change the mesh, not the part"};
             push.triangle = 2 * moved->facet;
             push.foot = moved->point;
         }
+        return std::nullopt;
+    };
+    for (run::LoadInstant& instant : recorded->loads.instants)
+        if (const auto problem = move(instant.time, instant.pushes))
+            return *problem;
+    for (run::MeanLoad& mean : recorded->loads.means)
+        if (const auto problem = move(mean.time, mean.pushes))
+            return *problem;
     return recorded;
 }
 

@@ -34,10 +34,9 @@ Result<Done> write_recorded(const Recorded& recorded, const std::filesystem::pat
 /// damaged.
 Result<Recorded> read_recorded(const std::filesystem::path& folder, const std::string& part);
 
-/// The instants of such a folder on another mesh: `sets` are keys of the specimen's wall, "around=120". Each contact
-/// moves to the nearest point of the new surface, so that all that differs is the mesh; means are left out, they are
-/// known at nodes alone. Problems: those of read_recorded and of the scene with its changes; a contact that finds no
-/// facet.
+/// Instants and means of such a folder on another mesh: `sets` are keys of the specimen's wall, "around=120". Each
+/// contact moves to the nearest point of the new surface, those of the means, too, so that all that differs is the
+/// mesh. Problems: those of read_recorded and of the scene with its changes; a contact that finds no facet.
 Result<Recorded> read_remeshed(const std::filesystem::path& folder, const std::string& part,
                                const std::vector<std::string>& sets);
 

@@ -42,11 +42,27 @@ std::vector<std::string> outward_sides(const scene::SpecimenShape& specimen) {
     return {"side"};
 }
 
+/// What is solved as one case.
+struct CaseLoad {
+    double time = 0; // s
+    const std::vector<observe::WallPush>& pushes;
+};
+std::vector<CaseLoad> case_loads(const run::PartLoads& loads, bool means) {
+    std::vector<CaseLoad> cases;
+    if (means)
+        for (const run::MeanLoad& mean : loads.means)
+            cases.push_back({mean.time, mean.pushes});
+    else
+        for (const run::LoadInstant& instant : loads.instants)
+            cases.push_back({instant.time, instant.pushes});
+    return cases;
+}
+
 /// Patches and facets beneath them, weighed with the contacts' forces.
-void measure_patches(const run::PartLoads& loads, const solid::HexMesh& mesh, double times, Study& study) {
+void measure_patches(const std::vector<CaseLoad>& cases, const solid::HexMesh& mesh, double times, Study& study) {
     double weight = 0;
-    for (const run::LoadInstant& instant : loads.instants)
-        for (const observe::WallPush& push : instant.pushes) {
+    for (const CaseLoad& load : cases)
+        for (const observe::WallPush& push : load.pushes) {
             const double force = push.force.norm();
             weight += force;
             study.patch += force * times * push.patch;
@@ -87,8 +103,8 @@ void look_at(const run::LoadInstant& instant, const solid::HexMesh& mesh, double
 
 class Solver {
 public:
-    Solver(const scene::SpecimenShape& specimen, const StudyOptions& options)
-        : mesh_(specimen.mesh), crew_(options.threads), options_(options) {}
+    Solver(const scene::SpecimenShape& specimen, const StudyOptions& options, Crew& crew)
+        : mesh_(specimen.mesh), crew_(crew), options_(options) {}
 
     std::optional<Problems> prepare(const scene::SpecimenShape& specimen, Study& study) {
         auto slices = slices_of(specimen, options_);
@@ -150,11 +166,11 @@ private:
             now.von_mises = std::max(now.von_mises, fem::von_mises(stress.segment<6>(6 * node)));
         }
         for (const fem::Slice& slice : slices)
-            now.slices.push_back(fem::figures_of(slice, fem::components_on(slice, *mesh_, stress), options_.trivial));
+            now.slices.push_back(fem::figures_of(slice, fem::components_on(slice, *mesh_, stress), options_.counting));
     }
 
     std::shared_ptr<const solid::HexMesh> mesh_;
-    Crew crew_;
+    Crew& crew_;
     const StudyOptions& options_;
     std::unique_ptr<fem::Structure> part_;
 };
@@ -175,27 +191,30 @@ Result<std::vector<fem::Slice>> slices_of(const scene::SpecimenShape& specimen, 
 }
 
 Result<std::vector<Eigen::Matrix3Xd>> nodal_cases(const scene::SpecimenShape& specimen, const run::PartLoads& loads,
-                                                  bool means, double patch) {
-    std::vector<Eigen::Matrix3Xd> forces;
-    const solid::PatchSpreader spreader(*specimen.mesh);
-    if (means)
-        for (const run::MeanLoad& mean : loads.means)
-            forces.push_back(mean.force);
-    else
-        for (const run::LoadInstant& instant : loads.instants) {
-            std::vector<solid::Push> pushes;
-            for (const observe::WallPush& push : instant.pushes) {
-                const auto points =
-                    spreader.spread({push.triangle / 2, push.foot, push.force}, push.normal, patch * push.patch);
-                pushes.insert(pushes.end(), points.begin(), points.end());
-            }
-            auto force = solid::nodal_loads(*specimen.mesh, pushes);
-            if (!force)
-                return force.problems();
-            forces.push_back(std::move(*force));
-        }
-    if (forces.empty())
+                                                  bool means, double patch, Crew& crew) {
+    const std::vector<CaseLoad> cases = case_loads(loads, means);
+    if (cases.empty())
         return Problem{.what = "there is no load case", .fix = "run longer, or begin earlier: --from"};
+    const solid::PatchSpreader spreader(*specimen.mesh);
+    std::vector<Eigen::Matrix3Xd> forces(cases.size());
+    std::vector<Problems> problems(cases.size());
+    crew.share(static_cast<int>(cases.size()), [&](int number) {
+        const auto c = static_cast<std::size_t>(number);
+        std::vector<solid::Push> pushes;
+        for (const observe::WallPush& push : cases[c].pushes) {
+            const auto points =
+                spreader.spread({push.triangle / 2, push.foot, push.force}, push.normal, patch * push.patch);
+            pushes.insert(pushes.end(), points.begin(), points.end());
+        }
+        auto force = solid::nodal_loads(*specimen.mesh, pushes);
+        if (force)
+            forces[c] = std::move(*force);
+        else
+            problems[c] = force.problems();
+    });
+    for (const Problems& wrong : problems)
+        if (!wrong.empty())
+            return wrong;
     return forces;
 }
 
@@ -203,28 +222,33 @@ Result<Study> study(const scene::Scene& scene, const scene::SpecimenShape& speci
                     const StudyOptions& options) {
     Study study;
     const auto begun = std::chrono::steady_clock::now();
-    Solver solver(specimen, options);
+    Crew crew(options.threads);
+    Solver solver(specimen, options, crew);
     if (const auto problems = solver.prepare(specimen, study))
         return *problems;
     study.prepare_s = seconds_since(begun);
 
-    const auto solving = std::chrono::steady_clock::now();
-    const auto forces = nodal_cases(specimen, loads, options.means, options.patch);
+    const auto loading = std::chrono::steady_clock::now();
+    const auto forces = nodal_cases(specimen, loads, options.means, options.patch, crew);
     if (!forces)
         return forces.problems();
     double surface = 0; // m2
     for (std::size_t f = 0; f < specimen.mesh->facets.size(); ++f)
         surface += specimen.mesh->area_of(static_cast<int>(f)).norm();
-    for (std::size_t c = 0; c < forces->size(); ++c) {
+    const std::vector<CaseLoad> cases = case_loads(loads, options.means);
+    for (std::size_t c = 0; c < cases.size(); ++c) {
         Case now;
-        now.time = options.means ? loads.means[c].time : loads.instants[c].time;
+        now.time = cases[c].time;
         now.force = (*forces)[c].rowwise().sum();
         if (!options.means)
             look_at(loads.instants[c], *specimen.mesh, surface, now);
         study.cases.push_back(std::move(now));
     }
-    if (!options.means)
-        measure_patches(loads, *specimen.mesh, options.patch, study);
+    measure_patches(cases, *specimen.mesh, options.patch, study);
+    study.impacts = observe::impacts_of(loads.touches);
+    study.load_s = seconds_since(loading);
+
+    const auto solving = std::chrono::steady_clock::now();
     if (const auto problem = solver.solve(*forces, study))
         return *problem;
     study.solve_s = seconds_since(solving);

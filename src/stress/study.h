@@ -1,8 +1,10 @@
 #pragma once
 
+#include "base/parallel_for.h"
 #include "base/problem.h"
 #include "fem/brick.h"
 #include "fem/slice.h"
+#include "observe/impacts.h"
 #include "run/part_loads.h"
 #include "scene/scene.h"
 
@@ -19,8 +21,8 @@ struct StudyOptions {
     std::vector<double> depths{0.0005, 0.001, 0.0015}; // m, of the slices; the thesis'
     std::vector<std::string> sides;                    // facet sets; empty: all along the axis that face outwards
     bool means = false;                                // solve the means over the windows, else the instants
-    double patch = 1;     // radius of the circles in which bodies touch, times that of the run; 0: forces act at points
-    double trivial = 500; // Pa, normal stresses below are neither compression nor tension; the thesis'
+    double patch = 1; // radius of the circles in which bodies touch, times that of the run; 0: forces act at points
+    fem::Counting counting{.trivial = 500, .edge = 0.003};
     int threads = 1;
 };
 
@@ -60,13 +62,15 @@ struct Study {
     std::vector<fem::Slice> slices;
     std::vector<Case> cases;
     Field worst;      // the case with the largest von Mises stress
-    double patch = 0; // m, mean radius of the circles in which bodies touch, as the forces weigh it; 0: none, or means
+    double patch = 0; // m, mean radius of the circles in which bodies touch, as the forces weigh it; 0: none
     double facet = 0; // m, mean width of the facets beneath them, the root of their area, as the forces weigh it
     std::size_t nodes = 0, hexes = 0, unknowns = 0;
     std::int64_t factor_entries = 0;
     double factor_operations = 0; // multiplications and additions
     double prepare_s = 0;         // s, of wall time: assembly and factorisation
-    double solve_s = 0;           // s, all cases: loads, displacements, stresses, slices
+    double load_s = 0;            // s, all cases: contacts spread over their patches, forces on nodes
+    double solve_s = 0;           // s, all cases: displacements, stresses, slices
+    observe::Impacts impacts;     // of the run's touches
     std::vector<std::string> warnings;
 };
 
@@ -78,9 +82,9 @@ Result<std::vector<fem::Slice>> slices_of(const scene::SpecimenShape& specimen, 
 Result<Study> study(const scene::Scene& scene, const scene::SpecimenShape& specimen, const run::PartLoads& loads,
                     const StudyOptions& options);
 
-/// Nodal forces of every case that is solved, N: of instants spread over patches (`patch`: as StudyOptions), of means
-/// at the points where the forces acted.
+/// Nodal forces of every case that is solved, N, spread over patches (`patch`: as StudyOptions). The crew's threads
+/// change no bit. Problems: there is no case; those of solid::nodal_loads.
 Result<std::vector<Eigen::Matrix3Xd>> nodal_cases(const scene::SpecimenShape& specimen, const run::PartLoads& loads,
-                                                  bool means, double patch);
+                                                  bool means, double patch, Crew& crew);
 
 } // namespace tumble::stress

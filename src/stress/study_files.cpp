@@ -68,7 +68,7 @@ std::string cases_csv(const Study& study, const solid::HexMesh& mesh) {
 std::string slices_csv(const Study& study) {
     std::string text = "time_s,side,depth_m,normal_Pa,contour_Pa,along_Pa,compression_Pa,tension_Pa,"
                        "mean_compression_Pa,mean_tension_Pa,compressed_points,stretched_points,compressed_area,"
-                       "stretched_area,x_m,y_m,z_m\n";
+                       "stretched_area,near_edges_Pa,elsewhere_Pa,x_m,y_m,z_m\n";
     for (const Case& now : study.cases)
         for (std::size_t s = 0; s < study.slices.size(); ++s) {
             const fem::SliceFigures& figures = now.slices[s];
@@ -83,7 +83,9 @@ std::string slices_csv(const Study& study) {
                     static_cast<double>(figures.compressed),
                     static_cast<double>(figures.stretched),
                     figures.compressed_area,
-                    figures.stretched_area};
+                    figures.stretched_area,
+                    figures.near_edges,
+                    figures.elsewhere};
             add(row, study.slices[s].points[static_cast<std::size_t>(figures.worst_point)].place);
             text += csv_line(Row{now.time});
             text.back() = ',';

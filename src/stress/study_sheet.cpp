@@ -108,6 +108,66 @@ sheet::Grid signs(const Study& study, sheet::Sheet& sheet) {
     return grid;
 }
 
+sheet::Grid edges(const Study& study, sheet::Sheet& sheet) {
+    sheet::Grid grid{{{"side"},
+                      {"depth", "mm"},
+                      {"near edges", "Pa"},
+                      {"+-", "Pa", 2},
+                      {"elsewhere", "Pa"},
+                      {"+-", "Pa", 2},
+                      {"ratio", "", 3}}};
+    for (std::size_t s = 0; s < study.slices.size(); ++s) {
+        const Slice& slice = study.slices[s];
+        const Mean near = over_cases(study, s, [](const SliceFigures&f) { return f.near_edges; }),
+                   rest = over_cases(study, s, [](const SliceFigures&f) { return f.elsewhere; });
+        grid.rows.push_back(
+            {slice.side, 1e3 * slice.depth, near.value, near.error, rest.value, rest.error, near.value / rest.value});
+        sheet.fact(key_of(slice, "near_edges"), near.value, "Pa");
+        sheet.fact(key_of(slice, "elsewhere"), rest.value, "Pa");
+    }
+    return grid;
+}
+
+/// The touches of the body that pressed hardest, as the thesis' figures 7.20 to 7.23.
+sheet::Figure impact_over_time(const observe::Impacts& impacts) {
+    sheet::Figure figure{"impact",
+                         fmt::format("Touches of body {}, that pressed hardest", impacts.hardest.front().body),
+                         {"time", "s"},
+                         {"largest force", "N"}};
+    sheet::Curve normal{"normal", sheet::Style::points}, shear{"shear", sheet::Style::points};
+    for (const observe::Touching& touch : impacts.hardest) {
+        normal.add(touch.begin, touch.peak_normal);
+        shear.add(touch.begin, touch.peak_shear);
+    }
+    figure.curves = {std::move(normal), std::move(shear)};
+    return figure;
+}
+
+void tell_impacts(const observe::Impacts& impacts, sheet::Sheet& sheet) {
+    if (impacts.touches == 0)
+        return;
+    sheet.head("Impact and sliding steps (7.5.2)");
+    sheet.say(fmt::format(
+        "{} touches in {} rows, an impact step and what slides after it. In {} of them the largest normal force is "
+        "above the largest shear force. Impact steps press with {} at most in the mean, sliding steps with {}; of {} "
+        "rows of several touches the first presses hardest in {}. All touches' shear impulse is {:.3g} of their normal "
+        "one.",
+        impacts.touches, impacts.rows, impacts.normal_above, format_si(impacts.impact_normal, "N", 3),
+        format_si(impacts.sliding_normal, "N", 3), impacts.slid, impacts.first_strongest,
+        impacts.shear_impulse / impacts.normal_impulse));
+    sheet.fact("touches", impacts.touches);
+    sheet.fact("rows", impacts.rows);
+    sheet.fact("normal_above_shear", impacts.normal_above);
+    sheet.fact("rows_of_several", impacts.slid);
+    sheet.fact("first_strongest", impacts.first_strongest);
+    sheet.fact("impact_normal", impacts.impact_normal, "N");
+    sheet.fact("sliding_normal", impacts.sliding_normal, "N");
+    sheet.fact("normal_impulse", impacts.normal_impulse, "N s");
+    sheet.fact("shear_impulse", impacts.shear_impulse, "N s");
+    if (!impacts.hardest.empty())
+        sheet.parts.emplace_back(impact_over_time(impacts));
+}
+
 sheet::Figure over_time(const Study& study) {
     sheet::Figure figure{
         "normal-stress", "Largest normal stress of each slice", {"time", "s"}, {"normal stress", "kPa"}};
@@ -221,13 +281,14 @@ void tell_patches(const Study& study, sheet::Sheet& sheet) {
 sheet::Sheet sheet_of(const Study& study, const StudyOptions& options) {
     sheet::Sheet sheet;
     sheet.say(fmt::format(
-        "{} {} of the media on {} {} hexahedra with {} nodes ({} unknowns): factorised in {:.2f} s, solved in {:.2f} "
-        "s. "
+        "{} {} of the media on {} {} hexahedra with {} nodes ({} unknowns): factorised in {:.2f} s, loads laid on in "
+        "{:.2f} s, solved in {:.2f} s. "
         "Forces left over at free nodes: at most {:.1e} of the case's largest; loads and supports miss equilibrium by "
         "{:.1e} at most.",
         study.cases.size(), options.means ? "mean loads" : "instants", study.hexes,
         options.formulation == fem::Formulation::standard ? "standard" : "incompatible", study.nodes, study.unknowns,
-        study.prepare_s, study.solve_s, largest(study, &Case::residual), largest(study, &Case::unbalance)));
+        study.prepare_s, study.load_s, study.solve_s, largest(study, &Case::residual),
+        largest(study, &Case::unbalance)));
     for (const std::string& warning : study.warnings)
         sheet.say("Warning: " + warning + ".");
     sheet.fact("cases", static_cast<double>(study.cases.size()));
@@ -236,20 +297,30 @@ sheet::Sheet sheet_of(const Study& study, const StudyOptions& options) {
     sheet.fact("deflection", largest(study, &Case::deflection), "m");
     sheet.fact("von_mises", largest(study, &Case::von_mises), "Pa");
     sheet.fact("prepare", study.prepare_s, "s");
+    sheet.fact("load", study.load_s, "s");
     sheet.fact("solve", study.solve_s, "s");
     tell_contacts(study, sheet);
-    if (!options.means)
-        tell_patches(study, sheet);
+    tell_patches(study, sheet);
+    tell_impacts(study.impacts, sheet);
     sheet.head("Decay with depth (the thesis' table 7.3)");
-    sheet.say(
-        "Means over the cases of the largest stress of each slice, with the standard error of independent cases.");
+    sheet.say(fmt::format("Means over the cases of the largest stress of each slice{}, with the standard error of "
+                          "independent cases.",
+                          options.counting.lower < 1
+                              ? fmt::format(", of the lowest {:.3g} of the part's length", options.counting.lower)
+                              : ""));
     sheet.parts.emplace_back(decay(study, sheet));
     sheet.head("Compression and tension (tables 7.4 and 7.5)");
     sheet.say(
         fmt::format("Means over the cases; normal stresses within {:.4g} Pa are left out, and `compressive` is the "
                     "share of the mean compression in both means.",
-                    options.trivial));
+                    options.counting.trivial));
     sheet.parts.emplace_back(signs(study, sheet));
+    sheet.head("Near the edges and elsewhere");
+    sheet.say(
+        fmt::format("Means over the cases of the normal stress' size, over the area of a slice within {:.3g} mm of "
+                    "where its side ends, and over the rest.",
+                    1e3 * options.counting.edge));
+    sheet.parts.emplace_back(edges(study, sheet));
     sheet.parts.emplace_back(over_time(study));
     if (!options.means) // what touches is known of instants
         for (sheet::Figure figure : {average_over_time(study), surface_over_time(study)})

@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "render/panels.h"
 #include "render/quantity.h"
+#include "scene/keys.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double plot_height = 128;                  // units
 constexpr double least_speed = 1e-4, most_speed = 2; // s of the scene per s of watching
+constexpr double largest_scale = 1e6;                // m/s, N: what the scene's keys take
 
 /// The widget just made, by name: where it can be touched.
 void mark(Desk& desk, const std::string& name) {
@@ -103,24 +105,40 @@ void show_camera(Desk& desk) {
     }
 }
 
-void show_colors(Desk& desk) {
-    ImGui::SetNextItemWidth(-1);
-    const bool open = ImGui::BeginCombo("##color", ("colour: " + desk.look.color).c_str());
-    mark(desk, "color");
-    tell_key(desk, "render.color");
-    if (open) {
-        for (const render::Quantity& quantity : render::quantities()) {
-            if (!render::find_quantity(quantity.name, desk.layout.dimension))
-                continue;
-            if (ImGui::Selectable(quantity.name.c_str(), quantity.name == desk.look.color)) {
-                desk.look.color = quantity.name;
-                desk.look.range.reset();
-                desk.wishes.restyle = true;
-            }
-            mark(desk, "color " + quantity.name);
+/// One word of a few; true when another was chosen.
+bool choose(Desk& desk, const std::string& name, const std::string& label, const std::vector<std::string>& words,
+            std::string& chosen, const std::string& key, float width = -1) {
+    bool changed = false;
+    ImGui::SetNextItemWidth(width);
+    const bool open = ImGui::BeginCombo(("##" + name).c_str(), (label + ": " + chosen).c_str());
+    mark(desk, name);
+    tell_key(desk, key);
+    if (!open)
+        return false;
+    for (const std::string& word : words) {
+        if (ImGui::Selectable(word.c_str(), word == chosen)) {
+            changed = word != chosen;
+            chosen = word;
         }
-        ImGui::EndCombo();
+        mark(desk, name + " " + word);
     }
+    ImGui::EndCombo();
+    return changed;
+}
+
+void show_colors(Desk& desk) {
+    std::vector<std::string> names;
+    for (const render::Quantity& quantity : render::quantities())
+        if (render::find_quantity(quantity.name, desk.layout.dimension))
+            names.push_back(quantity.name);
+    const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+    if (choose(desk, "color", "colour", names, desk.look.color, "render.color", half)) {
+        desk.look.range.reset();
+        desk.wishes.restyle = true;
+    }
+    ImGui::SameLine();
+    static const std::vector<std::string> maps = scene::find_key(*scene::find_table("render"), "colormap")->words;
+    desk.wishes.restyle |= choose(desk, "colormap", "map", maps, desk.look.colormap, "render.colormap");
     bool fixed = desk.look.range.has_value();
     if (ImGui::Checkbox("fixed range", &fixed)) {
         desk.look.range = fixed ? std::optional(desk.range) : std::nullopt;
@@ -153,6 +171,9 @@ void show_section(Desk& desk) {
     tell_key(desk, "render.clip_lo_m, render.clip_hi_m");
     if (!desk.look.clip)
         return;
+    desk.wishes.restyle |= ImGui::Checkbox("cut bodies open there", &desk.look.clip_cuts);
+    mark(desk, "cut");
+    tell_key(desk, "render.clip_cuts");
     for (int axis = 0; axis < 3; ++axis) {
         const double lo = desk.layout.domain_lo[axis], hi = desk.layout.domain_hi[axis];
         const char letter = "xyz"[axis];
@@ -243,25 +264,27 @@ void show_keeping(Desk& desk) {
             ImGui::TextWrapped("%s", sentence.c_str());
 }
 
-/// One word of a few; true when another was chosen.
-bool choose(Desk& desk, const std::string& name, const std::string& label, const std::vector<std::string>& words,
-            std::string& chosen, const std::string& key) {
-    bool changed = false;
-    ImGui::SetNextItemWidth(-1);
-    const bool open = ImGui::BeginCombo(("##" + name).c_str(), (label + ": " + chosen).c_str());
-    mark(desk, name);
-    tell_key(desk, key);
-    if (!open)
-        return false;
-    for (const std::string& word : words) {
-        if (ImGui::Selectable(word.c_str(), word == chosen)) {
-            changed = word != chosen;
-            chosen = word;
-        }
-        mark(desk, name + " " + word);
+/// The scale of lines over the bodies: what occurs, here `found`, until a hand gives one.
+void show_scale(Desk& desk, const std::string& name, const char* label, std::optional<double>& scale, double found,
+                const char* format) {
+    bool given = scale.has_value();
+    if (ImGui::Checkbox(label, &given)) {
+        scale = given ? std::optional(found) : std::nullopt;
+        desk.wishes.restyle = true;
     }
-    ImGui::EndCombo();
-    return changed;
+    mark(desk, name);
+    tell_key(desk, name);
+    if (!scale)
+        return;
+    double typed = *scale;
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::InputDouble(("##" + name).c_str(), &typed, 0, 0, format, ImGuiInputTextFlags_EnterReturnsTrue) &&
+        std::isfinite(typed) && typed > 0) {
+        scale = std::min(typed, largest_scale);
+        desk.wishes.restyle = true;
+    }
+    mark(desk, name + " value");
 }
 
 void show_marks(Desk& desk) {
@@ -269,6 +292,8 @@ void show_marks(Desk& desk) {
     ImGui::TextDisabled("over the bodies");
     desk.wishes.restyle |=
         choose(desk, "arrows", "velocities", {"none", "bodies", "field"}, marks.arrows, "render.arrows");
+    if (marks.arrows != "none" && desk.key.arrow)
+        show_scale(desk, "render.arrow_m_s", "arrows' scale", marks.arrow_speed, desk.key.arrow->speed, "%.4g m/s");
     std::string trail = marks.trails.empty() ? "none" : marks.trails.front();
     std::vector<std::string> names{"none"};
     for (const observe::FrameShape& shape : desk.layout.shapes)
@@ -286,6 +311,8 @@ void show_marks(Desk& desk) {
     desk.wishes.restyle |= ImGui::Checkbox("force chains", &marks.chains);
     mark(desk, "force chains");
     tell_key(desk, "render.force_chains, with observe.contacts");
+    if (marks.chains && desk.key.chain)
+        show_scale(desk, "render.chain_N", "chains' scale", marks.chain_force, desk.key.chain->force, "%.4g N");
 }
 
 void show_look(Desk& desk) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/marks.h"
 #include "render/panel_canvas.h"
 #include "render/theme.h"
 #include "scene/scene.h"
@@ -31,6 +32,7 @@ struct Desk {
     scene::Render& look;
     const observe::FrameLayout& layout;
     std::array<double, 2> range{}; // that the colours have now
+    render::MarkKey key{};         // what the lines over the bodies mean now
     std::string notice;            // what was kept last
     SourceState state;
     double now = 0; // s

@@ -46,7 +46,8 @@ Studio::Studio(std::unique_ptr<Source> source, const SceneText& text, const scen
 Result<std::unique_ptr<Studio>> Studio::open(std::unique_ptr<Source> source, const SceneText& text,
                                              const scene::Scene& scene, Plots plots, const StudioOptions& options) {
     std::unique_ptr<Studio> studio(new Studio(std::move(source), text, scene, std::move(plots), options));
-    studio->look_.plot = false; // the panel has its own
+    studio->look_.plot = false;   // the panel has its own
+    studio->look_.turn_deg_s = 0; // hands turn it
     if (Result<Done> opened = studio->open_panel(); !opened)
         return opened.problems();
     if (Result<Done> opened = studio->open_painter(); !opened)
@@ -239,6 +240,7 @@ void Studio::pass_panel() {
               look_,
               *layout_,
               {painter_->range().lo, painter_->range().hi},
+              painter_->mark_key(),
               notice_,
               source_->state(),
               moment_->frame.time,

@@ -1,6 +1,8 @@
 #include "about.h"
 #include "process.h"
 
+#include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 namespace test_lab_command {
@@ -33,6 +35,31 @@ TEST_CASE("records are written as CSV that another command takes") {
     // What the sensor experiment puts in without flags: 1478.2 rpm and 0.5 mrad.
     CHECK(facts["fundamental"]["value"].get<double>() == about(1478.2 / 60, 1e-5));
     CHECK(facts["rocking_angle"]["value"].get<double>() == about(0.5, 0.02));
+}
+
+TEST_CASE("figures have the size for print that is asked for, and then no title" *
+          doctest::skip(std::system("gnuplot --version >/dev/null 2>&1") != 0)) {
+    const Folder folder;
+    REQUIRE(tumble_in(folder, {"lab", "sensor", "--duration_s", "1.5", "--out", "usual"}).code == 0);
+    for (const auto& words : {std::vector<std::string>{"lab", "sensor", "--duration_s", "1.5"},
+                              std::vector<std::string>{"excitation", "usual/sensor-1.csv"}}) {
+        std::vector<std::string> all = words;
+        all.insert(all.end(), {"--size-mm", "85x60", "--dpi", "200", "--out", "made"});
+        const Outcome made = tumble_in(folder, all);
+        REQUIRE_MESSAGE(made.code == 0, made.err);
+        int figures = 0;
+        for (const auto& entry : std::filesystem::directory_iterator(folder.path / "made"))
+            if (entry.path().extension() == ".svg") {
+                const std::string svg = content_of(entry.path());
+                CHECK_MESSAGE(contains(svg, "width=\"321\""), svg.substr(0, 400)); // 85 mm at 96 an inch
+                ++figures;
+            }
+        CHECK(figures > 0);
+        std::filesystem::remove_all(folder.path / "made");
+    }
+    const Outcome refused = tumble_in(folder, {"lab", "sensor", "--size-mm", "85", "--out", "made"});
+    CHECK(refused.code == 2);
+    CHECK(contains(refused.err, "write width x height"));
 }
 
 TEST_CASE("a record of a testing machine is evaluated, and a wrong name, flag or value gets exit code 2") {

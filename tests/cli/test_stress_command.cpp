@@ -23,10 +23,14 @@ TEST_CASE("stress runs a scene, keeps its loads, solves them, and solves them ag
 
     const std::string loads = content_of(folder.path / "out/ball-stress/contacts.csv");
     CHECK(tumble_in(folder, {"stress", "ball.toml"}).code == 2); // it holds loads already
-    const Outcome again = tumble_in(folder, {"stress", "out/ball-stress", "--element", "standard", "--side", "+x",
-                                             "--depth", "0.4", "--out", "second", "--json"});
+    const Outcome again =
+        tumble_in(folder, {"stress", "out/ball-stress", "--element", "standard", "--side", "+x", "--depth", "0.4",
+                           "--lower", "0.5", "--edge", "2", "--out", "second", "--json"});
     REQUIRE_MESSAGE(again.code == 0, again.err);
-    CHECK(nlohmann::json::parse(again.out)["facts"].contains("normal_+x_0.4mm"));
+    const auto second = nlohmann::json::parse(again.out)["facts"];
+    CHECK(second.contains("normal_+x_0.4mm"));
+    CHECK(second.contains("near_edges_+x_0.4mm"));
+    CHECK(second["touches"] == facts["touches"]);
     CHECK(content_of(folder.path / "out/ball-stress/contacts.csv") == loads);
     CHECK(fs::exists(folder.path / "second/slices.csv"));
     const Outcome drawn = tumble_in(folder, {"stress", "out/ball-stress", "--side", "+x", "--depth", "0.4", "--out",
@@ -69,6 +73,10 @@ TEST_CASE("stress goes on where it was stopped, and solves the same contacts on 
     const auto finer = stress({"parts", "--out", "finer", "--remesh", "along=20", "--remesh", "middle_cells=8"});
     CHECK(finer["cases"]["value"] == 7);
     CHECK(finer["unbalance"]["value"] < 1e-10);
+    const auto means = stress({"parts", "--out", "finer-means", "--remesh", "along=20", "--means"});
+    CHECK(means["cases"]["value"] == 7);
+    CHECK(means["unbalance"]["value"] < 1e-10);
+    CHECK(means["patch_radius"]["value"] > 0);
     const auto kept = content_of(folder.path / "finer/cases.csv");
     for (const std::vector<std::string>& words : {std::vector<std::string>{"parts", "--remesh", "along=5"},
                                                   {"parts", "--remesh", "along=5", "--out", "finer"}}) {

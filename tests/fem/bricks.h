@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <doctest/doctest.h>
 #include <memory>
 
 /// Small parts for the tests of src/fem.
@@ -62,6 +63,16 @@ inline void hold(std::vector<fem::Support>& supports, int node, const Eigen::Vec
 
 inline Eigen::MatrixXd no_loads(const solid::HexMesh& mesh, int cases = 1) {
     return Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(3 * mesh.nodes.size()), cases);
+}
+
+inline const Elastic steel{2e11, 0.3};
+
+inline fem::Solution solved(const MeshPtr& mesh, const Elastic& material, fem::Formulation formulation,
+                            const std::vector<fem::Support>& supports, const Eigen::MatrixXd& loads, int threads = 1) {
+    Crew crew(threads);
+    const auto part = fem::Structure::make(mesh, material, formulation, supports, crew);
+    REQUIRE_MESSAGE(part, to_string(part.problems()));
+    return part->solve(loads, crew);
 }
 
 inline fem::Stress stress_at(const fem::Solution& solution, int node, int column = 0) {

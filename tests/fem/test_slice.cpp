@@ -3,6 +3,7 @@
 #include "fem/slice.h"
 #include "fem/vtu.h"
 
+#include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
 
@@ -82,6 +83,35 @@ TEST_CASE("a linear stress field is found exactly at the slice's points, in its 
     }
 }
 
+TEST_CASE("points know how far their side's end is and how high they are, and figures heed both") {
+    // A bar of 20 x 20 x 100 mm with bricks of 5 mm: its sides end at their four lines.
+    const solid::HexMesh mesh = *solid::mesh_of(
+        solid::Prism{.length = 0.1, .side = 0.02, .corner = 0.005, .corner_cells = 1, .middle_cells = 2, .along = 20},
+        {});
+    const auto slice = slice_of(mesh, solid::Locator(mesh), "+x", Vector3d::UnitY(), 0.001).value();
+    REQUIRE(slice.points.size() == 5 * 21);
+    Eigen::Matrix3Xd parts = Eigen::Matrix3Xd::Zero(3, 5 * 21);
+    for (std::size_t p = 0; p < slice.points.size(); ++p) {
+        const Vector3d& node = mesh.nodes[static_cast<std::size_t>(slice.points[p].node)];
+        CHECK(std::abs(slice.points[p].edge - std::min({0.01 - std::abs(node.z()), node.y(), 0.1 - node.y()})) < 1e-15);
+        CHECK(slice.points[p].height == about(node.y() / 0.1, 1e-12));
+        parts(0, static_cast<Eigen::Index>(p)) =
+            (slice.points[p].edge < 0.004 ? -300.0 : -100.0) + (node.y() > 0.06 ? 1e6 : 0.0);
+    }
+    // Of the lower half, with 3 mm of edge: its two upright lines and its lower end, at 300 Pa.
+    const SliceFigures half = figures_of(slice, parts, {.lower = 0.5, .edge = 0.003});
+    CHECK(half.near_edges == about(300));
+    CHECK(half.elsewhere == about(100));
+    CHECK(half.normal == -300);
+    // With all that is within 7 mm there are, in the same half, points of both kinds: a column of nodes 5 mm wide, half
+    // of it at the line itself, has 2.5 and 5 mm, of the 20 mm; a row of the same 2.5 and 5 of 52.5 mm.
+    const SliceFigures wide = figures_of(slice, parts, {.lower = 0.5, .edge = 0.007});
+    const double lines = 20 * 52.5 - 15 * 50, near = 20 * 52.5 - 5 * 45; // mm2, of 300 Pa, and of those within 7 mm
+    CHECK(wide.near_edges == about((300 * lines + 100 * (near - lines)) / near));
+    CHECK(figures_of(slice, parts, {}).normal > 9e5);
+    CHECK(std::isnan(figures_of(slice, parts, {.edge = 1}).elsewhere));
+}
+
 TEST_CASE("the figures are those of the thesis' tables 7.3 to 7.5") {
     Slice slice{"side", 0.001, std::vector<SlicePoint>(5)};
     slice.points[4].area = 3;
@@ -89,7 +119,7 @@ TEST_CASE("the figures are those of the thesis' tables 7.3 to 7.5") {
         slice.points[static_cast<std::size_t>(p)].area = 1;
     Eigen::Matrix3Xd parts(3, 5);
     parts << -2000, 1000, -400, 600, -4000, 10, -20, 30, -40, 5, 1, 2, -3, 2, 1;
-    const SliceFigures figures = figures_of(slice, parts, 500);
+    const SliceFigures figures = figures_of(slice, parts, {.trivial = 500});
     CHECK(figures.normal == -4000);
     CHECK(figures.worst_point == 4);
     CHECK(figures.contour == 40);

@@ -3,6 +3,7 @@
 #include "render/camera.h"
 #include "scene/load.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
@@ -75,6 +76,45 @@ TEST_CASE("a perspective camera keeps the whole box within the margin and touche
     CHECK(std::max(widest / 300, highest / 200) == about(0.94));
     // The field of view of 35 degrees is that of the area's height.
     CHECK(camera.scale == about(200 / std::tan(17.5 * std::numbers::pi / 180)));
+}
+
+TEST_CASE("a free camera that turns goes around its target by the scene's time, anticlockwise from above") {
+    // 90 degrees a second: from x = 4 it has come to z = -4 after one second, with the world's -x on its right. Its
+    // height and its distance stay.
+    scene::Render settings;
+    settings.camera = "free";
+    settings.eye = {4, 1, 0};
+    settings.turn_deg_s = 90;
+    scene::Render there = settings;
+    there.eye = {0, 1, -4};
+    there.turn_deg_s = 0;
+    const Camera camera = *make_camera(settings, box, area, 1), fixed = *make_camera(there, box, area);
+    CHECK((camera.eye - there.eye).norm() < 1e-12);
+    for (const Vector3d& place : {Vector3d(0.3, 0.2, 0.1), Vector3d(-1, -2, 3)})
+        CHECK((camera.to_picture(place) - fixed.to_picture(place)).norm() < 1e-9);
+    CHECK(camera.to_picture({-1, 0, 0}).x() > camera.to_picture({1, 0, 0}).x());
+    CHECK((make_camera(settings, box, area, 4)->eye - settings.eye).norm() < 1e-12);
+}
+
+TEST_CASE("what a turning camera fits stays in the picture all around, and one size") {
+    for (const char* projection : {"orthographic", "perspective"}) {
+        scene::Render settings;
+        settings.camera = "free";
+        settings.projection = projection;
+        settings.turn_deg_s = 10;
+        const Camera first = *make_camera(settings, box, area);
+        double widest = 0; // share of the half area
+        for (int time = 0; time < 36; ++time) {
+            const Camera camera = *make_camera(settings, box, area, time);
+            CHECK(camera.pixels_per_metre(box.center()) == about(first.pixels_per_metre(box.center()), 1e-12));
+            for (int i = 0; i < 8; ++i) {
+                const Vector2d p = camera.to_picture(box.corner(static_cast<AlignedBox3d::CornerType>(i)));
+                widest = std::max({widest, std::abs(p.x() - 400) / 300, std::abs(p.y() - 250) / 200});
+            }
+        }
+        CHECK(widest <= 0.94 * 1.002);
+        CHECK(widest > 0.9); // and it is no smaller than it must be
+    }
 }
 
 TEST_CASE("a free perspective camera divides by the distance from its eye") {

@@ -99,6 +99,17 @@ std::string hex_of(const Vector3d& color) {
                        std::lround(255 * color.z()));
 }
 
+/// All text of a drawing, a line each.
+std::string words_of(const pt::ptree& svg) {
+    std::string words;
+    for (const pt::ptree* text : all(svg, "text"))
+        words += text->get_value<std::string>() + '\n';
+    return words;
+}
+bool says(const pt::ptree& svg, const std::string& words) {
+    return words_of(svg).find(words + '\n') != std::string::npos;
+}
+
 // What page_of(80, 80) shows without letters: 80 mm less twice the margin of 3 % for 1 m, about the middle. Pixels of
 // 25.4 / 720 mm are whole, so that the middle may lie half of one off.
 constexpr double mm_per_metre = 0.94 * 80;
@@ -342,6 +353,63 @@ TEST_CASE("force chains are lines as thick as their force, arrows as long as the
         CHECK_MESSAGE(words.find(part) != std::string::npos, words);
 }
 
+TEST_CASE("small discs have the legend's colour: their lines take no more than a tenth of the radius") {
+    const auto layout = discs({0.004, 0.1});
+    observe::Frame frame = empty_frame(layout);
+    add_body(frame, 0, {0, 0, 0}, {0.5, 0, 0});
+    for (const scene::Render& settings : {page_of(85, 60), page_of(40, 40)}) {
+        const pt::ptree svg = xml_of(drafter_for(settings, layout).draw(frame));
+        const pt::ptree& circle = *all(group(svg, "bodies"), "circle").at(0);
+        const double line = number(circle, "stroke-width"), radius = number(circle, "r") + 0.5 * line;
+        CHECK(line == about(0.1 * radius, 1e-2));
+    }
+}
+
+TEST_CASE("a key of more lines than there is room for stays in the picture and says what it leaves out") {
+    const auto layout = discs({0.02});
+    observe::Frame frame = empty_frame(layout);
+    frame.time = 2.5;
+    scene::Marks marks;
+    for (int b = 0; b < 30; ++b) {
+        add_body(frame, 0, {0.03 * b - 0.45, 0, 0}, {0.5, 0, 0});
+        marks.trails.push_back(std::to_string(b));
+    }
+    frame.contacts.emplace();
+    const auto screen = [](int width, int height, bool plot) {
+        scene::Render settings = square_view(0.5);
+        settings.camera = "side";
+        settings.width = width;
+        settings.height = height;
+        settings.plot = plot;
+        return settings;
+    };
+    for (scene::Render settings : {page_of(85, 60), page_of(60, 90), screen(1280, 720, true), screen(720, 1280, true),
+                                   screen(640, 480, false)}) {
+        settings.marks = marks;
+        settings.marks.chains = !settings.paper; // where letters are small for the page
+        settings.marks.arrows = settings.paper ? "none" : "field";
+        CAPTURE(settings.width);
+        CAPTURE(settings.height);
+        Drafter drafter = drafter_for(settings, layout);
+        const Drawing drawing = drafter.draw(frame);
+        const pt::ptree svg = xml_of(drawing);
+        const Layout& shown = drafter.layout();
+        int named = 0;
+        for (const pt::ptree* text : all(svg, "text")) {
+            CHECK(number(*text, "y") < drawing.height_mm);
+            named += text->get_value<std::string>().starts_with("body ") ? 1 : 0;
+        }
+        CHECK(says(svg, fmt::format("and {} more", 30 - named)));
+        CHECK(says(svg, "since t = 2.5 s"));
+        CHECK((settings.paper || says(svg, ", mean\nt = 2.5 s")));
+        CHECK(named <= 4);
+        const bool apart = shown.key.top >= shown.legend.bottom || shown.key.right <= shown.legend.left;
+        CHECK(apart);
+        CHECK(shown.legend.height() > 60 * shown.unit);
+        CHECK(shown.scene.height() > 100 * shown.unit);
+    }
+}
+
 TEST_CASE("a wall is one line from end to end, closed where it ends in its begin") {
     auto layout = discs({0.1});
     observe::FrameWall wall;
@@ -398,6 +466,53 @@ TEST_CASE("a strip of drawings has a cell for each instant, and two runs a half 
     const pt::ptree both = xml_of(pair->draw(frame_at(0), frame_at(0.1)));
     CHECK(all(both, "circle").size() == 2);
     CHECK(all(both, "linearGradient").size() == 1);
+}
+
+TEST_CASE(
+    "the key of a strip and of a pair holds for all of their pictures, and what the key shows is as large there") {
+    const auto layout = discs({0.1});
+    const auto pressed = [&](double force) {
+        observe::Frame frame = empty_frame(layout);
+        add_body(frame, 0, {-0.1, 0, 0});
+        add_body(frame, 0, {0.1, 0, 0});
+        frame.contacts.emplace();
+        frame.contacts->push_back({.a = 0, .b = 1, .point = {0, 0, 0}, .normal = {-1, 0, 0}, .force = {-force, 0, 0}});
+        return frame;
+    };
+    const Eigen::AlignedBox3d box(Vector3d(-0.5, -0.5, 0), Vector3d(0.5, 0.5, 0));
+    scene::Render settings = square_view(0.5);
+    settings.camera = "side";
+    settings.width = 640;
+    settings.height = 360; // a unit is 0.68 pixels of 1/96 inch there
+    settings.marks.chains = true;
+    settings.marks.chain_force = 2;
+    const double thick = chain_thickness * 0.68 * 25.4 / 96;
+    const auto thickest = [](const pt::ptree& svg) {
+        double most = 0;
+        for (const pt::ptree* marks : all(svg, "g"))
+            if (marks->get<std::string>("<xmlattr>.class") == "marks")
+                for (const pt::ptree* line : all(*marks, "polyline"))
+                    if (word(*line, "stroke") == hex_of(find_theme("dark")->chain))
+                        most = std::max(most, number(*line, "stroke-width"));
+        return most;
+    };
+    for (const bool more_first : {true, false}) {
+        const double first = more_first ? 4 : 2, second = more_first ? 2 : 4;
+        auto strip = StripDrafter::open(settings, layout, box, {.cells = 2, .note = "what they share"});
+        REQUIRE(strip.ok());
+        strip->add(pressed(first), "first");
+        strip->add(pressed(second), "second");
+        const pt::ptree cells = xml_of(strip->finish());
+        CHECK(says(cells, "0 to 2 N and up"));
+        CHECK(says(cells, "what they share"));
+        CHECK(thickest(cells) == about(2 * thick, 1e-3));
+        auto pair = PairDrafter::open(settings, {layout, layout}, {"left", "right"});
+        REQUIRE(pair.ok());
+        pair->fit(box);
+        const pt::ptree halves = xml_of(pair->draw(pressed(first), pressed(second)));
+        CHECK(says(halves, "0 to 2 N and up"));
+        CHECK(thickest(halves) == about(2 * thick, 1e-3));
+    }
 }
 
 TEST_CASE("spheres in space are refused, and so is what a painter refuses") {

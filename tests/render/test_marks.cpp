@@ -433,6 +433,37 @@ TEST_CASE("pulls do not count in the scale of chains, and the key says where a l
     CHECK(fixed.maker.key(*layout, fixed.view()).chain->beyond);
 }
 
+TEST_CASE("the key says over which time a mean is taken, since when trails go, and counts those it does not name") {
+    const auto layout = spheres({0.01});
+    const auto frame_at = [&](double time) {
+        observe::Frame frame = empty_frame(layout);
+        frame.time = time;
+        for (int b = 0; b < 7; ++b)
+            add_body(frame, 0, {0, 0.1 * time, 0.05 * b}, {0, 0, 1});
+        return frame;
+    };
+    scene::Marks marks = arrows("field", 1);
+    for (int b = 0; b < 7; ++b)
+        marks.trails.push_back(std::to_string(b));
+    Drawing drawing(marks);
+    const auto key = [&] { return drawing.maker.key(*layout, drawing.view()); };
+    // An arrow and its time, four trails of as many as there are colours less one, the others, since when.
+    CHECK(key_rows(marks) == 8);
+    CHECK(key().rows() == 8);
+    for (const double time : {1.0, 1.5, 2.0})
+        drawing.of(frame_at(time));
+    CHECK(key().arrow->over == Span{1, 2});
+    CHECK(key().since == 1.0);
+    CHECK(key().trails.size() == 4);
+    CHECK(key().more_trails == 3);
+    CHECK(key().rows() == 8);
+    drawing.of(frame_at(0.5)); // whoever goes back begins anew
+    CHECK(key().arrow->over == Span{0.5, 0.5});
+    CHECK(key().since == 0.5);
+    CHECK(key_rows(trails({"0", "1", "2", "3", "4"})) == 6);
+    CHECK(key_rows(scene::Marks{}) == 0);
+}
+
 TEST_CASE("a chain outside the window is left out, whatever the order of the ids") {
     const auto layout = spheres({0.1});
     observe::Frame frame = empty_frame(layout);

@@ -59,11 +59,11 @@ struct Drawn {
 };
 
 Drawn draw(int threads, const std::vector<SphereMark>& marks, const Camera& camera, int width, int height,
-           bool skip_hidden) {
+           bool skip_hidden, const std::optional<Eigen::AlignedBox3d>& cut = {}) {
     Crew crew(threads);
     SphereRaster raster;
     const Area window{0, 0, static_cast<double>(width), static_cast<double>(height)};
-    raster.take(marks, camera, width, height, window, four_samples(), skip_hidden);
+    raster.take(marks, camera, width, height, window, four_samples(), skip_hidden, cut);
     const std::size_t samples = raster.row_length() * static_cast<std::size_t>(raster.tile_height() * raster.rows());
     Drawn drawn{std::vector<std::uint32_t>(samples), std::vector<float>(samples, 1)};
     raster.draw(0, raster.rows(), {true, 0.1F}, drawn.colors.data(), drawn.depths.data(), crew);
@@ -80,6 +80,11 @@ TEST_CASE("any number of threads draws the same bits, and so does drawing what i
         CHECK(draw(2, marks, camera, 230, 170, true) == one);
         CHECK(draw(3, marks, camera, 230, 170, true) == one);
         CHECK(draw(2, marks, camera, 230, 170, false) == one);
+        const Eigen::AlignedBox3d box(Vector3d(-0.5, -0.3, -0.4), Vector3d(0.6, 0.5, 0.3));
+        const Drawn cut = draw(1, marks, camera, 230, 170, true, box);
+        CHECK(draw(3, marks, camera, 230, 170, true, box) == cut);
+        CHECK(draw(2, marks, camera, 230, 170, false, box) == cut);
+        CHECK(cut.depths != one.depths);
         CHECK(std::count(one.depths.begin(), one.depths.end(), 1.0F) < static_cast<std::ptrdiff_t>(one.depths.size()));
     }
 }
@@ -105,8 +110,16 @@ TEST_CASE("every instruction set draws the same bits") {
         ball.nearest = ball.z + 1.001F * ball.radius;
         listed.push_back({static_cast<std::uint32_t>(listed.size()), ball.nearest, 0, 31, 0, 15});
     }
-    for (const bool perspective : {false, true}) {
+    const std::array<CutPlane, planes_of_cut> planes{{{0, 0, 1, -1.8F},
+                                                      {0, 0, -1, 2.6F},
+                                                      {1, 0, 0, 0.1F},
+                                                      {-1, 0, 0, 0.3F},
+                                                      {0, 0.6F, 0.8F, -1.4F},
+                                                      {0, -1, 0, 0.2F}}};
+    for (const auto& [perspective, cut] :
+         {std::pair{false, false}, std::pair{true, false}, std::pair{false, true}, std::pair{true, true}}) {
         TileJob job;
+        job.cut = cut ? planes.data() : nullptr;
         job.sampling = four_samples();
         job.sight = {perspective, perspective ? 200.0F : 90.0F, 17.3F, 4.1F, 0.2F, perspective ? 0.5F : -0.2F};
         job.light = {true, 0.1F};

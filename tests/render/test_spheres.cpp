@@ -78,6 +78,52 @@ TEST_CASE("a body with its centre outside the clip is not drawn, and what it hid
     CHECK(color_distance(pixel(picture, 200, 200), viridis(0.5)) <= 1);
 }
 
+TEST_CASE("a clip that cuts bodies open leaves the disc of theory, flat and 0.8 as bright, of a body centred outside") {
+    // The face x = 0.3 cuts the ball of 0.5 m about the origin in a circle of sqrt(0.5^2 - 0.3^2) = 0.4 m across the
+    // axis, which the eye at x = -4 sees from 4.3 m; what is left of the ball lies behind it.
+    for (const bool perspective : {false, true}) {
+        CAPTURE(perspective);
+        auto layout = spheres({0.5});
+        observe::Frame frame = empty_frame(layout);
+        add_body(frame, 0, Vector3d::Zero(), {1, 0, 0});
+        scene::Render cut = square_view(1);
+        cut.camera = "free";
+        cut.projection = perspective ? "perspective" : "orthographic";
+        cut.eye = {-4, 0, 0};
+        cut.clip = scene::Box{{0.3, -1, -1}, {1, 1, 1}};
+        cut.clip_cuts = true;
+        Painter painter = painter_for(cut, layout, bare);
+        const Picture picture = painter.draw(frame);
+        const double scale = perspective ? painter.camera().scale / 4.3 : painter.camera().scale;
+        CHECK(covered_pixels(picture, viridis(1), pixel(picture, 3, 3)) ==
+              about(std::numbers::pi * 0.16 * scale * scale, 0.003));
+        const Picture lit = painter_for(cut, layout, {.lettering = false}).draw(frame);
+        for (const int off : {0, static_cast<int>(0.3 * scale)})
+            CHECK(color_distance(pixel(lit, 200 + off, 200), 0.8 * viridis(1)) <= 2);
+    }
+}
+
+TEST_CASE("a face between two bodies of a clump cuts both, and a clip about everything changes no pixel") {
+    auto layout = spheres({0.3});
+    layout->shapes[0].centres.push_back({0, 0, 0.4});
+    layout->shapes[0].radii.push_back(0.3);
+    observe::Frame frame = empty_frame(layout);
+    add_body(frame, 0, {0, 0, -0.2}, {1, 0, 0});
+    scene::Render settings = square_view(1);
+    const Picture whole = painter_for(settings, layout, {.lettering = false}).draw(frame);
+    settings.clip = scene::Box{{-1, -1, -1}, {1, 1, 1}};
+    settings.clip_cuts = true;
+    CHECK(painter_for(settings, layout, {.lettering = false}).draw(frame).rgba == whole.rgba);
+    // Seen from -x, the upper half is left: half of two discs whose centres are 0.4 m apart, less half their lens.
+    settings.clip->lo.y() = 0;
+    Painter painter = painter_for(settings, layout, bare);
+    const Picture half = painter.draw(frame);
+    const double r = 0.3, d = 0.4, scale = painter.camera().scale;
+    const double lens = 2 * r * r * std::acos(d / (2 * r)) - d / 2 * std::sqrt(4 * r * r - d * d);
+    CHECK(covered_pixels(half, viridis(1), pixel(half, 3, 3)) ==
+          about((std::numbers::pi * r * r - lens / 2) * scale * scale, 0.003));
+}
+
 TEST_CASE("the nearer sphere hides the farther, whichever is drawn first") {
     auto layout = spheres({0.5, 0.25});
     for (const bool near_first : {false, true}) {

@@ -101,8 +101,10 @@ TEST_CASE("a cell with another clip shows no body outside it") {
     StripPainter strip = strip_of(settings, layout, {.cells = 2});
     const scene::Box none{{0.2, -1, -1}, {1, 1, 1}}, all{{-0.2, -1, -1}, {1, 1, 1}};
     const observe::Frame frame = ball_at(layout, 2);
-    REQUIRE(strip.add(frame, "cut", none).ok());
-    REQUIRE(strip.add(frame, "whole", all).ok());
+    REQUIRE(strip.cut(none).ok());
+    strip.add(frame, "cut");
+    REQUIRE(strip.cut(all).ok());
+    strip.add(frame, "whole");
     const Picture picture = strip.finish();
     const auto centre = [&](std::size_t k) {
         const Area& cell = strip.cells()[k];

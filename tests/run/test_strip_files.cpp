@@ -95,4 +95,28 @@ TEST_CASE("sections are taken at the places that are given, and a place that no 
     CHECK(!fs::exists(options.out));
 }
 
+TEST_CASE("sections have each the mean field of all frames, and need one scale of arrows in one picture") {
+    const Folder folder;
+    const fs::path run = finished_run(folder);
+    run::StripOptions options = options_for(folder.path / "sections.png", 2);
+    options.sections = true;
+    options.redraw.settings.clip = scene::Box{{-0.1, 0, -0.1}, {0.1, 1, 0.1}};
+    options.redraw.settings.view = options.redraw.settings.clip;
+    options.redraw.settings.range = {0.0, 1.0};
+    options.redraw.settings.marks.arrows = "field";
+    const Problems problems = run::draw_strip(run, options, silent).problems();
+    REQUIRE(problems.size() == 1);
+    CHECK(problems[0].what == "the mean fields of several sections need one scale of arrows");
+    CHECK(!fs::exists(options.out));
+    options.redraw.settings.marks.arrow_speed = 1;
+    const auto done = run::draw_strip(run, options, silent);
+    REQUIRE_MESSAGE(done.ok(), to_string(done.problems()));
+    CHECK(done->reason.empty());
+    // Of the last frame alone the field, and what the key says of its time, would be another.
+    options.redraw.when.from = 0.019;
+    options.out = folder.path / "last.png";
+    REQUIRE(run::draw_strip(run, options, silent).ok());
+    CHECK(content_of(options.out) != content_of(folder.path / "sections.png"));
+}
+
 } // namespace test_strip_files

@@ -138,6 +138,10 @@ TEST_CASE("a resolved scene loads again to the same walls and motions, bit for b
     }
     CHECK(a.render.clip->lo == b.render.clip->lo);
     CHECK(a.render.clip->hi == b.render.clip->hi);
+    CHECK(a.render.clip_cuts);
+    CHECK(b.render.clip_cuts);
+    CHECK(a.render.turn_deg_s == 90);
+    CHECK(b.render.turn_deg_s == 90);
     CHECK(b.observe.contacts);
     CHECK(a.render.marks.arrow_speed == 0.3);
     CHECK(a.render.marks == b.render.marks);

@@ -103,8 +103,9 @@ TEST_CASE("the same contacts on another mesh load the part and its support alike
     const auto study = stress::study(finer->scene, finer->specimen(), finer->loads, options);
     REQUIRE_MESSAGE(study, to_string(study.problems()));
     REQUIRE(study->cases.size() == 3);
-    const auto coarse_loads = nodal_cases(recorded->specimen(), recorded->loads, false, 1);
-    const auto finer_loads = nodal_cases(finer->specimen(), finer->loads, false, 1);
+    Crew crew(1);
+    const auto coarse_loads = nodal_cases(recorded->specimen(), recorded->loads, false, 1, crew);
+    const auto finer_loads = nodal_cases(finer->specimen(), finer->loads, false, 1, crew);
     REQUIRE((coarse_loads && finer_loads));
     const auto moment = [](const solid::HexMesh& mesh, const Eigen::Matrix3Xd& forces) {
         Vector3d sum = Vector3d::Zero();

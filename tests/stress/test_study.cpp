@@ -8,6 +8,7 @@
 #include "stress/study_sheet.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace test_study {
 
@@ -89,6 +90,7 @@ TEST_CASE("a part squeezed from all sides is compressed throughout, as much as i
     }
     const sheet::Sheet sheet = sheet_of(study, {});
     CHECK(sheet.fact("cases") == 2);
+    CHECK(sheet.fact("near_edges_+x_1mm") == about(study.cases[0].slices[4].near_edges));
     CHECK(sheet.fact("normal_+x_1mm") == about(std::abs(study.cases[0].slices[4].normal)));
     CHECK(sheet.fact("normal_error_+x_1mm") == 0); // both cases are the same
     CHECK(sheet::to_text("squeezed", sheet).find("Decay with depth") != std::string::npos);
@@ -101,6 +103,32 @@ TEST_CASE("a part that gives way visibly is warned about with the number") {
     CHECK(study.warnings[0].find("of the smallest sphere's radius") != std::string::npos);
     // A tenth of strain over half a side of 7.5 mm and more.
     CHECK(study.cases[0].deflection > 0.0005);
+}
+
+TEST_CASE("a cantilever is warned about from where beam theory has it give way by a hundredth of the smallest sphere") {
+    // F L^3 / (3 E I) + F L / (5/6 G A): of 50 x 15 x 15 mm and 100 MPa, 9.87e-5 and 0.69e-5 m a newton. The sphere has
+    // 5 mm, a hundredth is 5e-5 m.
+    const scene::Scene soft = loaded({{"wall.part.part_youngs_modulus_Pa=1e8"}});
+    const solid::HexMesh& mesh = *specimen_of(soft).mesh;
+    for (const double force : {0.4, 1.0}) {
+        CAPTURE(force);
+        run::PartLoads loads;
+        loads.instants.push_back({0.1, {}});
+        for (const int facet : mesh.facet_sets.at("top")) {
+            observe::WallPush push;
+            push.triangle = 2 * facet;
+            push.foot = mesh.centre_of(facet);
+            push.normal = Vector3d::UnitY();
+            push.force = Vector3d(force * mesh.area_of(facet).norm() / (0.015 * 0.015), 0, 0);
+            loads.instants[0].pushes.push_back(push);
+        }
+        const Study study = studied(soft, loads);
+        CHECK(study.cases[0].deflection == about(force * 1.056e-4, 0.03));
+        REQUIRE(study.warnings.size() == (force > 0.5 ? 1u : 0u));
+        if (force > 0.5)
+            CHECK(study.warnings[0].starts_with(fmt::format(
+                "the part gives way by {:.3g} m, 0.021 of the smallest sphere's radius", study.cases[0].deflection)));
+    }
 }
 
 TEST_CASE("a part of a file with curved facets is run and solved, and its file is kept with the loads") {
@@ -141,6 +169,42 @@ TEST_CASE("a part of a file with curved facets is run and solved, and its file i
     REQUIRE_MESSAGE(again, to_string(again.problems()));
     CHECK(again->specimen().mesh->nodes.size() == mesh.nodes.size());
     CHECK(again->loads.instants.size() == recorded->loads.instants.size());
+}
+
+TEST_CASE("the mean of what lies still is its instant: spread over the same patch, with the same stress beneath") {
+    // The ball lies at x = 3 mm, z = 2 mm of the upper end from 0.1 s on. Its mean lies on the lattice's points about
+    // its foot, no more than half a patch of a tenth of a millimetre away, so that beneath the sides, 4 mm and further
+    // off, stresses differ by the square of that over the distance.
+    const scene::Scene scene = loaded();
+    const run::PartLoads loads = test::recorded(scene, {.every = 0.1});
+    StudyOptions options{.depths = {0.001}, .sides = {"+x"}};
+    const Study instants = studied(scene, loads, options);
+    options.means = true;
+    const Study means = studied(scene, loads, options);
+    REQUIRE(means.cases.size() == 3);
+    CHECK(means.patch > 0);
+    CHECK(means.patch < 0.0005);
+    CHECK(means.patch == about(instants.patch, 0.2)); // the first window has the impact, the first instant not
+    const Case &mean = means.cases[2], &instant = instants.cases[2];
+    CHECK((mean.force - instant.force).norm() < 1e-4 * test::weight_of_ball);
+    CHECK(mean.deflection == about(instant.deflection, 0.02));
+    CHECK(mean.slices[0].compression == about(instant.slices[0].compression, 0.02));
+    CHECK(mean.slices[0].tension == about(instant.slices[0].tension, 0.02));
+}
+
+TEST_CASE("threads change no bit of what is laid on and solved") {
+    const scene::Scene scene = loaded();
+    run::PartLoads loads = squeezed(specimen_of(scene), 1e6, 3);
+    for (run::LoadInstant& instant : loads.instants)
+        for (observe::WallPush& push : instant.pushes)
+            push.patch = 0.001;
+    const Study one = studied(scene, loads, {.sides = {"+x"}, .threads = 1}),
+                two = studied(scene, loads, {.sides = {"+x"}, .threads = 2});
+    for (std::size_t c = 0; c < 3; ++c) {
+        CHECK(one.cases[c].von_mises == two.cases[c].von_mises);
+        CHECK(one.cases[c].force == two.cases[c].force);
+        CHECK(one.cases[c].slices[1].normal == two.cases[c].slices[1].normal);
+    }
 }
 
 TEST_CASE("the means are solved as well, and what is written can be read") {

@@ -253,9 +253,10 @@ TEST_CASE("what colours the bodies, its range and the planes of a section say un
     opened.click("fixed range");
     opened.click("section");
     for (const auto& [name, key] :
-         {std::pair{"color", "render.color"}, std::pair{"fixed range", "render.range"},
-          std::pair{"range", "render.range"}, std::pair{"section", "render.clip_lo_m, render.clip_hi_m"},
-          std::pair{"section x from", "render.clip_lo_m"}, std::pair{"section z to", "render.clip_hi_m"}}) {
+         {std::pair{"color", "render.color"}, std::pair{"colormap", "render.colormap"},
+          std::pair{"fixed range", "render.range"}, std::pair{"range", "render.range"},
+          std::pair{"section", "render.clip_lo_m, render.clip_hi_m"}, std::pair{"section x from", "render.clip_lo_m"},
+          std::pair{"section z to", "render.clip_hi_m"}}) {
         const auto [x, y] = opened.middle_of(name);
         opened.studio->take(PointerMoved{x, y});
         opened.draw();
@@ -294,6 +295,35 @@ TEST_CASE("velocities, a way and force chains are switched on over the bodies, a
     CHECK(scene->render.marks.chains);
     CHECK(scene->observe.contacts);
     CHECK(scene->claim == "none"); // what only changes the picture leaves it as it was
+}
+
+TEST_CASE("the map of the colours and the scales of arrows and chains are chosen in the panel, and saved") {
+    Opened opened(test::pouring, 1000, 900);
+    opened.click("tab Look");
+    opened.click("colormap");
+    REQUIRE(opened.state["places"].contains("colormap inferno"));
+    opened.settle();
+    const render::Picture before = opened.picture;
+    opened.click("colormap inferno");
+    opened.settle();
+    CHECK(differences(before, opened.picture, panel, 1000) > 100);
+    CHECK(!opened.state["places"].contains("render.arrow_m_s"));
+    opened.click("arrows");
+    opened.click("arrows bodies");
+    opened.settle();
+    CHECK(!opened.state["places"].contains("render.arrow_m_s value"));
+    opened.click("render.arrow_m_s"); // the fastest fall at hypot(0.3, 1) m/s, rounded up
+    CHECK(opened.state["places"].contains("render.arrow_m_s value"));
+    opened.click("force chains");
+    opened.settle();
+    opened.click("render.chain_N"); // nothing presses yet: 1
+    opened.click("tab Change");
+    opened.click("save scene");
+    const auto scene = scene::load_scene(opened.folder.path / "shaken-001.toml");
+    REQUIRE_MESSAGE(scene.ok(), to_string(scene.problems()));
+    CHECK(scene->render.colormap == "inferno");
+    CHECK(scene->render.marks.arrow_speed == 2);
+    CHECK(scene->render.marks.chain_force == 1);
 }
 
 TEST_CASE("what cannot change while it is watched is saved with the camera and the look that hands gave it") {

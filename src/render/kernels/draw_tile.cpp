@@ -12,6 +12,7 @@ constexpr int most_rows = 32, most_packs = 32; // of a tile
 constexpr int between_looks = 16;              // balls until the tile's farthest sample is looked for again
 constexpr int ahead = 12; // balls are sent for before they are needed: they lie all over the memory
 constexpr float nowhere = -__builtin_inff();
+constexpr float share_of_cut_faces = 0.8F; // of the body's colour: a little darker than what the lamp falls on
 
 /// What the samples of a tile see so far.
 struct Board {
@@ -20,8 +21,10 @@ struct Board {
     alignas(64) float slant[samples_in_tile]; // perspective: cosine between a sample's line of sight and the axis
     alignas(32) float across[most_packs][samples_at_once]; // pixels from the axis to the samples of a pack,
     alignas(32) float up[most_rows][samples_at_once];      // and of a row
-    float farthest[most_blocks];                           // m, of a block's samples, or farther
-    bool stale[most_blocks];                               // something has been drawn since
+    alignas(64) float cut_from[samples_in_tile]; // m, view space: between these two a sample's line of sight lies
+    alignas(64) float cut_to[samples_in_tile];   // inside the planes; only where something is cut
+    float farthest[most_blocks];                 // m, of a block's samples, or farther
+    bool stale[most_blocks];                     // something has been drawn since
 };
 
 /// Packs of eight samples and rows of a tile, ends included.
@@ -38,10 +41,12 @@ public:
           pack_shift_(__builtin_ctz(static_cast<unsigned>(job.sampling.pixels_at_once()))),
           block_shift_(__builtin_ctz(static_cast<unsigned>(packs_ / block_columns_))) {}
 
-    template <bool perspective> TUMBLE_INLINE void paint() {
+    template <bool perspective, bool cut> TUMBLE_INLINE void paint() {
         clear();
         if (perspective)
             measure_slants();
+        if (cut)
+            measure_cut<perspective>();
         for (int i = 0; i < job_.count; ++i) {
             const ListedBall& listed = job_.listed[i];
             if (i + ahead < job_.count)
@@ -52,9 +57,9 @@ public:
                 break; // and so are all that follow
             const Patch patch = patch_of(listed);
             if (!job_.skip_hidden || !is_hidden(patch, listed.nearest))
-                put<perspective>(job_.balls[listed.ball], static_cast<std::int32_t>(listed.ball), patch);
+                put<perspective, cut>(job_.balls[listed.ball], static_cast<std::int32_t>(listed.ball), patch);
         }
-        shade<perspective>();
+        shade<perspective, cut>();
     }
 
 private:
@@ -86,6 +91,29 @@ private:
             for (int pack = 0; pack < packs_; ++pack) {
                 const Lanes x = across(pack) * per_pixel, y = up(row) * per_pixel;
                 store(all(1.0F) / root(all(1.0F) + x * x + y * y), board_.slant + at(row, pack));
+            }
+    }
+
+    /// Where each line of sight enters and leaves the box. A place on it is (x, y, z), in perspective -z (x, y, -1), so
+    /// that the planes' condition is one on z alone.
+    template <bool perspective> TUMBLE_INLINE void measure_cut() {
+        const Lanes per_pixel = all(1 / job_.sight.scale), zero = all(0.0F);
+        for (int row = 0; row < rows_; ++row)
+            for (int pack = 0; pack < packs_; ++pack) {
+                const Lanes x = across(pack) * per_pixel, y = up(row) * per_pixel;
+                Lanes from = all(-nowhere), to = all(nowhere);
+                for (int k = 0; k < planes_of_cut; ++k) {
+                    const CutPlane& plane = job_.cut[k];
+                    const Lanes beside = all(plane.x) * x + all(plane.y) * y;
+                    const Lanes slope = perspective ? all(plane.z) - beside : all(plane.z);
+                    const Lanes rest = perspective ? all(plane.offset) : all(plane.offset) - beside;
+                    const Lanes meets = rest / slope;
+                    from = select(slope > zero, smaller(from, meets), from);
+                    to = select(slope < zero, larger(to, meets), to);
+                    from = select((slope == zero) & (rest < zero), all(nowhere), from);
+                }
+                store(from, board_.cut_from + at(row, pack));
+                store(to, board_.cut_to + at(row, pack));
             }
     }
 
@@ -140,7 +168,7 @@ private:
     /// In pixels at the ball's depth. The point of a line of sight that is nearest to the centre lies `along` it from
     /// where it meets the plane of the centre; half the chord about it lies inside. Beside the ball that is the root of
     /// a negative number, which is nearer than nothing.
-    template <bool perspective> TUMBLE_INLINE void put(const Ball& ball, std::int32_t k, const Patch& patch) {
+    template <bool perspective, bool cut> TUMBLE_INLINE void put(const Ball& ball, std::int32_t k, const Patch& patch) {
         const float metres = metres_per_pixel(ball, perspective);
         const float radius = ball.radius / metres;
         const Lanes radius2 = all(radius * radius), depth = all(ball.z), to_metres = all(metres);
@@ -152,16 +180,27 @@ private:
             for (int pack = patch.first; pack <= patch.last; ++pack) {
                 const int s = at(row, pack);
                 const Lanes x = across(pack), off_x = x + x_to_ball;
-                Lanes z;
+                Lanes z, back{};
                 if (perspective) {
                     const Lanes slant = load(board_.slant + s);
                     const Lanes along = (off_x * x + off_y * y) * per_pixel * slant;
                     const Lanes half_chord = root(left2 - off_x * off_x + along * along);
                     z = depth + to_metres * slant * (along + half_chord);
-                } else
+                    if (cut)
+                        back = depth + to_metres * slant * (along - half_chord);
+                } else {
                     z = depth + to_metres * root(left2 - off_x * off_x);
+                    if (cut)
+                        back = depth + depth - z;
+                }
                 const Lanes before = load(board_.z + s);
-                const Words nearer = z > before;
+                Words nearer = z > before;
+                if (cut) {
+                    const Lanes from = load(board_.cut_from + s), to = load(board_.cut_to + s);
+                    const Words inside = (z > to) & (back < from); // beside the ball neither holds
+                    z = smaller(z, from);
+                    nearer = inside & (z > before);
+                }
                 store(nearer ? z : before, board_.z + s);
                 Words seen;
                 __builtin_memcpy(&seen, board_.ball + s, sizeof seen);
@@ -200,7 +239,7 @@ private:
                 all(static_cast<float>(ball.color >> 16 & 0xffU))};
     }
 
-    template <bool perspective> TUMBLE_INLINE void shade() const {
+    template <bool perspective, bool cut> TUMBLE_INLINE void shade() const {
         for (int row = 0; row < rows_; ++row) {
             for (int pack = 0; pack < packs_; ++pack) {
                 const int s = at(row, pack);
@@ -219,13 +258,14 @@ private:
                 const bool alone = !any(k != all(k[0]));
                 const Seen seen = alone ? spread(job_.balls[k[0]]) : gather(board_.ball + s);
                 const Lanes slant = perspective ? load(board_.slant + s) : all(1.0F);
-                store(light<perspective>(seen, across(pack), up(row), z, slant), job_.colors + to);
+                const Words on_face = cut ? z == load(board_.cut_from + s) : all(0);
+                store(light<perspective, cut>(seen, across(pack), up(row), z, slant, on_face), job_.colors + to);
             }
         }
     }
 
-    template <bool perspective>
-    TUMBLE_INLINE Words light(const Seen& ball, Lanes x, Lanes y, Lanes z, Lanes slant) const {
+    template <bool perspective, bool cut>
+    TUMBLE_INLINE Words light(const Seen& ball, Lanes x, Lanes y, Lanes z, Lanes slant, Words on_face) const {
         if (!job_.light.lit)
             return pack(ball.red, ball.green, ball.blue);
         const Lanes per_pixel = all(1 / job_.sight.scale);
@@ -258,9 +298,13 @@ private:
         for (int k = 0; k < 5; ++k)
             gloss = gloss * gloss; // to the 32nd
         const Lanes lamp = larger(normal_x * all(lamp_x) + normal_y * all(lamp_y) + normal_z * all(lamp_z), zero);
-        const Lanes share = all(0.49F) + all(0.10F) * normal_y + all(0.54F) * lamp;
+        Lanes share = all(0.49F) + all(0.10F) * normal_y + all(0.54F) * lamp;
         const Lanes turned = one - facing;
-        const Lanes added = all(255.0F) * (all(0.10F) * gloss + all(job_.light.rim) * turned * turned);
+        Lanes added = all(255.0F) * (all(0.10F) * gloss + all(job_.light.rim) * turned * turned);
+        if (cut) {
+            share = select(on_face, all(share_of_cut_faces), share);
+            added = select(on_face, zero, added);
+        }
         return pack(ball.red * share + added, ball.green * share + added, ball.blue * share + added);
     }
 
@@ -285,10 +329,10 @@ private:
 void draw_tile(const TileJob& job) {
     Board board;
     Painting painting(job, board);
-    if (job.sight.perspective)
-        painting.paint<true>();
+    if (job.cut != nullptr)
+        job.sight.perspective ? painting.paint<true, true>() : painting.paint<false, true>();
     else
-        painting.paint<false>();
+        job.sight.perspective ? painting.paint<true, false>() : painting.paint<false, false>();
 }
 
 } // namespace tumble::render::TUMBLE_ISA

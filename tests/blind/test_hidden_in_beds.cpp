@@ -1,5 +1,6 @@
 // Something hidden in beds of discs and of spheres, found through response tables that are kept in the repository: no
-// test runs a bed. tests/blind/beds/README.md tells how the cases and the tables were made.
+// test runs a bed.
+// tests/blind/beds/README.md tells how the cases and the tables were made.
 #include "base/table.h"
 #include "diagnose/bed_diagnosis.h"
 #include "diagnose/verdict.h"

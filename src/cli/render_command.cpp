@@ -113,6 +113,17 @@ int draw_both(const RenderArguments& arguments, const scene::Scene& scene) {
     return tell_drawn(done, options.targets, options.settings, arguments);
 }
 
+std::optional<Problem> refuse_with_one_file(const RenderArguments& arguments) {
+    std::error_code ignored;
+    if (arguments.out.extension() != ".png" || std::filesystem::is_directory(arguments.out, ignored))
+        return std::nullopt;
+    return Problem{.file = arguments.out.string(),
+                   .what = "is the name of a picture, and all frames go to a folder",
+                   .fix = arguments.beside.empty()
+                              ? "--strip 1 draws the last frame alone into that file; or name a folder"
+                              : "name a folder; --time A:B chooses the frames"};
+}
+
 std::optional<Problem> refuse_with_lines(const RenderArguments& arguments) {
     if (render::is_drawing_file(arguments.out) && (arguments.frames || !arguments.video.empty()))
         return Problem{.what = fmt::format("{} is one drawing, of the last frame", arguments.out.string()),
@@ -172,7 +183,8 @@ Result<Done> read_parts(const RenderArguments& arguments, run::StripOptions& opt
     const auto plan = read_plan(arguments.strip);
     if (!plan)
         return Problem{.what = fmt::format("--strip {} is no number of pictures", arguments.strip),
-                       .fix = "write --strip 6, or columns and rows as --strip 3x2"};
+                       .fix = fmt::format("write --strip 6, or columns and rows as --strip 3x2; at most {} along a side",
+                                          most_parts)};
     options.plan = *plan;
     return Done{};
 }
@@ -205,7 +217,10 @@ int redraw_run(RenderArguments& arguments) {
         return refuse(scene.problems(), arguments.json, wrong);
     if (const auto problem = refuse_with_lines(arguments))
         return refuse({*problem}, arguments.json, wrong);
-    if (!arguments.beside.empty() && arguments.strip.empty() && arguments.sections.empty())
+    const bool in_parts = !arguments.strip.empty() || !arguments.sections.empty();
+    if (const auto problem = refuse_with_one_file(arguments); problem && !in_parts)
+        return refuse({*problem}, arguments.json, wrong);
+    if (!arguments.beside.empty() && !in_parts)
         return draw_both(arguments, *scene);
     if (!arguments.labels.empty())
         return refuse({{.what = "--labels names two runs side by side, and this is one",
@@ -223,7 +238,7 @@ int redraw_run(RenderArguments& arguments) {
     const auto problem = read_time_range(arguments.time, options.when.from, options.when.to);
     if (problem)
         return refuse({*problem}, arguments.json, wrong);
-    if (!arguments.strip.empty() || !arguments.sections.empty())
+    if (in_parts)
         return draw_parts(arguments, std::move(options));
     options.targets = targets_of(arguments, fmt::format("{}_{}", options.settings.camera, options.settings.color));
     ProgressLine line(arguments.quiet);
@@ -280,7 +295,7 @@ void add_render_command(CLI::App& program, Action& action) {
                   "instead of a run's folder it runs the scene first.");
     const auto arguments = std::make_shared<RenderArguments>();
     command->add_option("RUN|SCENE", arguments->what, "Folder of a run, or a scene file")->required();
-    add_render_settings(*command, arguments->scene.sets);
+    add_render_settings(*command, arguments->scene);
     command
         ->add_option("--beside", arguments->beside,
                      "A second run, drawn on the right at the same times with the same view and colours")

@@ -43,11 +43,23 @@ Problems refuse_sets_of_the_run(const std::vector<std::string>& sets, const std:
     return problems;
 }
 
-void add_render_settings(CLI::App& command, std::vector<std::string>& sets) {
-    const auto add = [&](const char* flag, const char* type, const std::string& sentence, auto to_sets) {
+void add_render_settings(CLI::App& command, SceneArguments& arguments) {
+    std::vector<std::string>& sets = arguments.sets;
+    const auto add = [&](const char* flag, const char* type, const std::string& example, const std::string& sentence,
+                         auto to_sets) {
         command
             .add_option_function<std::string>(
-                flag, [&sets, to_sets](const std::string& text) { to_sets(sets, text); }, sentence)
+                flag,
+                [&arguments, flag, example, to_sets](const std::string& text) {
+                    const std::size_t before = arguments.sets.size();
+                    to_sets(arguments.sets, text);
+                    for (std::size_t k = before; k < arguments.sets.size(); ++k) {
+                        const std::string& set = arguments.sets[k];
+                        arguments.flags[set.substr(0, set.find('='))] = {fmt::format("{} {}", flag, text),
+                                                                         fmt::format("{} {}", flag, example)};
+                    }
+                },
+                sentence)
             ->type_name(type);
     };
     const auto word = [](const char* key) {
@@ -60,7 +72,7 @@ void add_render_settings(CLI::App& command, std::vector<std::string>& sets) {
             all.push_back(std::string(key) + "=[" + text + "]");
         };
     };
-    add("--camera", "front|top|side|free", "Where the eye stands", word("render.camera"));
+    add("--camera", "front|top|side|free", "side", "Where the eye stands", word("render.camera"));
     const auto number = [](const char* key) {
         return [key](std::vector<std::string>& all, const std::string& text) {
             all.push_back(std::string(key) + "=" + text);
@@ -75,35 +87,35 @@ void add_render_settings(CLI::App& command, std::vector<std::string>& sets) {
             to_sets(all, text);
         };
     };
-    add("--eye", "X,Y,Z", "Place of the free camera, m; takes the free camera without --camera",
+    add("--eye", "X,Y,Z", "1,1,0.5", "Place of the free camera, m; takes the free camera without --camera",
         free_camera(list("render.eye_m")));
-    add("--target", "X,Y,Z", "What the free camera looks at, m; the same", free_camera(list("render.target_m")));
-    add("--turn", "DEG_S", "Degrees that it goes around per second of the scene; the same",
+    add("--target", "X,Y,Z", "0,0,0", "What the free camera looks at, m; the same", free_camera(list("render.target_m")));
+    add("--turn", "DEG_S", "90", "Degrees that it goes around per second of the scene; the same",
         free_camera(number("render.turn_deg_s")));
-    add("--clip-lo", "X,Y,Z", "Lowest corner of a section: bodies outside are not drawn, m", list("render.clip_lo_m"));
-    add("--clip-hi", "X,Y,Z", "Highest corner of it, m", list("render.clip_hi_m"));
+    add("--clip-lo", "X,Y,Z", "0,-1,-1 --clip-hi 1,1,1", "Lowest corner of a section: bodies outside are not drawn, m", list("render.clip_lo_m"));
+    add("--clip-hi", "X,Y,Z", "1,1,1 --clip-lo 0,-1,-1", "Highest corner of it, m", list("render.clip_hi_m"));
     command.add_flag_callback(
         "--cut", [&sets] { sets.emplace_back("render.clip_cuts=true"); },
         "The section, or --sections, cut bodies open instead of leaving out whole ones");
-    add("--color", "QUANTITY", "What colours the bodies: " + words_of("color"), word("render.color"));
-    add("--range", "LO,HI", "Values at the ends of the colour scale, SI", list("render.range"));
-    add("--colormap", "NAME", "Colour scale: " + words_of("colormap"), word("render.colormap"));
-    add("--arrows", "none|bodies|field", "Velocities: of bodies, or their mean over the frames on a grid",
+    add("--color", "QUANTITY", "speed", "What colours the bodies: " + words_of("color"), word("render.color"));
+    add("--range", "LO,HI", "0,0.5", "Values at the ends of the colour scale, SI", list("render.range"));
+    add("--colormap", "NAME", "viridis", "Colour scale: " + words_of("colormap"), word("render.colormap"));
+    add("--arrows", "none|bodies|field", "bodies", "Velocities: of bodies, or their mean over the frames on a grid",
         word("render.arrows"));
-    add("--arrow", "M_S", "Speed of the legend's arrow, m/s", number("render.arrow_m_s"));
+    add("--arrow", "M_S", "0.5", "Speed of the legend's arrow, m/s", number("render.arrow_m_s"));
     command.add_flag_callback(
         "--force-chains", [&sets] { sets.emplace_back("render.force_chains=true"); },
         "Lines as thick as the force between bodies (of a run with observe.contacts)");
-    add("--chain", "N", "Force of the thickest line, N", number("render.chain_N"));
-    add("--trails", "BODY,...", "Bodies whose way is drawn, by name or id",
+    add("--chain", "N", "2", "Force of the thickest line, N", number("render.chain_N"));
+    add("--trails", "BODY,...", "0,1", "Bodies whose way is drawn, by name or id",
         [](std::vector<std::string>& all, const std::string& text) {
             std::string names;
             for (const std::string_view name : split(text, ','))
                 names += (names.empty() ? "" : ", ") + quoted(std::string(trimmed(name)));
             all.push_back("render.trails=[" + names + "]");
         });
-    add("--background", "dark|white", "Behind the picture", word("render.background"));
-    add("--plot", "MEASURE", "Measure in the small plot, or a column of a tracer, as tracer:sensor_y",
+    add("--background", "dark|white", "white", "Behind the picture", word("render.background"));
+    add("--plot", "MEASURE", "kinetic_energy", "Measure in the small plot, or a column of a tracer, as tracer:sensor_y",
         word("render.plot_measure"));
     const auto for_print = [](std::vector<std::string>& all) {
         const bool chosen = std::any_of(all.begin(), all.end(),
@@ -111,8 +123,8 @@ void add_render_settings(CLI::App& command, std::vector<std::string>& sets) {
         if (!chosen)
             all.emplace_back("render.style=\"paper\"");
     };
-    add("--style", "screen|paper", "paper: for print, white, sized in mm", word("render.style"));
-    add("--size-mm", "WxH", "Size for print, mm, such as 85x60; this flag and the next two take the style paper",
+    add("--style", "screen|paper", "paper", "paper: for print, white, sized in mm", word("render.style"));
+    add("--size-mm", "WxH", "85x60", "Size for print, mm, such as 85x60; this flag and the next two take the style paper",
         [for_print](std::vector<std::string>& all, const std::string& text) {
             const std::size_t cross = text.find('x');
             for_print(all);
@@ -125,15 +137,19 @@ void add_render_settings(CLI::App& command, std::vector<std::string>& sets) {
             all.push_back(std::string(key) + "=" + text);
         };
     };
-    add("--dpi", "N", "Pixels an inch of print", number_for_print("render.dpi"));
-    add("--font-pt", "N", "Points of the smallest letters in print", number_for_print("render.font_pt"));
-    add("--size", "WxH", "Pixels, such as 1920x1080", [](std::vector<std::string>& all, const std::string& text) {
+    add("--dpi", "N", "300", "Pixels an inch of print", number_for_print("render.dpi"));
+    add("--font-pt", "N", "8", "Points of the smallest letters in print", number_for_print("render.font_pt"));
+    add("--size", "WxH", "1920x1080", "Pixels, such as 1920x1080", [](std::vector<std::string>& all, const std::string& text) {
         const std::size_t cross = text.find('x');
         all.push_back("render.width_px=" + text.substr(0, cross));
         all.push_back("render.height_px=" + (cross == std::string::npos ? "" : text.substr(cross + 1)));
     });
     command.add_flag_callback(
-        "--perspective", [&sets] { sets.emplace_back("render.projection=\"perspective\""); },
+        "--perspective",
+        [&arguments] {
+            arguments.sets.emplace_back("render.projection=\"perspective\"");
+            arguments.flags["render.projection"] = {"--perspective", "--perspective"};
+        },
         "Vanishing points instead of parallel lines");
 }
 

@@ -3,6 +3,10 @@
 #include "run/run_folder.h"
 #include "scene/load.h"
 
+#include <fmt/format.h>
+#include <set>
+#include <string_view>
+
 namespace tumble::cli {
 
 namespace {
@@ -46,7 +50,33 @@ Result<scene::Scene> SceneArguments::load() const {
     std::vector<scene::Override> overrides;
     for (const std::string& text : sets)
         overrides.push_back({text});
-    return scene::load_scene(file, overrides);
+    auto scene = scene::load_scene(file, overrides);
+    if (!scene)
+        return of_flags(scene.problems());
+    return scene;
+}
+
+Problems SceneArguments::of_flags(const Problems& problems) const {
+    constexpr std::string_view set = "--set ";
+    Problems told;
+    std::set<std::string> named;
+    for (Problem problem : problems) {
+        const auto flag = problem.file.starts_with(set) ? flags.find(problem.file.substr(set.size())) : flags.end();
+        if (flag == flags.end()) {
+            told.push_back(std::move(problem));
+            continue;
+        }
+        if (!named.insert(flag->second.typed).second)
+            continue;
+        const std::string key = fmt::format("'{}'", flag->first.substr(flag->first.rfind('.') + 1));
+        if (const std::size_t at = problem.what.find(key); at != std::string::npos)
+            problem.what.replace(at, key.size(), "its value");
+        const bool flat = problem.what.find("belongs to scenes of dimension") != std::string::npos;
+        problem.file = flag->second.typed;
+        problem.fix = flat ? "leave it away" : fmt::format("{}; for example {}", problem.fix, flag->second.example);
+        told.push_back(std::move(problem));
+    }
+    return told;
 }
 
 std::string quoted(const std::string& word) {

@@ -56,7 +56,9 @@ struct Watched {
 
 Result<Watched> open_watched(ViewArguments& arguments, const std::shared_ptr<view::Bell>& bell) {
     std::error_code ignored;
-    const bool folder = std::filesystem::is_directory(arguments.what, ignored);
+    // A name of nothing is that of a run, as for `render`, unless it says that it is a scene's.
+    const bool folder = std::filesystem::is_directory(arguments.what, ignored) ||
+                        (arguments.what.extension() != ".toml" && !std::filesystem::exists(arguments.what, ignored));
     const std::filesystem::path file = folder ? arguments.what / "scene.toml" : arguments.what;
     if (folder) {
         if (const auto found = run::find_run(arguments.what); !found)
@@ -72,7 +74,7 @@ Result<Watched> open_watched(ViewArguments& arguments, const std::shared_ptr<vie
         return text.problems();
     auto scene = text->load();
     if (!scene)
-        return scene.problems();
+        return arguments.scene.of_flags(scene.problems());
     const auto news = [bell] { bell->ring(); };
     auto source = folder ? view::open_recorded(arguments.what, *scene, news)
                          : view::open_live(*text, *scene, arguments.threads, news);
@@ -132,7 +134,7 @@ void add_view_command(CLI::App& program, Action& action) {
     command->add_option("--out", arguments->out, "Folder for pictures, films and scenes that are kept")
         ->type_name("DIR")
         ->check(refuse_no_place);
-    add_render_settings(*command, arguments->scene.sets);
+    add_render_settings(*command, arguments->scene);
     arguments->scene.add_sets_to(*command);
     command->add_flag("--quiet", arguments->quiet, "Nothing but the link");
     command->add_flag("--json", arguments->json, "Print each link as a JSON object on a line");

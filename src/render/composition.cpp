@@ -49,6 +49,21 @@ void Composition::settle_for(const observe::Frame& frame) {
     }
 }
 
+/// Words about as wide as those of the frames to come, of which little is known yet.
+OverlayContent Composition::expected_content(const Camera& seen) const {
+    constexpr double some_time = 88.88; // s
+    OverlayContent words;
+    words.time = time_stamp(some_time, settings.every);
+    const auto range = settings.range.value_or(std::array{0.0, 1.0});
+    words.legend = {style.quantity.label, style.quantity.unit, {range[0], range[1]}, style.map};
+    words.key = mark_maker.key(*layout, mark_view());
+    if (words.key.arrow) {
+        words.key.arrow->over = {0, some_time};
+    }
+    words.look_with(seen);
+    return words;
+}
+
 /// Settles panels and camera for what has been fitted.
 void Composition::arrange() {
     const auto look = [&](const Area& area) { return *make_camera(settings, box(), area); };
@@ -57,9 +72,17 @@ void Composition::arrange() {
         return tried.pixels_per_metre(tried.target);
     };
     const int rows = key_rows(settings.marks);
-    arrangement =
-        make_layout(settings.width, settings.height, settings.plot, zoom,
-                    settings.paper ? std::optional(letter_unit(*settings.paper)) : std::nullopt, key_height(rows));
+    if (settings.paper) {
+        const auto readable = [&](Layout tried) {
+            leave_out_title(tried);
+            take_key(tried, rows, !style.plain());
+            return is_readable(expected_content(look(tried.scene)), tried, style.theme);
+        };
+        arrangement = make_layout(settings.width, settings.height, settings.plot, zoom, letter_unit(*settings.paper),
+                                  key_height(rows), readable);
+    } else {
+        arrangement = make_layout(settings.width, settings.height, settings.plot, zoom, {}, key_height(rows));
+    }
     if (settings.paper) {
         leave_out_title(arrangement);
     }

@@ -59,6 +59,7 @@ private:
     /// What must be in the picture.
     [[nodiscard]] Eigen::AlignedBox3d box() const;
     void arrange();
+    [[nodiscard]] OverlayContent expected_content(const Camera& seen) const;
     void enclose(const observe::Frame& frame);
     std::vector<std::uint32_t> colors_of(const observe::Frame& frame, Legend& legend);
 };

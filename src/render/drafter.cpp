@@ -76,6 +76,7 @@ Drawing Drafter::draw(const observe::Frame& frame, const PlotLine& plot) {
     if (page_.arrangement.lettered) {
         DrawingPen pen(drawing, page_.arrangement.unit);
         write_panels(pen, page_.content(frame, plot, legend), page_.arrangement, page_.style.theme);
+        drawing.crowded = pen.crowded();
     }
     return drawing;
 }

@@ -87,6 +87,7 @@ struct Drawing {
     double mm_per_pixel = 1;
     Eigen::Vector3d background = Eigen::Vector3d::Ones();
     std::vector<Shape> shapes;
+    std::vector<Crowded> crowded{}; // as in Picture
 };
 
 } // namespace tumble::render

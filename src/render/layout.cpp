@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace tumble::render {
 
@@ -9,10 +10,11 @@ constexpr double gap = 16;           // units between panels and to the edge
 constexpr double title_height = 28;  // units
 constexpr double bar_height = 58;    // units: axes, scale bar and its label
 constexpr double legend_height = 64; // units, where it lies
+constexpr double further_line = 26;  // units, of its name
 
-static Layout in_column(double width, double height, double unit, bool with_plot, bool with_key) {
+static Layout in_column(double width, double height, double unit, bool with_plot, double least) {
     const double pad = std::round(gap * unit);
-    const double panel = std::round(with_plot ? std::max(0.225 * width, 190 * unit) : (with_key ? 170 : 150) * unit);
+    const double panel = std::round(with_plot ? std::max({0.225 * width, 190 * unit, least * unit}) : least * unit);
     Layout layout;
     layout.unit = unit;
     const double left = width - pad - panel;
@@ -83,6 +85,21 @@ static Layout in_rows(double width, double height, double unit, bool with_plot, 
     return layout;
 }
 
+/// The key's `key` pixels stand beside the scale bar; what more they need is taken from the scene. With a plot there,
+/// and without a key, nothing changes.
+static Layout key_under_legend(Layout rows, double key) {
+    if (rows.plot.width() > 0 || key <= 0) {
+        return rows;
+    }
+    const double more = std::max(key - rows.scale_bar.height(), 0.0);
+    const double pad = std::round(gap * rows.unit);
+    for (double* edge : {&rows.legend.top, &rows.legend.bottom, &rows.scene.bottom, &rows.window.bottom}) {
+        *edge -= more;
+    }
+    rows.key = {pad, rows.scale_bar.top - more, rows.scale_bar.left - 2 * pad, rows.scale_bar.bottom};
+    return rows;
+}
+
 void leave_out_title(Layout& layout) {
     layout.title = {};
     if (layout.lettered && layout.column) {
@@ -92,7 +109,7 @@ void leave_out_title(Layout& layout) {
 }
 
 Layout make_layout(int width, int height, bool with_plot, const std::function<double(const Area&)>& zoom,
-                   std::optional<double> unit, double key) {
+                   std::optional<double> unit, double key, const std::function<bool(const Layout&)>& readable) {
     const double w = width;
     const double h = height;
     if (!unit && (width < 320 || height < 200)) {
@@ -107,10 +124,29 @@ Layout make_layout(int width, int height, bool with_plot, const std::function<do
     const bool upright = h > w;
     const double share = upright ? std::min(w / 720, h / 1280) : std::min(w / 1280, h / 720);
     const double u = unit.value_or(share >= 0.5 ? std::max(share, 0.68) : 0.68 * share / 0.5);
-    const Layout column = in_column(w, h, u, with_plot, key > 0);
+    const Layout column = in_column(w, h, u, with_plot, key > 0 ? 170 : 150);
     const double legend = std::max(legend_height, key - 2) * u; // the last row ends a little above its end
     const Layout strip = upright ? in_rows(w, h, u, with_plot, legend) : in_strip(w, h, u, with_plot, legend);
-    return zoom(column.scene) >= zoom(strip.scene) ? column : strip;
+    const Layout& usual = zoom(column.scene) >= zoom(strip.scene) ? column : strip;
+    if (!readable || readable(usual)) {
+        return usual;
+    }
+    std::vector<Layout> others{column, strip};
+    for (const double panel : {190.0, 220.0, 250.0}) {
+        others.push_back(in_column(w, h, u, with_plot, panel));
+    }
+    for (const double more : {0.0, further_line}) {
+        others.push_back(in_strip(w, h, u, with_plot, legend + more * u));
+        others.push_back(in_rows(w, h, u, with_plot, legend + more * u));
+        others.push_back(key_under_legend(in_rows(w, h, u, with_plot, (legend_height + more) * u), key * u));
+    }
+    std::erase_if(others, [&](const Layout& layout) {
+        return std::min(layout.scene.width(), layout.scene.height()) < 60 * u || !readable(layout);
+    });
+    const auto best = std::max_element(others.begin(), others.end(), [&](const Layout& a, const Layout& b) {
+        return zoom(a.scene) < zoom(b.scene);
+    });
+    return best == others.end() ? usual : *best;
 }
 
 } // namespace tumble::render

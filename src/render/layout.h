@@ -34,9 +34,12 @@ struct Layout {
 /// The arrangement in which the scene is larger: a column, or below the scene a strip (two rows in an upright picture).
 /// `zoom` tells how large the scene gets in an area (pixels a metre); `with_plot` reserves room for the plot. Below 320
 /// x 200 pixels there is no lettering. `unit` (pixels) is chosen by the size where it is not given; below the scene the
-/// legend's place is as high as a key of `key` units beside it.
+/// legend's place is as high as a key of `key` units beside it. With `readable` the largest for which that holds: wider
+/// columns, higher legends, and rows with the key under the legend are tried too; without one that is readable it is as
+/// if nobody had asked.
 Layout make_layout(int width, int height, bool with_plot, const std::function<double(const Area&)>& zoom,
-                   std::optional<double> unit = {}, double key = 0);
+                   std::optional<double> unit = {}, double key = 0,
+                   const std::function<bool(const Layout&)>& readable = {});
 
 /// Gives the title's place to the scene where nothing else stands beside it.
 void leave_out_title(Layout& layout);

@@ -41,6 +41,62 @@ static double widest(const Pen& pen, const std::vector<std::string>& labels) {
     return most;
 }
 
+/// The label, then its unit, in as many lines as they need; a unit stays whole.
+static std::vector<std::string> name_lines(const Pen& pen, const std::string& label, const std::string& unit,
+                                           double room) {
+    std::vector<std::string> lines(1);
+    const auto add = [&](const std::string& word) {
+        const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+        if (lines.back().empty() || pen.width(longer, Lettering::normal) <= room) {
+            lines.back() = longer;
+        } else {
+            lines.push_back(word);
+        }
+    };
+    std::size_t from = 0;
+    for (std::size_t to = label.find(' '); to != std::string::npos; from = to + 1, to = label.find(' ', from)) {
+        add(label.substr(from, to - from));
+    }
+    add(label.substr(from));
+    if (!unit.empty()) {
+        add("[" + unit + "]");
+    }
+    return lines;
+}
+
+/// Three digits, as an end of a scale that no round number meets is written.
+static double readable(double value) {
+    if (value == 0) {
+        return 0;
+    }
+    const double power = std::pow(10, 2 - std::floor(std::log10(std::abs(value))));
+    return std::round(value * power) / power;
+}
+
+/// Ticks with one at each end of the scale; those nearer to an end than a share of the whole give way to it.
+static std::vector<double> ticks_to_the_ends(const Span& span, int most, double nearest) {
+    std::vector<double> ticks = ticks_in(span, most);
+    const double width = span.hi - span.lo;
+    const auto is_met = [&](double tick, double end) { return std::abs(tick - end) <= 1e-6 * width; };
+    if (!ticks.empty() && !is_met(ticks.front(), span.lo)) {
+        std::erase_if(ticks, [&](double tick) { return tick - span.lo < nearest * width; });
+        ticks.insert(ticks.begin(), span.lo);
+    }
+    if (!ticks.empty() && !is_met(ticks.back(), span.hi)) {
+        std::erase_if(ticks, [&](double tick) { return tick != span.lo && span.hi - tick < nearest * width; });
+        ticks.push_back(span.hi);
+    }
+    return ticks;
+}
+
+static std::vector<std::string> end_labels(const std::vector<double>& ticks, const Span& span) {
+    std::vector<double> round = ticks;
+    for (double& tick : round) {
+        tick = tick == span.lo || tick == span.hi ? readable(tick) : tick;
+    }
+    return tick_labels(round);
+}
+
 Area draw_legend(Pen& pen, const Area& area, const Legend& legend, const Theme& theme, bool upright) {
     const double u = pen.unit();
     const DisplayUnit shown = display_unit(legend.unit, legend.span);
@@ -48,28 +104,40 @@ Area draw_legend(Pen& pen, const Area& area, const Legend& legend, const Theme& 
     const double line = pen.height(Lettering::small);
     const double thick = std::round(20 * u);
     const double tip = std::round(0.55 * thick);
-    const std::string name = shown.unit.empty() ? legend.label : fmt::format("{} [{}]", legend.label, shown.unit);
-    pen.text(area.left, area.top, pen.shortened(name, Lettering::normal, area.width()), Lettering::normal, Align::left,
-             theme.text);
-    const double under_name = std::round(area.top + 1.35 * pen.height(Lettering::normal));
+    double under_name = area.top;
+    for (const std::string& words : name_lines(pen, legend.label, shown.unit, area.width())) {
+        pen.text(area.left, under_name, pen.entire(words, Lettering::normal, area.width()), Lettering::normal,
+                 Align::left, theme.text);
+        under_name = std::round(under_name + 1.35 * pen.height(Lettering::normal));
+    }
     Area bar;
     std::vector<double> ticks;
     if (upright) {
         bar = {std::round(area.left), under_name + tip, std::round(area.left) + thick,
                std::floor(area.bottom - std::max(tip, 0.5 * line))};
-        ticks = ticks_in(span, static_cast<int>(bar.height() / (2.2 * line)));
+        ticks = ticks_to_the_ends(span, static_cast<int>(bar.height() / (2.2 * line)), 1.2 * line / bar.height());
     } else {
-        ticks = ticks_in(span, 6);
-        while (ticks.size() > 2 &&
-               static_cast<double>(ticks.size()) * (widest(pen, tick_labels(ticks)) + line) > area.width()) {
-            ticks = ticks_in(span, static_cast<int>(ticks.size()) - 1);
+        const auto wide = [&] { return widest(pen, end_labels(ticks, span)) + line; };
+        for (int most = 6; most >= 2 && (most == 6 || wide() * static_cast<double>(ticks.size()) > area.width());
+             --most) {
+            ticks = ticks_in(span, most);
+            ticks = ticks_to_the_ends(span, most, wide() / std::max(area.width() - wide(), 1.0));
         }
-        const double side = std::round(std::max(tip, 0.5 * widest(pen, tick_labels(ticks))));
+        const double side = std::round(std::max(tip, 0.5 * (wide() - line)));
         bar = {std::round(area.left) + side, under_name, std::floor(area.right) - side,
                std::round(std::min(under_name + thick, area.bottom - 1.5 * line))};
     }
+    const std::vector<std::string> labels = end_labels(ticks, span);
+    // Of a bar without room for its colours, or for its numbers side by side, nothing can be read.
+    const double length = upright ? bar.height() : bar.width();
+    const double needed = upright ? line : 0.5 * (widest(pen, {labels.front()}) + widest(pen, {labels.back()}) + line);
+    if (length < needed) {
+        pen.note_crowded(labels.front() + " to " + labels.back(), std::max(length, 0.0) / needed);
+    }
+    if (!upright && bar.height() < 0.25 * thick) {
+        pen.note_crowded(legend.label, std::max(bar.bottom - area.top, 0.0) / (under_name + 0.25 * thick - area.top));
+    }
     draw_bar(pen, bar, legend, upright);
-    const std::vector<std::string> labels = tick_labels(ticks);
     for (std::size_t i = 0; i < ticks.size(); ++i) {
         const double share = (ticks[i] - span.lo) / (span.hi - span.lo);
         if (upright) {
@@ -123,6 +191,9 @@ double draw_scale_bar(Pen& pen, const Area& area, double pixels_per_metre, const
     const double left = std::round(area.left);
     const double room = area.width() - 1.45 * area.height();
     if (!(pixels_per_metre > 0) || !std::isfinite(pixels_per_metre) || room <= 4 * u) {
+        if (pixels_per_metre > 0 && room <= 4 * u) {
+            pen.note_crowded("the scale bar", 0.5);
+        }
         draw_axes_from(axes_begin);
         return 0;
     }
@@ -145,7 +216,7 @@ double draw_scale_bar(Pen& pen, const Area& area, double pixels_per_metre, const
     const double more = std::clamp(pen.width(words, Lettering::small) - text_room, 0.0, 0.45 * area.height());
     draw_axes_from(axes_begin + more);
     text_room += more;
-    pen.text(left, bar.top - 6 * u - line, pen.shortened(words, Lettering::small, text_room), Lettering::small,
+    pen.text(left, bar.top - 6 * u - line, pen.entire(words, Lettering::small, text_room), Lettering::small,
              Align::left, theme.text);
     return length;
 }

@@ -39,8 +39,8 @@ double key_height(int rows) {
 }
 
 void take_key(Layout& layout, int rows, bool with_legend) {
-    if (rows == 0) {
-        return;
+    if (rows == 0 || (with_legend && layout.key.width() > 0)) {
+        return; // or it has a place already
     }
     if (!with_legend) {
         layout.key = layout.legend;
@@ -92,6 +92,7 @@ void draw_key(Pen& pen, const Area& area, const MarkKey& key, const Theme& theme
     struct Row {
         std::string words;
         std::function<void(double)> sample{}; // at that height
+        bool is_name = false;
     };
     const double u = pen.unit();
     const double right = area.left + key_sample * u;
@@ -113,7 +114,7 @@ void draw_key(Pen& pen, const Area& area, const MarkKey& key, const Theme& theme
                         }});
     }
     for (const MarkKey::Trail& trail : shown.trails) {
-        rows.push_back({trail.name, [&](double y) { pen.line({area.left, y}, {right, y}, 2.4 * u, trail.color); }});
+        rows.push_back({trail.name, [&](double y) { pen.line({area.left, y}, {right, y}, 2.4 * u, trail.color); }, true});
     }
     if (shown.more_trails > 0) {
         rows.push_back({fmt::format("and {} more", shown.more_trails)});
@@ -121,7 +122,10 @@ void draw_key(Pen& pen, const Area& area, const MarkKey& key, const Theme& theme
     if (shown.since) {
         rows.push_back({fmt::format("since t = {:.4g} s", *shown.since)});
     }
-    rows.resize(std::min(rows.size(), fit));
+    if (rows.size() > fit) {
+        pen.note_crowded(rows[fit].words, static_cast<double>(fit) / static_cast<double>(rows.size()));
+        rows.resize(fit);
+    }
     const double line = pen.height(Lettering::small);
     double y = area.top + 0.5 * key_row * u;
     for (const Row& row : rows) {
@@ -132,8 +136,11 @@ void draw_key(Pen& pen, const Area& area, const MarkKey& key, const Theme& theme
         const double beside = right + key_gap * u;
         const bool wide = !row.sample && beside + pen.width(row.words, Lettering::small) > area.right;
         const double left = wide ? area.left : beside;
-        pen.text(left, y - 0.5 * line, pen.shortened(row.words, Lettering::small, area.right - left), Lettering::small,
-                 Align::left, theme.text);
+        const double room = area.right - left;
+        pen.text(left, y - 0.5 * line,
+                 row.is_name ? pen.shortened(row.words, Lettering::small, room)
+                             : pen.entire(row.words, Lettering::small, room),
+                 Lettering::small, Align::left, theme.text);
         y += key_row * u;
     }
 }

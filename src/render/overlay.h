@@ -37,6 +37,9 @@ struct OverlayContent {
 /// The panels with all that is written in them. Returns where the colour bar lies.
 Area write_panels(Pen& pen, const OverlayContent& content, const Layout& layout, const Theme& theme);
 
+/// Whether all numbers and units have room in that layout, by the widths of letters in drawings.
+bool is_readable(const OverlayContent& content, const Layout& layout, const Theme& theme);
+
 /// Lettering through Dear ImGui without a window. A context must be current from open() to the end.
 class Overlay {
 public:
@@ -45,6 +48,8 @@ public:
 
     /// write_panels into the bound framebuffer of that size (pixels).
     Area draw(const OverlayContent& content, const Layout& layout, int width, int height);
+    /// What had to be cut in it.
+    [[nodiscard]] const std::vector<Crowded>& crowded() const;
 
 private:
     struct Inside;

@@ -253,6 +253,9 @@ Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
     in.clock.lap("letters");
     Picture picture = read_picture(canvas);
     picture.dots_per_metre = dots_per_metre(in.settings);
+    if (in.overlay) {
+        picture.crowded = in.overlay->crowded();
+    }
     in.clock.lap("read back");
     return picture;
 }

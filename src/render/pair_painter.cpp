@@ -26,10 +26,12 @@ constexpr double clock_width = 150;
 constexpr int least_width = 480;
 constexpr int least_height = 240;
 
-/// Side by side, or for wide scenes one above the other. Both halves are of one size.
-PairArrangement arrange(const scene::Render& settings, bool stacked) {
+/// Side by side, or for wide scenes one above the other. Both halves are of one size. The legend stands between scale bar
+/// and time, or in a row of its own that is `above` units high.
+PairArrangement arrange(const scene::Render& settings, bool stacked, double above) {
     // Of the strip's height the legend's place has less than all: half a gap.
-    const double strip_units = std::max(strip_height, key_height(key_rows(settings.marks)) + 0.5 * pair_gap);
+    const double usual = std::max(strip_height, key_height(key_rows(settings.marks)) + 0.5 * pair_gap);
+    const double strip_units = above > 0 ? strip_height + above + pair_gap : usual;
     PairArrangement all;
     Layout& layout = all.lettering;
     const double w = settings.width, h = settings.height;
@@ -48,6 +50,13 @@ PairArrangement arrange(const scene::Render& settings, bool stacked) {
         all.second_label = {middle + pad, pad, w - pad, top};
     }
     const double strip = bottom + pad;
+    if (above > 0) {
+        const double row = strip - 0.5 * pad + above * layout.unit;
+        layout.legend = {pad, strip - 0.5 * pad, w - pad, row};
+        layout.time = {w - pad - clock_width * layout.unit, row + pad, w - pad, h - pad};
+        layout.scale_bar = {pad, std::round(h - strip_height * layout.unit), pad + 0.4 * w, h - pad};
+        return all;
+    }
     layout.scale_bar = {pad, std::round(h - strip_height * layout.unit), pad + 0.2 * w, h - pad};
     layout.time = {w - pad - clock_width * layout.unit, strip + 0.5 * pad, w - pad, h - pad};
     const double legend = std::min(legend_width * layout.unit, layout.time.left - layout.scale_bar.right - 4 * pad);
@@ -57,15 +66,48 @@ PairArrangement arrange(const scene::Render& settings, bool stacked) {
 }
 
 /// Whichever shows a flat scene larger; scenes in space stand side by side.
-PairArrangement arrange(const scene::Render& settings, const observe::FrameLayout& layout) {
-    const PairArrangement beside = arrange(settings, false);
+PairArrangement arrange(const scene::Render& settings, const observe::FrameLayout& layout, double above) {
+    const PairArrangement beside = arrange(settings, false, above);
     if (layout.dimension != 2)
         return beside;
     const Eigen::Vector3d size =
         settings.view ? settings.view->hi - settings.view->lo : layout.domain_hi - layout.domain_lo;
     const auto zoom = [&](const Area& area) { return std::min(area.width() / size.x(), area.height() / size.y()); };
-    const PairArrangement stacked = arrange(settings, true);
+    const PairArrangement stacked = arrange(settings, true, above);
     return zoom(stacked.halves[0]) > zoom(beside.halves[0]) ? stacked : beside;
+}
+
+/// For print with the legend in a row of its own where numbers or units would have no room beside it.
+PairArrangement choose_arrangement(const scene::Render& settings, const std::array<std::shared_ptr<const observe::FrameLayout>, 2>& layouts,
+                                   const Quantity& quantity, const ColorMap& map, const Theme& theme) {
+    const auto arranged = [&](double above) {
+        PairArrangement tried = arrange(settings, *layouts[0], above);
+        take_key(tried.lettering, key_rows(settings.marks), !quantity.label.empty());
+        return tried;
+    };
+    PairArrangement usual = arranged(0);
+    if (!settings.paper)
+        return usual;
+    const observe::FrameLayout& seen = *layouts[0];
+    const Eigen::AlignedBox3d box = settings.view ? Eigen::AlignedBox3d(settings.view->lo, settings.view->hi)
+                                                  : Eigen::AlignedBox3d(seen.domain_lo, seen.domain_hi);
+    const auto readable = [&](const PairArrangement& tried) {
+        const Area& half = tried.halves[0];
+        if (!(half.width() >= 40 && half.height() >= 40)) // pixels
+            return false;
+        const Camera camera = *make_camera(settings, box, {0, 0, half.width(), half.height()});
+        OverlayContent content;
+        content.legend = {quantity.label, quantity.unit, {(*settings.range)[0], (*settings.range)[1]}, map};
+        content.key = MarkMaker(settings.marks).key(seen, {camera, {}, 1, theme, {}});
+        content.look_with(camera);
+        return is_readable(content, tried.lettering, theme);
+    };
+    const double high = std::max(strip_height, key_height(key_rows(settings.marks)));
+    if (!readable(usual))
+        for (const double above : {high, high + 26}) // for a name in one line and in two
+            if (PairArrangement tried = arranged(above); readable(tried))
+                return tried;
+    return usual;
 }
 
 scene::Render of_half(scene::Render settings, const Area& half) {
@@ -114,8 +156,15 @@ Result<PairPainterOf<Medium>> PairPainterOf<Medium>::open(const scene::Render& w
         return Problem{.key = "render.arrow_m_s",
                        .what = "two mean fields side by side need one scale of arrows",
                        .fix = "give the speed of the legend's arrow"};
-    PairArrangement arrangement = arrange(settings, *layouts[0]);
     const auto theme = theme_of(settings);
+    const auto quantity = find_quantity(settings.color, layouts[0]->dimension);
+    if (!theme || !quantity)
+        return theme ? quantity.problems() : theme.problems();
+    const auto colors = map_of(settings, *quantity, *theme);
+    const auto any_view = make_camera(settings, {Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones()}, {0, 0, 100, 100});
+    if (!colors || !any_view)
+        return colors ? any_view.problems() : colors.problems();
+    const PairArrangement arrangement = choose_arrangement(settings, layouts, *quantity, *colors, *theme);
     const PainterOptions bare_half{.lettering = false, .unit = arrangement.lettering.unit};
     std::array<Result<typename Medium::Artist>, 2> artists{
         Medium::Artist::open(of_half(settings, arrangement.halves[0]), layouts[0], bare_half),
@@ -125,17 +174,15 @@ Result<PairPainterOf<Medium>> PairPainterOf<Medium>::open(const scene::Render& w
             return artist.problems();
     std::array<Quantity, 2> quantities{*find_quantity(settings.color, layouts[0]->dimension),
                                        *find_quantity(settings.color, layouts[1]->dimension)};
-    take_key(arrangement.lettering, key_rows(settings.marks), !quantities[0].label.empty());
     auto sheet = Medium::Sheet::open(settings, settings.height, arrangement.lettering, *theme);
     if (!sheet)
         return sheet.problems();
-    const ColorMap map = *map_of(settings, quantities[0], *theme);
     return PairPainterOf(std::shared_ptr<Inside>(new Inside{settings,
                                                             labels,
-                                                            map,
+                                                            *colors,
                                                             std::move(quantities),
                                                             {std::move(*artists[0]), std::move(*artists[1])},
-                                                            std::move(arrangement),
+                                                            arrangement,
                                                             std::move(*sheet)}));
 }
 

@@ -3,7 +3,9 @@
 #include "render/layout.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <fmt/core.h>
 
 namespace tumble::render {
 
@@ -14,6 +16,25 @@ double letter_unit(const scene::Paper& paper) {
 
 double dots_per_metre(const scene::Render& settings) {
     return settings.paper ? settings.paper->dpi * 1e3 / mm_per_inch : 0;
+}
+
+Result<Done> check_room(const std::vector<Crowded>& crowded, const scene::Render& settings) {
+    if (!settings.paper || crowded.empty()) {
+        return Done{};
+    }
+    const auto least = std::min_element(crowded.begin(), crowded.end(),
+                                        [](const Crowded& a, const Crowded& b) { return a.share < b.share; });
+    const scene::Paper& paper = *settings.paper;
+    // What stands around the words takes room too, and letters come in halves of a point.
+    const double share = std::clamp(least->share, 0.2, 0.95);
+    const double larger = std::ceil(1 / share * 10) / 10;
+    const double smaller = std::floor(2 * share * paper.font_pt) / 2;
+    return Problem{.what = fmt::format("'{}' would be cut off: it has no room in {:g} x {:g} mm with letters of {:g} "
+                                       "pt",
+                                       least->words, paper.width_mm, paper.height_mm, paper.font_pt),
+                   .fix = fmt::format("try --size-mm {:.0f}x{:.0f}{}", std::ceil(larger * paper.width_mm),
+                                      std::ceil(larger * paper.height_mm),
+                                      smaller >= 5 ? fmt::format(", or --font-pt {:g}", smaller) : "")};
 }
 
 Result<Theme> theme_of(const scene::Render& settings) {

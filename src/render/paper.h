@@ -18,6 +18,9 @@ double letter_unit(const scene::Paper& paper);
 /// Pixels a metre of paper; 0 for pictures of a screen.
 double dots_per_metre(const scene::Render& settings);
 
+/// Problem where numbers or units had to be cut in a picture for print, with a size that is likely to do.
+Result<Done> check_room(const std::vector<Crowded>& crowded, const scene::Render& settings);
+
 /// Colours that go with the picture's background. Problem for an unknown word.
 Result<Theme> theme_of(const scene::Render& settings);
 

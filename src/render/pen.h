@@ -12,6 +12,12 @@ namespace tumble::render {
 enum class Lettering { small, normal, large };
 enum class Align { left, middle, right };
 
+/// Words that found no room, and the share of their width that there was.
+struct Crowded {
+    std::string words;
+    double share = 0;
+};
+
 /// Draws lines and text in pixels, onto whatever its kind draws onto. Colours are sRGB 0 to 1.
 class Pen {
 public:
@@ -26,6 +32,13 @@ public:
 
     /// The text, or its beginning and three dots where it is wider than `room` pixels.
     [[nodiscard]] std::string shortened(const std::string& text, Lettering lettering, double room) const;
+
+    /// Its beginning, three dots and its end: of names that differ at their ends.
+    [[nodiscard]] std::string shortened_inside(const std::string& text, Lettering lettering, double room) const;
+    /// As shortened(), of what must not be cut, since it holds a number or a unit: the pen remembers where it had to be.
+    std::string entire(const std::string& text, Lettering lettering, double room);
+    void note_crowded(const std::string& words, double share) { crowded_.push_back({words, share}); }
+    [[nodiscard]] const std::vector<Crowded>& crowded() const { return crowded_; }
 
     /// Top of the letters at y; x is the text's left, middle or right.
     virtual void text(double x, double y, const std::string& words, Lettering lettering, Align align,
@@ -47,6 +60,7 @@ protected:
 
 private:
     double unit_ = 1;
+    std::vector<Crowded> crowded_;
 };
 
 } // namespace tumble::render

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "render/pen.h"
+
 #include <cstdint>
 #include <vector>
 
@@ -11,6 +13,7 @@ struct Picture {
     int height = 0; // pixels
     std::vector<std::uint8_t> rgba;
     double dots_per_metre = 0; // of paper; 0: nobody said
+    std::vector<Crowded> crowded{}; // numbers and units on it that are cut
 };
 
 } // namespace tumble::render

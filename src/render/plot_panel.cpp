@@ -107,12 +107,15 @@ static std::string value_words(double value, const Span& shown) {
     return (value < 0 && !is_zero ? "\u2212" : "") + words;
 }
 
-/// "kinetic energy [mJ]" on the left, the present value on the right.
-static void write_head(Pen& pen, const Area& area, const std::string& name, const std::string& value,
-                       const Theme& theme) {
-    const double room = value.empty() ? 0 : pen.width(value, Lettering::small) + pen.height(Lettering::small);
-    pen.text(area.left, area.top, pen.shortened(name, Lettering::small, area.width() - room), Lettering::small,
-             Align::left, theme.text);
+/// "kinetic energy [mJ]" on the left, the present value on the right. Where there is no room the name gives way.
+static void write_head(Pen& pen, const Area& area, const std::string& label, const std::string& unit,
+                       const std::string& value, const Theme& theme) {
+    const double taken = value.empty() ? 0 : pen.width(value, Lettering::small) + pen.height(Lettering::small);
+    const double room = area.width() - taken;
+    const std::string behind = unit.empty() ? "" : fmt::format(" [{}]", unit);
+    const std::string name = pen.shortened(label, Lettering::small, room - pen.width(behind, Lettering::small));
+    pen.text(area.left, area.top, pen.entire(name + behind, Lettering::small, room), Lettering::small, Align::left,
+             theme.text);
     pen.text(area.right - 0.6 * pen.height(Lettering::small), area.top, value, Lettering::small, Align::right,
              theme.text);
 }
@@ -132,9 +135,8 @@ void draw_plot(Pen& pen, const Area& area, const PlotLine& line, double now, con
     const Span shown_times{times.lo * time_unit.factor, times.hi * time_unit.factor};
     const Span shown{values.lo * unit.factor, values.hi * unit.factor};
 
-    const std::string name = unit.unit.empty() ? line.label : fmt::format("{} [{}]", line.label, unit.unit);
     const auto present = present_value(line, count, now);
-    write_head(pen, area, name, present && !all_zero ? value_words(*present * unit.factor, shown) : "", theme);
+    write_head(pen, area, line.label, unit.unit, present && !all_zero ? value_words(*present * unit.factor, shown) : "", theme);
     Area box{area.left, area.top + 1.95 * letter, area.right - 0.6 * letter, area.bottom - 2.45 * letter};
     // Nothing but zeros has no scale; the 1 that such an axis ends at is no value worth a number.
     const auto along = all_zero ? std::vector<double>{0}

@@ -62,6 +62,7 @@ Picture PictureSheet::put_together(std::span<const Picture> parts, std::span<con
         paste(parts[k], static_cast<int>(areas[k].left), static_cast<int>(areas[k].top), picture);
     }
     picture.dots_per_metre = in.dots;
+    picture.crowded = in.overlay->crowded();
     return picture;
 }
 
@@ -80,6 +81,7 @@ Drawing DrawingSheet::put_together(std::span<const Drawing> parts, std::span<con
     }
     DrawingPen pen(drawing, lettering_.unit);
     write_panels(pen, content, lettering_, theme_);
+    drawing.crowded = pen.crowded();
     return drawing;
 }
 

@@ -1,5 +1,6 @@
 #include "render/strip_painter.h"
 
+#include "render/letters.h"
 #include "render/mark_key.h"
 #include "render/paper.h"
 #include "render/quantity.h"
@@ -41,14 +42,35 @@ double above_cells(const scene::Render& settings, const StripPlan& plan, double 
     return settings.paper && plan.note.empty() ? 0 : strip_title * unit;
 }
 
+/// How the panels stand below the cells: all in one row, or the legend in a row of its own above the others, `legend`
+/// units high.
+struct PanelPlan {
+    bool rows = false;
+    double legend = 0;
+};
+
 /// High enough for the key, pixels.
-double panel_height(const scene::Render& settings, double unit) {
+double last_row(const scene::Render& settings, double unit) {
     return std::max(strip_panels, key_height(key_rows(settings.marks))) * unit;
 }
 
-CellSize cell_size(const scene::Render& settings, const StripPlan& plan, double unit, int columns, int rows) {
+double panel_height(const scene::Render& settings, const PanelPlan& panels, double unit) {
+    return last_row(settings, unit) + (panels.rows ? panels.legend + strip_gap : 0) * unit;
+}
+
+/// Pixels that the widest caption needs, as letters are wide in drawings; on the screen they are a little wider.
+double caption_width(const StripPlan& plan, double unit) {
+    double widest = 0;
+    for (const std::string& words : plan.captions)
+        widest = std::max(widest, width_of_letters(words));
+    return 1.03 * widest * normal_letters * unit / reach_of_letters;
+}
+
+CellSize cell_size(const scene::Render& settings, const StripPlan& plan, const PanelPlan& panels, double unit,
+                   int columns) {
+    const int rows = (plan.cells + columns - 1) / columns;
     const double gap = strip_gap * unit;
-    const double outside = 3 * gap + above_cells(settings, plan, unit) + panel_height(settings, unit);
+    const double outside = 3 * gap + above_cells(settings, plan, unit) + panel_height(settings, panels, unit);
     return {std::floor((settings.width - gap * (columns + 1)) / columns),
             std::floor((settings.height - outside) / rows - strip_words * unit)};
 }
@@ -75,14 +97,18 @@ double spare_height(const scene::Render& settings, const Eigen::AlignedBox3d& bo
     return std::max(0.0, std::floor(cell.height - least));
 }
 
-/// The number of columns that shows the box largest; of equals the smallest, whose rows are fullest.
-int best_columns(const scene::Render& settings, const Eigen::AlignedBox3d& box, const StripPlan& plan, double unit) {
+/// The number of columns that shows the box largest among those whose captions fit, or among all where none does; of
+/// equals the smallest, whose rows are fullest.
+int best_columns(const scene::Render& settings, const Eigen::AlignedBox3d& box, const StripPlan& plan,
+                 const PanelPlan& panels, double unit) {
     int best = 1;
     double largest = -1;
+    const double caption = caption_width(plan, unit);
+    const bool any_fits = cell_size(settings, plan, panels, unit, 1).width >= caption;
     for (int columns = 1; columns <= plan.cells; ++columns) {
-        const int rows = (plan.cells + columns - 1) / columns;
-        const double zoom = zoom_in(settings, box, cell_size(settings, plan, unit, columns, rows));
-        if (zoom > 1.001 * largest) {
+        const CellSize cell = cell_size(settings, plan, panels, unit, columns);
+        const double zoom = zoom_in(settings, box, cell);
+        if (zoom > 1.001 * largest && (!any_fits || cell.width >= caption)) {
             largest = zoom;
             best = columns;
         }
@@ -90,11 +116,11 @@ int best_columns(const scene::Render& settings, const Eigen::AlignedBox3d& box, 
     return best;
 }
 
-StripArrangement arrange_strip(const scene::Render& settings, const Eigen::AlignedBox3d& box, const StripPlan& plan) {
+StripArrangement arrange_strip(const scene::Render& settings, const Eigen::AlignedBox3d& box, const StripPlan& plan,
+                               const PanelPlan& panels) {
     const double unit = lettering_unit(settings), gap = strip_gap * unit;
-    const int columns = plan.columns > 0 ? plan.columns : best_columns(settings, box, plan, unit);
-    const int rows = (plan.cells + columns - 1) / columns;
-    CellSize cell = cell_size(settings, plan, unit, columns, rows);
+    const int columns = plan.columns > 0 ? plan.columns : best_columns(settings, box, plan, panels, unit);
+    CellSize cell = cell_size(settings, plan, panels, unit, columns);
     StripArrangement all;
     if (zoom_in(settings, box, cell) == 0)
         return all;
@@ -115,12 +141,24 @@ StripArrangement arrange_strip(const scene::Render& settings, const Eigen::Align
         if (k % columns == columns - 1 || k == plan.cells - 1)
             y = std::round(y + cell.height + strip_words * unit);
     }
-    const double bottom = y + gap + panel_height(settings, unit);
+    const double bottom = y + gap + panel_height(settings, panels, unit);
     all.height = static_cast<int>(bottom + gap);
     layout.scale_bar = {gap, bottom - strip_panels * unit, gap + std::min(0.4 * w, 260 * unit), bottom};
     const double left = layout.scale_bar.right + 2 * gap;
-    layout.legend = {std::max(left, w - gap - strip_legend * unit), y + gap, w - gap, bottom};
+    if (panels.rows) {
+        layout.legend = {gap, y + gap, w - gap, y + gap + panels.legend * unit};
+        if (key_rows(settings.marks) > 0)
+            layout.key = {left, bottom - last_row(settings, unit), w - gap, bottom};
+    } else {
+        layout.legend = {std::max(left, w - gap - strip_legend * unit), y + gap, w - gap, bottom};
+    }
     return all;
+}
+
+/// Where the words under a cell stand.
+Area under(Area cell, const Layout& lettering) {
+    cell.top = cell.bottom + 3 * lettering.unit;
+    return cell;
 }
 
 } // namespace
@@ -157,7 +195,30 @@ Result<StripPainterOf<Medium>> StripPainterOf<Medium>::open(const scene::Render&
     const auto camera = make_camera(settings, box, {0, 0, 100, 100});
     if (!map || !camera)
         return (map ? camera.problems() : map.problems());
-    StripArrangement arrangement = arrange_strip(settings, box, plan);
+    const int rows = key_rows(settings.marks);
+    const Legend legend{quantity->label, quantity->unit, {(*settings.range)[0], (*settings.range)[1]}, *map};
+    const auto arranged = [&](const PanelPlan& panels) {
+        StripArrangement tried = arrange_strip(settings, box, plan, panels);
+        take_key(tried.lettering, rows, !quantity->label.empty());
+        return tried;
+    };
+    const auto readable = [&](const StripArrangement& tried) {
+        OverlayContent content;
+        content.legend = legend;
+        content.key = MarkMaker(settings.marks).key(*layout, {*camera, {}, 1, *theme, {}});
+        content.time = plan.note;
+        for (std::size_t k = 0; k < std::min(plan.captions.size(), tried.cells.size()); ++k)
+            content.captions.push_back({under(tried.cells[k], tried.lettering), plan.captions[k]});
+        content.look_with(*make_camera(settings, box, {0, 0, tried.cells[0].width(), tried.cells[0].height()}));
+        return is_readable(content, tried.lettering, *theme);
+    };
+    StripArrangement arrangement = arranged({});
+    if (settings.paper && !arrangement.cells.empty() && !readable(arrangement))
+        for (const double height : {strip_panels, strip_panels + 26}) // for a name in one line and in two
+            if (StripArrangement tried = arranged({true, height}); !tried.cells.empty() && readable(tried)) {
+                arrangement = std::move(tried);
+                break;
+            }
     if (arrangement.cells.empty())
         return Problem{.key = "render.width_px",
                        .what = fmt::format("{} pictures in one of {} x {} pixels would be too small to see anything",
@@ -171,11 +232,9 @@ Result<StripPainterOf<Medium>> StripPainterOf<Medium>::open(const scene::Render&
     if (!artist)
         return artist.problems();
     artist->fit(box);
-    take_key(arrangement.lettering, key_rows(settings.marks), !quantity->label.empty());
     auto sheet = Medium::Sheet::open(settings, arrangement.height, arrangement.lettering, *theme);
     if (!sheet)
         return sheet.problems();
-    const Legend legend{quantity->label, quantity->unit, {(*settings.range)[0], (*settings.range)[1]}, *map};
     return StripPainterOf(
         std::shared_ptr<Inside>(new Inside{of_cell, std::move(layout), *quantity, std::move(*artist),
                                            std::move(arrangement), std::move(*sheet), legend, plan.note}));
@@ -215,9 +274,7 @@ template <class Medium> typename Medium::Work StripPainterOf<Medium>::finish() {
     content.key = in.key;
     content.look_with(in.artist.camera());
     for (std::size_t k = 0; k < in.drawn.size(); ++k) {
-        Area under = in.arrangement.cells[k];
-        under.top = under.bottom + 3 * in.arrangement.lettering.unit;
-        content.captions.push_back({under, in.words[k]});
+        content.captions.push_back({under(in.arrangement.cells[k], in.arrangement.lettering), in.words[k]});
     }
     content.time = in.note;
     return in.sheet.put_together(in.drawn, in.arrangement.cells, content);

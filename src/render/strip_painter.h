@@ -13,6 +13,7 @@ struct StripPlan {
     int cells = 1;
     int columns = 0;
     std::string note{}; // above them, in a few words: what they have in common
+    std::vector<std::string> captions{}; // that are to come under them, as far as they are known
 };
 
 /// Draws several pictures of one run into one: a view, a scale and a legend for all, a few words under each. Of pixels

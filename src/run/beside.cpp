@@ -71,6 +71,11 @@ Result<Comparison> compare(const std::array<fs::path, 2>& runs, const BesideOpti
     Result<Recording> left = open_recording(runs[0], options.when), right = open_recording(runs[1], options.when);
     if (!left || !right)
         return (left ? right : left).problems();
+    if (left->layout->dimension != right->layout->dimension)
+        return Problem{.file = runs[1].string(),
+                       .what = fmt::format("is of {} dimensions, and {} of {}: they have no view in common",
+                                           right->layout->dimension, runs[0].string(), left->layout->dimension),
+                       .fix = "put runs of the same dimension side by side"};
     Comparison found{{std::move(*left), std::move(*right)}, {}, {}};
     found.moments = common(found.recordings[0].frames, found.recordings[1].frames);
     if (found.moments.empty())
@@ -85,6 +90,16 @@ Result<Comparison> compare(const std::array<fs::path, 2>& runs, const BesideOpti
                 fmt::format("{}: {} of its frames have none beside them", runs[side].string(), alone));
     }
     return found;
+}
+
+/// With no frames but the last that both have: those of a drawing, which alone have a say in its scales.
+Recordings last_of(const Comparison& shown) {
+    Recordings last = shown.recordings;
+    for (std::size_t side = 0; side < 2; ++side)
+        std::erase_if(last[side].frames, [&](const RecordedFrame& frame) {
+            return frame.file != (side == 0 ? shown.moments.back().left : shown.moments.back().right);
+        });
+    return last;
 }
 
 /// Reads both frames of a moment and hands them to show(left, right); a problem where one cannot be read again.
@@ -139,7 +154,7 @@ void draw_last(const Comparison& shown, const BesideOptions& options, render::Pa
     if (!done.reason.empty())
         return;
     done.reason = show_moment(shown.moments.back(), shown.recordings, done, [&](const auto& left, const auto& right) {
-                      return save(drafter.draw(left, right), options.targets.drawing);
+                      return save_readable(drafter.draw(left, right), options.settings, options.targets.drawing);
                   }).problems();
     tell(1, 1);
 }
@@ -168,7 +183,8 @@ Result<Replayed> draw_beside(const std::array<fs::path, 2>& runs, const BesideOp
     if (!shown)
         return shown.problems();
     const Recordings& recordings = shown->recordings;
-    const auto settled = settle_scales(recordings, options.settings);
+    const bool as_lines = !options.targets.drawing.empty();
+    const auto settled = settle_scales(as_lines ? last_of(*shown) : recordings, options.settings);
     if (!settled)
         return settled.problems();
     const scene::Render& settings = *settled;
@@ -180,7 +196,7 @@ Result<Replayed> draw_beside(const std::array<fs::path, 2>& runs, const BesideOp
             return *problem;
     Replayed done;
     done.warnings = shown->warnings;
-    if (!options.targets.drawing.empty()) {
+    if (as_lines) {
         auto drafter = open_pair<render::Lines>(*shown, settings, labels);
         if (!drafter)
             return of_run(drafter.problems(), runs[recordings[0].layout->dimension == 2 ? 1 : 0]);

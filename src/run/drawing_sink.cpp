@@ -12,12 +12,12 @@ namespace {
 
 class DrawingSink final : public FrameSink {
 public:
-    DrawingSink(render::Drafter drafter, fs::path file, std::int64_t last)
-        : drafter_(std::move(drafter)), file_(std::move(file)), last_(last) {}
+    DrawingSink(render::Drafter drafter, scene::Render settings, fs::path file, std::int64_t last)
+        : drafter_(std::move(drafter)), settings_(std::move(settings)), file_(std::move(file)), last_(last) {}
 
     Result<Done> take(const Shot& shot) override {
         if (shot.number == last_)
-            return save(drafter_.draw(shot.frame, shot.plot), file_);
+            return save_readable(drafter_.draw(shot.frame, shot.plot), settings_, file_);
         drafter_.pass_over(shot.frame);
         return Done{};
     }
@@ -25,6 +25,7 @@ public:
 
 private:
     render::Drafter drafter_;
+    scene::Render settings_;
     fs::path file_;
     std::int64_t last_ = 0;
 };
@@ -42,7 +43,7 @@ Result<std::unique_ptr<FrameSink>> keep_drawing(const scene::Render& settings, c
             if (const Result<observe::Frame> frame = observe::read_frame(one.file, recording.layout))
                 drafter->foresee(*frame);
     const std::int64_t last = observe::frame_number(recording.frames.back().file).value_or(0);
-    return std::unique_ptr<FrameSink>(std::make_unique<DrawingSink>(std::move(*drafter), file, last));
+    return std::unique_ptr<FrameSink>(std::make_unique<DrawingSink>(std::move(*drafter), settings, file, last));
 }
 
 Result<Done> save(const render::Drawing& drawing, const fs::path& file) {

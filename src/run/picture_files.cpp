@@ -1,6 +1,7 @@
 #include "run/picture_files.h"
 
 #include "base/make_folder.h"
+#include "render/paper.h"
 
 #include <fmt/format.h>
 
@@ -17,6 +18,7 @@ Result<Done> save(render::Picture picture, const std::filesystem::path& file) {
 
 Result<PictureFiles> PictureFiles::open(const scene::Render& settings, const PictureTargets& targets) {
     PictureFiles files;
+    files.settings_ = settings;
     files.folder_ = targets.folder;
     if (!targets.folder.empty()) {
         if (const auto made = make_folder(targets.folder); !made)
@@ -34,6 +36,8 @@ Result<PictureFiles> PictureFiles::open(const scene::Render& settings, const Pic
 }
 
 Result<Done> PictureFiles::add(render::Picture picture, std::int64_t number, bool again) {
+    if (auto room = render::check_room(picture.crowded, settings_); !room)
+        return room;
     if (video_)
         if (Result<Done> added = video_->add(picture); !added)
             return added;

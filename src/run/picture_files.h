@@ -29,6 +29,7 @@ public:
     /// Whether the picture of that number is to be drawn. `again`: for a run that goes on; what it left is not drawn
     /// twice, unless for a video, which cannot be added to and begins anew.
     [[nodiscard]] bool wants(std::int64_t number, bool again) const { return !again || video_ || !is_drawn(number); }
+    /// Problems besides those of files: numbers or units that have no room in print.
     Result<Done> add(render::Picture picture, std::int64_t number, bool again = false);
     /// Waits until all is written.
     Result<Done> finish();
@@ -37,6 +38,7 @@ private:
     [[nodiscard]] std::filesystem::path file_of(std::int64_t number) const;
     [[nodiscard]] bool is_drawn(std::int64_t number) const;
 
+    scene::Render settings_;
     std::filesystem::path folder_;
     std::optional<render::PngWriter> png_;
     std::optional<render::VideoWriter> video_;

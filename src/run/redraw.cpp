@@ -35,7 +35,10 @@ Result<Replayed> redraw(const fs::path& run, const RedrawOptions& options, const
          {std::pair{&pictures, ".png"}, std::pair{&video, ".mp4"}, std::pair{&drawing, ".svg"}})
         if (const auto problem = target->claim(options.overwrite, extension))
             return *problem;
-    const auto settings = settle_scales({&*recording, 1}, options.settings);
+    Recording seen = *recording;
+    if (!options.targets.drawing.empty()) // is of one frame, which alone has a say in its scales
+        seen.frames.erase(seen.frames.begin(), seen.frames.end() - 1);
+    const auto settings = settle_scales({&seen, 1}, options.settings);
     if (!settings)
         return settings.problems();
     FrameSinks sinks;

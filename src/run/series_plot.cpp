@@ -111,6 +111,12 @@ std::optional<double> largest_size(const std::vector<RunSeries>& runs, const std
     return size;
 }
 
+/// Whether there never were two bodies, which alone can circulate or make a slope.
+bool is_of_one_body(const observe::Series& series) {
+    const std::vector<double>* bodies = series.find("bodies");
+    return bodies && std::none_of(bodies->begin(), bodies->end(), [](double count) { return count >= 2; });
+}
+
 std::vector<std::string> usual_columns(const observe::Series& series) {
     std::vector<std::string> heads;
     for (const std::string& name : main_measures())
@@ -121,7 +127,10 @@ std::vector<std::string> usual_columns(const observe::Series& series) {
     });
     if (height != series.columns.end())
         heads.push_back(*height);
+    const bool alone = is_of_one_body(series);
     std::erase_if(heads, [&](const std::string& head) {
+        if (alone && (head.starts_with("circulation") || head.starts_with("surface_slope")))
+            return true;
         const std::vector<double>& values = *series.find(head);
         return std::none_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
     });

@@ -27,6 +27,7 @@ struct Part {
     fs::path frame;
     std::optional<scene::Box> clip; // another than the settings'
     std::string words;              // empty: the time
+    double time = 0;                // s
 };
 
 Result<std::vector<Part>> instants(const Recording& recording, int count) {
@@ -39,10 +40,9 @@ Result<std::vector<Part>> instants(const Recording& recording, int count) {
     std::vector<Part> parts;
     for (std::size_t k = 0; k < wanted; ++k) {
         const double share = wanted > 1 ? static_cast<double>(k) / static_cast<double>(wanted - 1) : 1;
-        parts.push_back(
-            {recording.frames[static_cast<std::size_t>(std::lround(share * static_cast<double>(frames - 1)))].file,
-             std::nullopt,
-             {}});
+        const RecordedFrame& frame =
+            recording.frames[static_cast<std::size_t>(std::lround(share * static_cast<double>(frames - 1)))];
+        parts.push_back({frame.file, std::nullopt, {}, frame.time});
     }
     return parts;
 }
@@ -111,7 +111,8 @@ Result<std::vector<Part>> sections(const Recording& recording, const StripOption
         (upwards ? clip.lo : clip.hi)[axis] = cut;
         parts.push_back({last, clip,
                          fmt::format("{} {} {}{:.3g} {}", "xyz"[axis], upwards ? "from" : "up to",
-                                     cut < 0 ? "\u2212" : "", std::abs(cut) * unit.factor, unit.unit)});
+                                     cut < 0 ? "\u2212" : "", std::abs(cut) * unit.factor, unit.unit),
+                         frame->time});
     }
     return parts;
 }
@@ -124,8 +125,8 @@ Recording only(Recording recording, const std::vector<Part>& parts) {
     return recording;
 }
 
-std::string words_of(const Part& part, const observe::Frame& frame, const scene::Render& settings) {
-    return part.words.empty() ? render::time_stamp(frame.time, settings.every) : part.words;
+std::string words_of(const Part& part, double time, const scene::Render& settings) {
+    return part.words.empty() ? render::time_stamp(time, settings.every) : part.words;
 }
 
 /// Hands every frame up to the last that is wanted to show(frame, part) where it is one of the parts, to skip(frame)
@@ -177,6 +178,8 @@ Result<Replayed> draw_in_one(const Recording& recording, const std::vector<Part>
     render::StripPlan plan = options.plan;
     if (options.sections)
         plan.note = render::time_stamp(recording.frames.back().time, settings.every);
+    for (const Part& part : parts)
+        plan.captions.push_back(words_of(part, part.time, settings));
     auto painter = render::StripPainterOf<Medium>::open(
         settings, recording.layout,
         settings.view ? Eigen::AlignedBox3d(settings.view->lo, settings.view->hi) : recording.bounds, plan);
@@ -194,12 +197,12 @@ Result<Replayed> draw_in_one(const Recording& recording, const std::vector<Part>
                     return cut;
                 foresee_all(recording, settings, *painter);
             }
-            painter->add(frame, words_of(part, frame, settings));
+            painter->add(frame, words_of(part, frame.time, settings));
             return Done{};
         },
         [&](const observe::Frame& frame) { painter->pass_over(frame); });
     if (done.reason.empty() && !done.stopped)
-        done.reason = save(painter->finish(), options.out).problems();
+        done.reason = save_readable(painter->finish(), settings, options.out).problems();
     return done;
 }
 
@@ -227,7 +230,10 @@ Result<Replayed> draw_apart(const Recording& recording, const std::vector<Part>&
             if (part.clip)
                 foresee_all(recording, settings, *painter);
             const char* kind = part.clip ? "section" : "instant";
-            return writer.add(options.out / fmt::format("{}_{}.png", kind, done.frames + 1), painter->draw(frame));
+            auto picture = painter->draw(frame);
+            if (auto room = render::check_room(picture.crowded, settings); !room)
+                return room;
+            return writer.add(options.out / fmt::format("{}_{}.png", kind, done.frames + 1), std::move(picture));
         },
         [&](const observe::Frame& frame) { painter->pass_over(frame); });
     if (const Problems problems = writer.finish().problems(); done.reason.empty())

@@ -245,19 +245,19 @@ private:
             news_();
     }
 
-    /// Simulated over wall time, remembered for about a second.
+    /// Time and steps simulated over the same wall time, about half a second of it; unknown while nothing plays.
     void note_pace(const Orders& obeyed) {
+        const bool goes_on = obeyed.play && !state_.ended;
         const double passed = seconds_since(paced_);
-        if (!obeyed.play || passed > 2) {
-            paced_ = Clock::now();
-            paced_from_ = simulation_->time();
-            state_.pace = obeyed.play ? state_.pace : 0;
-        } else if (passed > 0.5) {
-            state_.pace = (simulation_->time() - paced_from_) / passed;
-            paced_ = Clock::now();
-            paced_from_ = simulation_->time();
-        }
-        state_.steps_per_s = rate_;
+        if (goes_on && pacing_ && passed <= 0.5)
+            return;
+        const bool known = goes_on && pacing_ && simulation_->steps() >= paced_step_;
+        state_.pace = known ? (simulation_->time() - paced_from_) / passed : 0;
+        state_.steps_per_s = known ? static_cast<double>(simulation_->steps() - paced_step_) / passed : 0;
+        pacing_ = goes_on;
+        paced_ = Clock::now();
+        paced_from_ = simulation_->time();
+        paced_step_ = simulation_->steps();
     }
 
     void publish() {
@@ -395,6 +395,8 @@ private:
     std::unique_ptr<Film> film_;
     Clock::time_point paced_ = Clock::now(); // when the pace was last looked at
     double paced_from_ = 0;                  // s, of the scene then
+    std::int64_t paced_step_ = 0;            // and the steps
+    bool pacing_ = false;                    // it was playing then
     double paced_speed_ = 0;                 // that is being kept
     Clock::time_point pace_begun_ = Clock::now();
     double pace_from_ = 0; // s, of the scene then

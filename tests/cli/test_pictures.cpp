@@ -32,6 +32,13 @@ TEST_CASE("render puts instants or sections into one picture, and says what does
           {{"--sections", "0,x"}, "places in m"},
           {{"--sections", "0,27"}, "cuts no bodies"},
           {{"--strip", "90"}, "ask for fewer"},
+          {{"--strip", "200"}, "at most 100"},
+          {{"--out", "one.png"}, "--strip 1 draws the last frame alone"},
+          {{"--size", "1280*720"}, "--size 1280*720: its value is text"},
+          {{"--size-mm", "85*60"}, "for example --size-mm 85x60"},
+          {{"--arrow", "bodies"}, "for example --arrow 0.5"},
+          {{"--clip-hi", "1,1,1"}, "for example --clip-hi 1,1,1 --clip-lo 0,-1,-1"},
+          {{"--size-mm", "30x20"}, "would be cut off"},
           {{"--size-mm", "85x60", "--size", "640x480"}, "write width_mm, height_mm and dpi in its place"},
           {{"--force-chains"}, "write contacts = true in [observe]"}}) {
         std::vector<std::string> all{"render", "a"};
@@ -61,6 +68,8 @@ TEST_CASE(
     for (const auto& [flags, words] :
          {std::pair{std::vector<std::string>{"disc", "--out", "a.svg"}, "--force replaces it"},
           {{"disc", "--out", "b.svg", "--video", "b.mp4"}, "leave --video and --frames away"},
+          {{"disc", "--turn", "90", "--out", "b"}, "leave it away"},
+          {{"disc", "--beside", "ball", "--out", "b"}, "runs of the same dimension"},
           {{"ball", "--out", "b.svg"}, "SVG and PDF are for scenes in two dimensions"},
           {{"disc.toml", "--out", "b.pdf"}, "run it first"}}) {
         std::vector<std::string> all{"render"};

@@ -62,6 +62,16 @@ TEST_CASE("two runs stand side by side at the times that both have, though their
     CHECK(told("right: 1 of its frames have none beside them"));
 }
 
+TEST_CASE("a run in space and a flat one have no view in common") {
+    TwoRuns two;
+    two.runs[1] = two.folder.path / "flat";
+    TwoRuns::leave(loaded(raining), two.runs[1]);
+    const auto done = run::draw_beside(two.runs, wide(two.folder.path / "both"), [](std::int64_t, std::int64_t) {});
+    REQUIRE(!done.ok());
+    CHECK(done.problems()[0].what.find("no view in common") != std::string::npos);
+    CHECK(!fs::exists(two.folder.path / "both"));
+}
+
 TEST_CASE("pictures of two runs have the numbers that the left run's frames have") {
     const TwoRuns two;
     run::BesideOptions options = wide(two.folder.path / "both");

@@ -126,6 +126,28 @@ TEST_CASE("the last frame is drawn into one file, whole or not at all, and nothi
     }
 }
 
+TEST_CASE("a drawing has the scales of its own frame, whatever was fast before") {
+    const Folder folder;
+    // Thrown up with 1 m/s and held back by 40 m/s^2, the disc has 0.2 m/s left at the last frame.
+    run::RunOptions running;
+    running.folder = folder.path / "up";
+    run::RunListener quiet;
+    REQUIRE(run::run_scene(loaded(falling_disc, {"gravity_m_s2=[0, -40]", "fill.0.velocity_m_s=[0, 1]"}), running, quiet)
+                .ok());
+    const auto drawn = [&](const char* name, double from) {
+        run::RedrawOptions options = options_for(falling_disc, folder.path / name);
+        options.settings.marks.arrows = "bodies";
+        options.when.from = from;
+        const auto done = run::redraw(running.folder, options, silent);
+        REQUIRE_MESSAGE(done.ok(), to_string(done.problems()));
+        REQUIRE(done->reason.empty());
+        return content_of(folder.path / name);
+    };
+    const std::string all = drawn("all.svg", 0);
+    CHECK(all.find("0.2 m/s") != std::string::npos);
+    CHECK(all == drawn("last.svg", 0.019));
+}
+
 TEST_CASE("a round wall on the largest page leaves its circle by less than 0.02 mm") {
     // The largest page there is: 600 mm, of which letters and the margin of 3 % take some.
     const Folder folder;

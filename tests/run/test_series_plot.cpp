@@ -87,6 +87,14 @@ TEST_CASE("without measures the main ones are plotted that the run has, and all 
     CHECK(plotted({other}, {}).columns == std::vector<Heads>{{"mean_speed_m_s"}});
 }
 
+TEST_CASE("of one body alone neither circulation nor slope is plotted unasked") {
+    const Folder folder;
+    const fs::path one =
+        fallen(folder.path / "one", {"observe.measures=[\"kinetic_energy\", \"circulation\", \"bodies\"]"});
+    CHECK(plotted({one}, {}).columns == std::vector<Heads>{{"kinetic_energy_J"}});
+    CHECK(plotted({one}, {.measures = {"circulation"}}).columns == std::vector<Heads>{{"circulation_rad_s"}});
+}
+
 TEST_CASE("a measure that is not in the series is named with what is near, what there is, and how to get it") {
     const Folder folder;
     const fs::path run = fallen(folder.path / "ball", {"observe.measures=[\"mean_speed\", \"kinetic_energy\"]"});

@@ -183,8 +183,8 @@ Result<Done> read_parts(const RenderArguments& arguments, run::StripOptions& opt
     const auto plan = read_plan(arguments.strip);
     if (!plan)
         return Problem{.what = fmt::format("--strip {} is no number of pictures", arguments.strip),
-                       .fix = fmt::format("write --strip 6, or columns and rows as --strip 3x2; at most {} along a side",
-                                          most_parts)};
+                       .fix = fmt::format(
+                           "write --strip 6, or columns and rows as --strip 3x2; at most {} along a side", most_parts)};
     options.plan = *plan;
     return Done{};
 }

@@ -89,10 +89,12 @@ void add_render_settings(CLI::App& command, SceneArguments& arguments) {
     };
     add("--eye", "X,Y,Z", "1,1,0.5", "Place of the free camera, m; takes the free camera without --camera",
         free_camera(list("render.eye_m")));
-    add("--target", "X,Y,Z", "0,0,0", "What the free camera looks at, m; the same", free_camera(list("render.target_m")));
+    add("--target", "X,Y,Z", "0,0,0", "What the free camera looks at, m; the same",
+        free_camera(list("render.target_m")));
     add("--turn", "DEG_S", "90", "Degrees that it goes around per second of the scene; the same",
         free_camera(number("render.turn_deg_s")));
-    add("--clip-lo", "X,Y,Z", "0,-1,-1 --clip-hi 1,1,1", "Lowest corner of a section: bodies outside are not drawn, m", list("render.clip_lo_m"));
+    add("--clip-lo", "X,Y,Z", "0,-1,-1 --clip-hi 1,1,1", "Lowest corner of a section: bodies outside are not drawn, m",
+        list("render.clip_lo_m"));
     add("--clip-hi", "X,Y,Z", "1,1,1 --clip-lo 0,-1,-1", "Highest corner of it, m", list("render.clip_hi_m"));
     command.add_flag_callback(
         "--cut", [&sets] { sets.emplace_back("render.clip_cuts=true"); },
@@ -124,7 +126,8 @@ void add_render_settings(CLI::App& command, SceneArguments& arguments) {
             all.emplace_back("render.style=\"paper\"");
     };
     add("--style", "screen|paper", "paper", "paper: for print, white, sized in mm", word("render.style"));
-    add("--size-mm", "WxH", "85x60", "Size for print, mm, such as 85x60; this flag and the next two take the style paper",
+    add("--size-mm", "WxH", "85x60",
+        "Size for print, mm, such as 85x60; this flag and the next two take the style paper",
         [for_print](std::vector<std::string>& all, const std::string& text) {
             const std::size_t cross = text.find('x');
             for_print(all);
@@ -139,11 +142,12 @@ void add_render_settings(CLI::App& command, SceneArguments& arguments) {
     };
     add("--dpi", "N", "300", "Pixels an inch of print", number_for_print("render.dpi"));
     add("--font-pt", "N", "8", "Points of the smallest letters in print", number_for_print("render.font_pt"));
-    add("--size", "WxH", "1920x1080", "Pixels, such as 1920x1080", [](std::vector<std::string>& all, const std::string& text) {
-        const std::size_t cross = text.find('x');
-        all.push_back("render.width_px=" + text.substr(0, cross));
-        all.push_back("render.height_px=" + (cross == std::string::npos ? "" : text.substr(cross + 1)));
-    });
+    add("--size", "WxH", "1920x1080", "Pixels, such as 1920x1080",
+        [](std::vector<std::string>& all, const std::string& text) {
+            const std::size_t cross = text.find('x');
+            all.push_back("render.width_px=" + text.substr(0, cross));
+            all.push_back("render.height_px=" + (cross == std::string::npos ? "" : text.substr(cross + 1)));
+        });
     command.add_flag_callback(
         "--perspective",
         [&arguments] {

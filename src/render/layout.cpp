@@ -143,9 +143,8 @@ Layout make_layout(int width, int height, bool with_plot, const std::function<do
     std::erase_if(others, [&](const Layout& layout) {
         return std::min(layout.scene.width(), layout.scene.height()) < 60 * u || !readable(layout);
     });
-    const auto best = std::max_element(others.begin(), others.end(), [&](const Layout& a, const Layout& b) {
-        return zoom(a.scene) < zoom(b.scene);
-    });
+    const auto best = std::max_element(others.begin(), others.end(),
+                                       [&](const Layout& a, const Layout& b) { return zoom(a.scene) < zoom(b.scene); });
     return best == others.end() ? usual : *best;
 }
 

@@ -114,7 +114,11 @@ void draw_key(Pen& pen, const Area& area, const MarkKey& key, const Theme& theme
                         }});
     }
     for (const MarkKey::Trail& trail : shown.trails) {
-        rows.push_back({trail.name, [&](double y) { pen.line({area.left, y}, {right, y}, 2.4 * u, trail.color); }, true});
+        rows.push_back({trail.name,
+                        [&](double y) {
+                            pen.line({area.left, y}, {right, y}, 2.4 * u, trail.color);
+                        },
+                        true});
     }
     if (shown.more_trails > 0) {
         rows.push_back({fmt::format("and {} more", shown.more_trails)});

@@ -26,8 +26,8 @@ constexpr double clock_width = 150;
 constexpr int least_width = 480;
 constexpr int least_height = 240;
 
-/// Side by side, or for wide scenes one above the other. Both halves are of one size. The legend stands between scale bar
-/// and time, or in a row of its own that is `above` units high.
+/// Side by side, or for wide scenes one above the other. Both halves are of one size. The legend stands between scale
+/// bar and time, or in a row of its own that is `above` units high.
 PairArrangement arrange(const scene::Render& settings, bool stacked, double above) {
     // Of the strip's height the legend's place has less than all: half a gap.
     const double usual = std::max(strip_height, key_height(key_rows(settings.marks)) + 0.5 * pair_gap);
@@ -78,7 +78,8 @@ PairArrangement arrange(const scene::Render& settings, const observe::FrameLayou
 }
 
 /// For print with the legend in a row of its own where numbers or units would have no room beside it.
-PairArrangement choose_arrangement(const scene::Render& settings, const std::array<std::shared_ptr<const observe::FrameLayout>, 2>& layouts,
+PairArrangement choose_arrangement(const scene::Render& settings,
+                                   const std::array<std::shared_ptr<const observe::FrameLayout>, 2>& layouts,
                                    const Quantity& quantity, const ColorMap& map, const Theme& theme) {
     const auto arranged = [&](double above) {
         PairArrangement tried = arrange(settings, *layouts[0], above);

@@ -35,7 +35,7 @@ public:
 
     /// Its beginning, three dots and its end: of names that differ at their ends.
     [[nodiscard]] std::string shortened_inside(const std::string& text, Lettering lettering, double room) const;
-    /// As shortened(), of what must not be cut, since it holds a number or a unit: the pen remembers where it had to be.
+    /// As shortened(), of numbers and units, which must not be cut: the pen remembers where it had to be.
     std::string entire(const std::string& text, Lettering lettering, double room);
     void note_crowded(const std::string& words, double share) { crowded_.push_back({words, share}); }
     [[nodiscard]] const std::vector<Crowded>& crowded() const { return crowded_; }

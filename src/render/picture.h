@@ -12,7 +12,7 @@ struct Picture {
     int width = 0;  // pixels
     int height = 0; // pixels
     std::vector<std::uint8_t> rgba;
-    double dots_per_metre = 0; // of paper; 0: nobody said
+    double dots_per_metre = 0;      // of paper; 0: nobody said
     std::vector<Crowded> crowded{}; // numbers and units on it that are cut
 };
 

@@ -136,7 +136,8 @@ void draw_plot(Pen& pen, const Area& area, const PlotLine& line, double now, con
     const Span shown{values.lo * unit.factor, values.hi * unit.factor};
 
     const auto present = present_value(line, count, now);
-    write_head(pen, area, line.label, unit.unit, present && !all_zero ? value_words(*present * unit.factor, shown) : "", theme);
+    write_head(pen, area, line.label, unit.unit, present && !all_zero ? value_words(*present * unit.factor, shown) : "",
+               theme);
     Area box{area.left, area.top + 1.95 * letter, area.right - 0.6 * letter, area.bottom - 2.45 * letter};
     // Nothing but zeros has no scale; the 1 that such an axis ends at is no value worth a number.
     const auto along = all_zero ? std::vector<double>{0}

@@ -12,7 +12,7 @@ namespace tumble::render {
 struct StripPlan {
     int cells = 1;
     int columns = 0;
-    std::string note{}; // above them, in a few words: what they have in common
+    std::string note{};                  // above them, in a few words: what they have in common
     std::vector<std::string> captions{}; // that are to come under them, as far as they are known
 };
 

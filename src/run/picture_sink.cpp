@@ -40,7 +40,10 @@ Result<std::unique_ptr<FrameSink>> keep_pictures(const scene::Render& settings,
         for (const RecordedFrame& recorded : to_come->frames)
             if (const Result<observe::Frame> frame = observe::read_frame(recorded.file, to_come->layout))
                 painter->foresee(*frame);
-    Result<PictureFiles> files = PictureFiles::open(settings, targets);
+    scene::Render of_files = settings;
+    if (!to_come)
+        of_files.paper.reset(); // a simulation does not break off because words have no room
+    Result<PictureFiles> files = PictureFiles::open(of_files, targets);
     if (!files)
         return files.problems();
     return std::unique_ptr<FrameSink>(std::make_unique<PictureSink>(std::move(*painter), std::move(*files)));

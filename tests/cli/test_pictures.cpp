@@ -38,7 +38,7 @@ TEST_CASE("render puts instants or sections into one picture, and says what does
           {{"--size-mm", "85*60"}, "for example --size-mm 85x60"},
           {{"--arrow", "bodies"}, "for example --arrow 0.5"},
           {{"--clip-hi", "1,1,1"}, "for example --clip-hi 1,1,1 --clip-lo 0,-1,-1"},
-          {{"--size-mm", "30x20"}, "would be cut off"},
+          {{"--strip", "5x1", "--size-mm", "85x60"}, "would be cut off"}, // five times "t = 0.000 s"
           {{"--size-mm", "85x60", "--size", "640x480"}, "write width_mm, height_mm and dpi in its place"},
           {{"--force-chains"}, "write contacts = true in [observe]"}}) {
         std::vector<std::string> all{"render", "a"};

@@ -84,7 +84,8 @@ int tell_drawn(const Result<run::Replayed>& done, const run::PictureTargets& tar
     if (!done)
         return refuse(done.problems(), arguments.json, wrong);
     if (!done->reason.empty())
-        return refuse(done->reason, arguments.json, failed);
+        // Words without room are found while drawing, but it is the settings that are wrong.
+        return refuse(done->reason, arguments.json, done->reason.front().key.empty() ? failed : wrong);
     return tell_replayed(*done, targets, settings, arguments);
 }
 

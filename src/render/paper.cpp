@@ -29,7 +29,8 @@ Result<Done> check_room(const std::vector<Crowded>& crowded, const scene::Render
     const double share = std::clamp(least->share, 0.2, 0.95);
     const double larger = std::ceil(1 / share * 10) / 10;
     const double smaller = std::floor(2 * share * paper.font_pt) / 2;
-    return Problem{.what = fmt::format("'{}' would be cut off: it has no room in {:g} x {:g} mm with letters of {:g} "
+    return Problem{.key = "render.font_pt",
+                   .what = fmt::format("'{}' would be cut off: it has no room in {:g} x {:g} mm with letters of {:g} "
                                        "pt",
                                        least->words, paper.width_mm, paper.height_mm, paper.font_pt),
                    .fix = fmt::format("try --size-mm {:.0f}x{:.0f}{}", std::ceil(larger * paper.width_mm),

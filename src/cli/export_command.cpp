@@ -35,9 +35,18 @@ struct ExportArguments {
 
 /// The model of a folder that `tumble stress` left, with its load steps.
 int export_model(const ExportArguments& arguments) {
-    const auto recorded = stress::read_recorded(arguments.run, arguments.part);
+    auto recorded = stress::read_recorded(arguments.run, arguments.part);
     if (!recorded)
         return refuse(recorded.problems(), arguments.json, wrong);
+    run::ReplayOptions when;
+    if (const auto problem = read_time_range(arguments.time, when.from, when.to))
+        return refuse({*problem}, arguments.json, wrong);
+    stress::keep_within(recorded->loads, when.from, when.to);
+    if (arguments.means ? recorded->loads.means.empty() : recorded->loads.instants.empty())
+        return refuse({{.file = arguments.run.string(),
+                        .what = fmt::format("has no load case within '{}'", arguments.time),
+                        .fix = "its times stand in contacts.csv and means.csv"}},
+                      arguments.json, wrong);
     Crew crew(1);
     const auto cases =
         stress::nodal_cases(recorded->specimen(), recorded->loads, arguments.means, arguments.patch, crew);

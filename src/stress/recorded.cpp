@@ -9,11 +9,29 @@
 #include "solid/facet_load.h"
 #include "solid/inp.h"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 namespace tumble::stress {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// Names the specimen that the folder's loads are on.
+fs::path part_file(const fs::path& folder) {
+    return folder / "part.txt";
+}
+
+/// m, of the box about all nodes.
+Eigen::Vector3d extent_of(const solid::HexMesh& mesh) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& node : mesh.nodes)
+        box.extend(node);
+    return box.sizes();
+}
+
+} // namespace
 
 const scene::SpecimenShape& Recorded::specimen() const {
     return std::get<scene::SpecimenShape>(scene.walls[static_cast<std::size_t>(wall)].shape);
@@ -44,6 +62,8 @@ Result<Done> write_recorded(const Recorded& recorded, const fs::path& folder) {
     const std::string toml = scene::to_toml(recorded.scene, run::names_of(*meshes));
     if (const auto written = observe::write_whole(folder / "scene.toml", toml); !written)
         return written;
+    if (const auto written = observe::write_whole(part_file(folder), recorded.name() + "\n"); !written)
+        return written;
     return run::write_loads(recorded.loads, recorded.specimen(), folder);
 }
 
@@ -55,7 +75,13 @@ Result<Recorded> read_recorded(const fs::path& folder, const std::string& part) 
     auto scene = scene::load_scene(folder / "scene.toml");
     if (!scene)
         return scene.problems();
-    auto recorded = specimen_in(std::move(*scene), part);
+    const Result<std::string> line = observe::read_whole(part_file(folder)); // older folders have none
+    const std::string loaded = line ? line->substr(0, line->find('\n')) : part;
+    if (!part.empty() && part != loaded)
+        return Problem{.file = folder.string(),
+                       .what = fmt::format("holds loads on '{}', not on '{}'", loaded, part),
+                       .fix = fmt::format("`tumble stress SCENE --part {}` runs it for that part", part)};
+    auto recorded = specimen_in(std::move(*scene), loaded);
     if (!recorded)
         return recorded;
     auto loads = run::read_loads(folder, recorded->specimen());
@@ -77,8 +103,19 @@ Result<Recorded> read_remeshed(const fs::path& folder, const std::string& part, 
     auto changed = scene::load_scene(folder / "scene.toml", overrides);
     if (!changed)
         return changed.problems();
+    const Eigen::Vector3d before = extent_of(*recorded->specimen().mesh);
     recorded->scene = std::move(*changed);
     const solid::HexMesh& mesh = *recorded->specimen().mesh;
+    // A polygon of 12 sides is 3 % narrower than its circle.
+    if (const Eigen::Vector3d after = extent_of(mesh);
+        (after - before).cwiseAbs().maxCoeff() > 0.05 * before.maxCoeff())
+        return Problem{
+            .file = folder.string(),
+            .what = fmt::format("--remesh makes it another part: {:.4g} x {:.4g} x {:.4g} mm in place of {:.4g} x "
+                                "{:.4g} x {:.4g} mm",
+                                1e3 * after.x(), 1e3 * after.y(), 1e3 * after.z(), 1e3 * before.x(), 1e3 * before.y(),
+                                1e3 * before.z()),
+            .fix = "change the mesh, not the part; `tumble stress SCENE --set ...` runs another part"};
     const auto move = [&](double time, std::vector<observe::WallPush>& pushes) -> std::optional<Problem> {
         for (observe::WallPush& push : pushes) {
             const auto moved = solid::moved_to(mesh, {0, push.foot, push.force}, push.normal);
@@ -98,6 +135,12 @@ Result<Recorded> read_remeshed(const fs::path& folder, const std::string& part, 
         if (const auto problem = move(mean.time, mean.pushes))
             return *problem;
     return recorded;
+}
+
+void keep_within(run::PartLoads& loads, double from, double to) {
+    const auto outside = [&](const auto& load) { return load.time < from || load.time > to; };
+    std::erase_if(loads.instants, outside);
+    std::erase_if(loads.means, outside);
 }
 
 std::string to_calculix(const Recorded& recorded, const std::vector<Eigen::Matrix3Xd>& cases,

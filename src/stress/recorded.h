@@ -28,17 +28,21 @@ Result<Recorded> specimen_in(scene::Scene scene, const std::string& part);
 /// Whether the folder holds loads.
 bool holds_loads(const std::filesystem::path& folder);
 
-/// scene.toml and the files of run::write_loads. Problems: the system's.
+/// scene.toml, part.txt with the specimen's name and the files of run::write_loads. Problems: the system's.
 Result<Done> write_recorded(const Recorded& recorded, const std::filesystem::path& folder);
-/// The same read again; `part` names the specimen where the scene has several. Problems: files that are missing or
-/// damaged.
+/// The same read again; `part` is the specimen that part.txt names, or empty. Problems: files that are missing or
+/// damaged, loads on another part.
 Result<Recorded> read_recorded(const std::filesystem::path& folder, const std::string& part);
 
 /// Instants and means of such a folder on another mesh: `sets` are keys of the specimen's wall, "around=120". Each
 /// contact moves to the nearest point of the new surface, those of the means, too, so that all that differs is the
-/// mesh. Problems: those of read_recorded and of the scene with its changes; a contact that finds no facet.
+/// mesh. Problems: those of read_recorded and of the scene with its changes; a part of another size; a contact that
+/// finds no facet.
 Result<Recorded> read_remeshed(const std::filesystem::path& folder, const std::string& part,
                                const std::vector<std::string>& sets);
+
+/// Leaves the instants, and the means whose window ends, from `from` to `to`, s.
+void keep_within(run::PartLoads& loads, double from, double to);
 
 /// The part with a step for every load case as CalculiX reads it.
 std::string to_calculix(const Recorded& recorded, const std::vector<Eigen::Matrix3Xd>& cases,

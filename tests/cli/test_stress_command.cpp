@@ -48,6 +48,18 @@ TEST_CASE("stress runs a scene, keeps its loads, solves them, and solves them ag
         ++steps;
     CHECK(steps == 6);
     CHECK(tumble_in(folder, {"export", "out/ball-stress", "--to", "calculix"}).code == 2); // is there already
+    const Outcome one = tumble_in(
+        folder, {"export", "out/ball-stress", "--to", "calculix", "--time", "0.09:0.11", "--out", "one.inp", "--json"});
+    REQUIRE_MESSAGE(one.code == 0, one.err);
+    CHECK(nlohmann::json::parse(one.out)["steps"] == 1);
+    const Outcome none =
+        tumble_in(folder, {"export", "out/ball-stress", "--to", "calculix", "--time", "7:8", "--out", "none.inp"});
+    CHECK(none.code == 2);
+    CHECK_MESSAGE(contains(none.err, "no load case within '7:8'"), none.err);
+
+    const Outcome other = tumble_in(folder, {"stress", "out/ball-stress", "--part", "floor", "--out", "other"});
+    CHECK(other.code == 2);
+    CHECK_MESSAGE(contains(other.err, "holds loads on 'part', not on 'floor'"), other.err);
 }
 
 TEST_CASE("stress goes on where it was stopped, and solves the same contacts on another mesh") {

@@ -124,6 +124,10 @@ TEST_CASE("the same contacts on another mesh load the part and its support alike
         CHECK((study->cases[c].force - coarse_study->cases[c].force).norm() < 1e-12);
         CHECK(study->cases[c].unbalance < 1e-10);
     }
+    CHECK(read_remeshed(folder.path, "", {"side_m=0.03"}).problems().at(0).what.find("another part: 30 x 50 x 30 mm") !=
+          std::string::npos);
+    CHECK(read_recorded(folder.path, "ball").problems().at(0).what.find("loads on 'part', not on 'ball'") !=
+          std::string::npos);
     CHECK(read_remeshed(folder.path, "", {"corner_cell=3"}).problems().at(0).what.find("corner_cell") !=
           std::string::npos);
 }

@@ -32,7 +32,7 @@ TEST_CASE("the generator of blind cases shares no line with the program it tests
 }
 
 TEST_CASE("on the solver: nothing hidden is nothing found") {
-    for (unsigned long long seed = 1; seed <= 6; ++seed) {
+    for (unsigned long long seed = 1; seed <= 5; ++seed) {
         Diagnosis diagnosis;
         const Order order{.kind = "null",
                           .effects = {},
@@ -79,7 +79,7 @@ TEST_CASE("sealed cases: five come to what they hide; the sixth, a low pass, is 
         const auto measurement = load_measurement(std::filesystem::path(TUMBLE_ROOT) / "scenes/measured/cases" /
                                                   sealed.number / "measurement.toml");
         REQUIRE_MESSAGE(measurement, to_string(measurement.problems()));
-        const auto diagnosis = diagnose(scene_of(sealed.bench), *measurement, on_the_solver);
+        const auto diagnosis = dg::diagnose(scene_of(sealed.bench), *measurement, on_the_solver);
         REQUIRE_MESSAGE(diagnosis, to_string(diagnosis.problems()));
         CHECK_MESSAGE(diagnosis->decision.outcome == sealed.outcome, verdict_of(*diagnosis));
         if (*sealed.hidden)

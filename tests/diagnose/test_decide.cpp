@@ -1,3 +1,4 @@
+#include "about.h"
 #include "base/rng.h"
 #include "diagnose/decide.h"
 
@@ -159,7 +160,7 @@ TEST_CASE("of noise hardly ever any direction stands out, however many are tried
     REQUIRE(!found.all.empty());
     CHECK(found.all[0].what == "4");
     CHECK(found.tried == 12);
-    CHECK(normal_tail(found.gate) == doctest::Approx(normal_tail(3) / 12).epsilon(1e-3));
+    CHECK(normal_tail(found.gate) == tumble::test::about(normal_tail(3) / 12, 1e-3));
     // A covariance known with six degrees of freedom: Student's t asks for more.
     evidence.degrees = 6;
     CHECK(follows(VectorXd::Zero(rows)).gate > 1.5 * found.gate);

@@ -1,6 +1,8 @@
-// Many load cases on the thesis' cylinder, or with prism=1 on its prism, from contacts to tables and files; with
-// ccx_cases=N the first N of them by CalculiX as well, which factorises anew for each. grow=1 solves meshes of growing
-// fineness and growing numbers of cases instead and prints how time and memory grow.
+// Many load cases from contacts to tables and files: on the thesis' cylinder with contacts spread over their patches
+// and with contacts at points, with ccx_cases=N the first N of them by CalculiX as well, which factorises anew for
+// each; on the thesis' prism, both ways; and on cylinders of growing fineness with growing numbers of cases.
+// only=NAME,... runs some of them: patches, points, prism, prism-points, grow. Each is a process of its own, so that
+// its processor time and its largest memory are its own.
 #include "base/child_process.h"
 #include "base/rng.h"
 #include "observe/whole_file.h"
@@ -11,10 +13,14 @@
 #include "stress/study_sheet.h"
 #include "support/arguments.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fmt/core.h>
+#include <functional>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 using namespace tumble;
 
@@ -124,14 +130,54 @@ stress::Study solved(const scene::SpecimenShape& specimen, const run::PartLoads&
     return std::move(*study);
 }
 
+struct Asked {
+    int cases = 0, each = 0, ccx_cases = 0;
+    double patch = 0, finer = 1; // m; times the thesis' numbers of hexahedra
+    stress::StudyOptions options{};
+    std::filesystem::path folder{};
+};
+
+std::string said(double patch) {
+    return patch > 0 ? fmt::format("patches of {:g} um", 1e6 * patch) : "points (patch_um=0)";
+}
+
+/// From the mesh to the files.
+void whole(const std::string& part, const Asked& asked, double patch) {
+    const auto begun = Clock::now();
+    const scene::SpecimenShape specimen = part == "prism" ? prism() : cylinder(asked.finer);
+    std::filesystem::create_directories(asked.folder);
+    const run::PartLoads loads = contacts(*specimen.mesh, asked.cases, asked.each, patch);
+    const double meshed = seconds_since(begun);
+    const stress::Study study = solved(specimen, loads, asked.options);
+    const auto writing = Clock::now();
+    if (const auto written = stress::write_study(study, specimen, asked.folder); !written)
+        bench::refuse(to_string(written.problems()));
+    const double written = seconds_since(writing), total = seconds_since(begun);
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    fmt::print("\n{}, {}: {} hexahedra, {} unknowns, {} load cases of {} contacts, {} threads\n", part, said(patch),
+               study.hexes, study.unknowns, asked.cases, asked.each, asked.options.threads);
+    fmt::print("mesh_s {:.3f} factorise_s {:.3f} load_s {:.3f} solve_s {:.3f} write_s {:.3f} total_s {:.3f}\n", meshed,
+               study.prepare_s, study.load_s, study.solve_s, written, total);
+    fmt::print("processor_s {:.3f} factor_entries {} factor_Gflop {:.2f} peak_MB {:.0f}\n",
+               static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec),
+               study.factor_entries, 1e-9 * study.factor_operations, peak_MB());
+    if (part == "cylinder" && patch > 0 && asked.ccx_cases > 0) {
+        const double ccx = by_calculix(specimen, loads, asked.ccx_cases, asked.folder);
+        fmt::print("ccx_s {:.3f} for {} cases, {:.3f} a case\n", ccx, asked.ccx_cases, ccx / asked.ccx_cases);
+    }
+}
+
 /// One line a mesh and number of cases; memory is what the program ever had, so meshes grow.
-void grow(int each, double patch, const stress::StudyOptions& options) {
+void grow(const Asked& asked) {
+    fmt::print("\ngrowth, {}, {} threads\n", said(asked.patch), asked.options.threads);
     fmt::print("{:>10} {:>9} {:>6} {:>12} {:>10} {:>12} {:>9} {:>9} {:>8}\n", "hexahedra", "unknowns", "cases",
                "entries", "Gflop", "factorise_s", "load_s", "solve_s", "peak_MB");
     for (const double finer : {0.5, 0.75, 1.0, 1.5, 2.0}) {
         const scene::SpecimenShape specimen = cylinder(finer);
         for (const int cases : finer == 1 ? std::vector{27, 54, 108, 216, 432} : std::vector{54}) {
-            const stress::Study study = solved(specimen, contacts(*specimen.mesh, cases, each, patch), options);
+            const stress::Study study =
+                solved(specimen, contacts(*specimen.mesh, cases, asked.each, asked.patch), asked.options);
             fmt::print("{:>10} {:>9} {:>6} {:>12} {:>10.2f} {:>12.3f} {:>9.3f} {:>9.3f} {:>8.0f}\n", study.hexes,
                        study.unknowns, cases, study.factor_entries, 1e-9 * study.factor_operations, study.prepare_s,
                        study.load_s, study.solve_s, peak_MB());
@@ -139,49 +185,51 @@ void grow(int each, double patch, const stress::StudyOptions& options) {
     }
 }
 
+/// The work in a process of its own; it ends as that does.
+template <class Work> void apart(const Work& work) {
+    std::fflush(stdout);
+    const pid_t child = fork();
+    if (child < 0)
+        bench::refuse("no further process");
+    if (child == 0) {
+        work();
+        std::fflush(stdout);
+        _exit(0);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    if (status != 0)
+        std::exit(WIFEXITED(status) ? WEXITSTATUS(status) : 1);
+}
+
 } // namespace
 
 int main(int count, char** words) {
     bench::Arguments arguments(count, words);
-    const auto cases = static_cast<int>(arguments.whole("cases", 216)),
-               each = static_cast<int>(arguments.whole("contacts", 40));
+    Asked asked;
+    asked.cases = static_cast<int>(arguments.whole("cases", 216));
+    asked.each = static_cast<int>(arguments.whole("contacts", 40));
+    asked.ccx_cases = static_cast<int>(arguments.whole("ccx_cases", 0));
     // Of 5 N between spheres of 9.5 mm as soft as the case studies' (docs/stress.md).
-    const double patch = 1e-6 * static_cast<double>(arguments.whole("patch_um", 820));
-    const auto ccx_cases = static_cast<int>(arguments.whole("ccx_cases", 0));
-    const bool growing = arguments.whole("grow", 0) != 0, prismatic = arguments.whole("prism", 0) != 0;
-    const auto finer = static_cast<double>(arguments.whole("finer", 1));
-    stress::StudyOptions options;
-    options.threads = static_cast<int>(arguments.whole("threads", 2));
-    options.formulation =
+    asked.patch = 1e-6 * static_cast<double>(arguments.whole("patch_um", 820));
+    asked.finer = static_cast<double>(arguments.whole("finer", 1));
+    asked.options.threads = static_cast<int>(arguments.whole("threads", 2));
+    asked.options.formulation =
         arguments.whole("standard", 0) != 0 ? fem::Formulation::standard : fem::Formulation::incompatible;
-    const std::filesystem::path folder = arguments.text("folder", "out/bench-stress");
+    asked.folder = arguments.text("folder", "out/bench-stress");
+    const auto only = arguments.words("only");
     arguments.finish();
-    if (growing) {
-        grow(each, patch, options);
-        return 0;
-    }
-    const auto begun = Clock::now();
-    const scene::SpecimenShape specimen = prismatic ? prism() : cylinder(finer);
-    std::filesystem::create_directories(folder);
-    const run::PartLoads loads = contacts(*specimen.mesh, cases, each, patch);
-    const double meshed = seconds_since(begun);
-    const stress::Study study = solved(specimen, loads, options);
-    const auto writing = Clock::now();
-    if (const auto written = stress::write_study(study, specimen, folder); !written)
-        bench::refuse(to_string(written.problems()));
-    const double written = seconds_since(writing), total = seconds_since(begun);
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    fmt::print("{} hexahedra, {} unknowns, {} load cases, {} threads\n", study.hexes, study.unknowns, cases,
-               options.threads);
-    fmt::print("mesh_s {:.3f} factorise_s {:.3f} load_s {:.3f} solve_s {:.3f} write_s {:.3f} total_s {:.3f}\n", meshed,
-               study.prepare_s, study.load_s, study.solve_s, written, total);
-    fmt::print("processor_s {:.3f} factor_entries {} factor_Gflop {:.2f} peak_MB {:.0f}\n",
-               static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec),
-               study.factor_entries, 1e-9 * study.factor_operations, peak_MB());
-    if (ccx_cases > 0) {
-        const double ccx = by_calculix(specimen, loads, ccx_cases, folder);
-        fmt::print("ccx_s {:.3f} for {} cases, {:.3f} a case\n", ccx, ccx_cases, ccx / ccx_cases);
-    }
+    const std::vector<std::pair<std::string, std::function<void()>>> all{
+        {"patches", [&] { whole("cylinder", asked, asked.patch); }},
+        {"points", [&] { whole("cylinder", asked, 0); }},
+        {"prism", [&] { whole("prism", asked, asked.patch); }},
+        {"prism-points", [&] { whole("prism", asked, 0); }},
+        {"grow", [&] { grow(asked); }}};
+    for (const std::string& name : only)
+        if (std::none_of(all.begin(), all.end(), [&](const auto& one) { return one.first == name; }))
+            bench::refuse("only=" + name + ": there are patches, points, prism, prism-points and grow");
+    for (const auto& [name, work] : all)
+        if (only.empty() || std::find(only.begin(), only.end(), name) != only.end())
+            apart(work);
     return 0;
 }

@@ -11,8 +11,10 @@ namespace tumble::observe {
 
 /// The mean of the pushes of many steps, at few places. Bodies roll and slide, so that no two steps push at the same
 /// foot; each triangle has a lattice, and a push counts at the three points of it about its foot, with shares that keep
-/// force and moment. A lattice is no wider than half the push's patch, which widens the mean's patch by a tenth at
-/// most.
+/// force and moment. A lattice's cell is at most half the push's patch a wide, but no finer than a 64th of the
+/// triangle's side, so that patches below a 32nd of that are widened more. Variances add up: Hertz' pressure has a^2 /
+/// 5 along each axis of the surface, a cell of width h and a right angle h^2 / 4 at most (h^2 / 6 in the mean), and h^2
+/// / 2 along its diagonal: h = a / 2 widens by 15 %, 10 % and 27 %.
 class MeanPushes {
 public:
     explicit MeanPushes(const std::vector<std::array<Eigen::Vector3d, 3>>& triangles);

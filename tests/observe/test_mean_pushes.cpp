@@ -2,6 +2,8 @@
 #include "base/rng.h"
 #include "observe/mean_pushes.h"
 
+#include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
 
@@ -77,7 +79,7 @@ TEST_CASE("the mean of many steps has their force and moment to rounding, at pla
 TEST_CASE("a body that rolls along a facet presses on its whole path, hardly wider than its patch") {
     // Along the middle line z = 1 mm from x = 2 to 6 mm: pressed evenly, so that the mean of x is 4 mm and its variance
     // that of the path, (4 mm)^2 / 12, and of the lattice, whose side of at most half the patch adds a sixth of its
-    // square at most to each direction: (0.5 a)^2 / 6 = 0.04 a^2, where Hertz' pressure itself has 0.2 a^2.
+    // square in the mean over a path: (0.5 a)^2 / 6 = 0.04 a^2, where Hertz' pressure itself has 0.2 a^2.
     const double a = 0.0008;
     MeanPushes means(triangles);
     const int steps = 4001;
@@ -110,6 +112,70 @@ TEST_CASE("a body that rolls along a facet presses on its whole path, hardly wid
     CHECK(x2 - x1 * x1 < 0.004 * 0.004 / 12 * 1.001 + widened);
     CHECK(z2 - z1 * z1 < widened);
     CHECK(found.size() < 200); // of 4001 steps
+}
+
+namespace {
+
+/// Variances of where one push counts: along x, along z, and along the direction in which it is largest.
+std::array<double, 3> widened(const std::vector<std::array<Vector3d, 3>>& on, const WallPush& push) {
+    MeanPushes means(on);
+    means.take({push});
+    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+    for (const WallPush& mean : means.finish()) {
+        const Eigen::Vector2d off(mean.foot.x() - push.foot.x(), mean.foot.z() - push.foot.z());
+        spread += mean.force.norm() / push.force.norm() * off * off.transpose();
+    }
+    return {spread(0, 0), spread(1, 1), Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvalues()[1]};
+}
+
+} // namespace
+
+TEST_CASE("at its worst place a cell widens a patch by 15 percent along its sides and by 27 along its diagonal") {
+    // Linear shares at distances u and h - u from two points have the variance u (h - u), h^2 / 4 in the middle; in the
+    // middle of the diagonal, h sqrt(2) long, h^2 / 2. With h = a / 2 that is 1 / 16 and 1 / 8 of a^2 beside Hertz' 1 /
+    // 5: sqrt(1.3125) = 1.146 and sqrt(1.625) = 1.275.
+    const double a = 0.0008, h = a / 2;
+    const std::vector<std::array<Vector3d, 3>> half{{Vector3d(0, 0, 0), Vector3d(0, 0, 8 * h), Vector3d(8 * h, 0, 0)}};
+    const auto at = [&](double x, double z) {
+        WallPush push;
+        push.foot = Vector3d(x, 0, z);
+        push.normal = Vector3d::UnitY();
+        push.force = Vector3d(0, -3, 0);
+        push.patch = a;
+        return widened(half, push);
+    };
+    CHECK(at(2.5 * h, h)[0] == about(h * h / 4, 1e-9));
+    CHECK(at(2.5 * h, h)[2] == about(h * h / 4, 1e-9));
+    CHECK(at(2 * h, 1.5 * h)[1] == about(h * h / 4, 1e-9));
+    CHECK(at(1.5 * h, 2.5 * h)[2] == about(h * h / 2, 1e-9));
+    CHECK(at(2 * h, 3 * h)[2] < 1e-9 * h * h); // at a point of the lattice
+    Rng rng(3);
+    double most = 0, aslant = 0;
+    for (int k = 0; k < 5000; ++k) {
+        const double x = rng.uniform() * 8 * h, z = rng.uniform() * (8 * h - x);
+        const auto [along, across, largest] = at(x, z);
+        most = std::max({most, along, across});
+        aslant = std::max(aslant, largest);
+    }
+    CHECK(most < h * h / 4 * (1 + 1e-9));
+    CHECK(most > h * h / 4 * 0.98);
+    CHECK(aslant < h * h / 2 * (1 + 1e-9));
+    CHECK(aslant > h * h / 2 * 0.98);
+}
+
+TEST_CASE("a patch below a 32nd of its triangle's side counts at a 64th of it") {
+    const std::vector<std::array<Vector3d, 3>> large{{Vector3d(0, 0, 0), Vector3d(0, 0, 0.008), Vector3d(0.008, 0, 0)}};
+    const double h = 0.008 / 64;
+    WallPush push;
+    push.foot = Vector3d(20.5 * h, 0, 7 * h);
+    push.normal = Vector3d::UnitY();
+    push.force = Vector3d(0, -1, 0);
+    for (const double patch : {1e-5, 1e-4, 2 * h}) {
+        push.patch = patch;
+        CHECK(widened(large, push)[0] == about(h * h / 4, 1e-9));
+    }
+    push.patch = 4 * h; // cells of 2 h: the foot is a quarter of one from a point
+    CHECK(widened(large, push)[0] == about(0.25 * 0.75 * 4 * h * h, 1e-9));
 }
 
 } // namespace test_mean_pushes

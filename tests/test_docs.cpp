@@ -13,6 +13,7 @@
 #include <regex>
 #include <set>
 #include <string>
+#include <unistd.h>
 #include <vector>
 
 namespace fs = std::filesystem;
@@ -240,7 +241,7 @@ TEST_CASE("README's scene is complete: the program takes it as it is printed") {
     for (const auto& [language, text] : read_page(root / "README.md").snippets) {
         if (language != "toml")
             continue;
-        const fs::path file = fs::temp_directory_path() / "tumble-readme-scene.toml";
+        const fs::path file = fs::temp_directory_path() / ("tumble-readme-scene-" + std::to_string(getpid()) + ".toml");
         std::ofstream(file) << text;
         CHECK(exit_code_of(fmt::format("check '{}'", file.string())) == 0);
         fs::remove(file);
@@ -251,7 +252,7 @@ TEST_CASE("README's scene is complete: the program takes it as it is printed") {
 
 TEST_CASE("docs/first-scene.md: its scene is taken as it is printed, and every command runs") {
     const fs::path page = root / "docs" / "first-scene.md";
-    const fs::path folder = fs::temp_directory_path() / "tumble-first-scene";
+    const fs::path folder = fs::temp_directory_path() / ("tumble-first-scene-" + std::to_string(getpid()));
     fs::remove_all(folder);
     fs::create_directory(folder);
     for (const auto& [language, text] : read_page(page).snippets)

@@ -226,7 +226,7 @@ void add_diagnose_command(CLI::App& program, Action& action) {
         ->type_name("FILE")
         ->check(refuse_no_place);
     command->add_flag("--old-runs", arguments->old_runs,
-                      "Of a bed: count kept runs whatever version of the program and of the scene made them");
+                      "Of a bed: count kept runs of this scene whatever version of the program made them");
     command->add_flag("--dry-run", arguments->dry, "Of a bed: say what there is to run, and run nothing");
     command->add_flag("--plan", arguments->plan,
                       "Propose experiments also where the answer is not ambiguous; of a bed, run those that need runs");

@@ -14,6 +14,7 @@ namespace {
 constexpr std::uint64_t confirming_seeds = 1000; // after the scene's: none that the table has
 constexpr double confirmed = 0.005;              // least p of runs that bear out the table
 constexpr double contradicted = 2;               // factor between stated and simulated scatter
+constexpr double negligible = 1e-6;              // of a cause's range
 
 /// In three digits, so that data which change a little find their runs again.
 double rounded(double value) {
@@ -63,10 +64,29 @@ public:
         }
         d_.simulated = beds.simulated();
         d_.runs = beds.runs();
+        tell_of_old_runs();
         return std::move(d_);
     }
 
 private:
+    void tell_of_old_runs() {
+        d_.old_runs = beds_->old_runs();
+        if (d_.old_runs > 0)
+            d_.warnings.push_back(
+                {.file = measurement_.file.string(),
+                 .key = "old runs",
+                 .what = fmt::format(
+                     "{} of the runs that count were made by another version of the program (--old-runs)", d_.old_runs),
+                 .fix = "without --old-runs they are made anew"});
+        if (const int aside = beds_->left_aside(); aside > 0)
+            d_.warnings.push_back({.file = measurement_.file.string(),
+                                   .key = "runs left aside",
+                                   .what = fmt::format("{} of the runs kept are of another scene, or their table does "
+                                                       "not say of which",
+                                                       aside),
+                                   .fix = "nothing: they were made anew; old runs of a changed scene never count"});
+    }
+
     void tell(const std::string& stage) const {
         if (tell_)
             tell_(stage);
@@ -104,7 +124,8 @@ private:
             seen.amplitudes.push_back(rounded(best.amplitude[static_cast<Eigen::Index>(k)]));
             pushes.push_back({&d_.causes[static_cast<std::size_t>(best.causes[k])], seen.amplitudes.back()});
         }
-        const BedModel::Adjusted innocent = model_->adjusted(best.causes, best.amplitude);
+        BedModel::Adjusted innocent = model_->adjusted(best.causes, best.amplitude);
+        const std::vector<double> adjusted = push_innocents(pushes, innocent);
         const double both = 2.0 / beds_->seeds();
         double apart = 0;
         std::vector<Score> scores;
@@ -130,7 +151,8 @@ private:
                                   chi_square(now.measured_of(now.mean) + innocent_part(now, baseline_)),
                                   chi_square(shown)});
             else
-                apart += whitened(both * now.simulated_covariance(), mean - foretold(now, best, seen)).squaredNorm();
+                apart += whitened(both * now.simulated_covariance(), mean - foretold(now, best, seen, adjusted))
+                             .squaredNorm();
         }
         seen.p = std::isfinite(apart) ? hotelling_tail(apart, d_.readings, d_.evidence.degrees) : 0;
         if (seen.p < confirmed && d_.decision.sure) {
@@ -142,15 +164,47 @@ private:
             d_.decision.remedy = "Run more seeds (--seeds), or start from a scene nearer to the bed measured.";
         }
         d_.confirmation = seen;
-        extend(pushes, innocent);
+        extend(pushes);
         measure_gain(std::move(scores));
         return {};
     }
 
-    [[nodiscard]] static VectorXd foretold(const BedCondition& now, const Refit& best, const Confirmation& seen) {
+    /// Adds what is innocent to what is run, where it fits best and within what is plausible, and leaves of the
+    /// adjustment only what no run can hold: zeros of measures. What was added of each, 0 of those.
+    std::vector<double> push_innocents(Pushes& pushes, BedModel::Adjusted& innocent) {
+        std::vector<double> added(model_->innocents().size(), 0);
+        for (std::size_t n = 0; n < added.size(); ++n) {
+            const Cause* cause = model_->cause_of(model_->innocents()[n]);
+            if (!cause)
+                continue;
+            double& value = innocent.value[static_cast<Eigen::Index>(n)];
+            const double plausible = std::clamp(value, cause->lo, cause->hi);
+            if (std::abs(value - plausible) > negligible * (cause->hi - cause->lo))
+                d_.warnings.push_back(
+                    {.file = measurement_.file.string(),
+                     .key = "innocent cause out of range",
+                     .what = fmt::format("{} would fit best at {:.3g}, beyond the {:g} to {:g} that were run",
+                                         cause->id, value, cause->lo, cause->hi),
+                     .fix = fmt::format("it is {:.3g} in what is run and written; ask whether it is innocent, or state "
+                                        "what is known of it (spread)",
+                                        plausible)});
+            value = 0; // the runs have it
+            if (std::abs(plausible) <= negligible * (cause->hi - cause->lo))
+                continue;
+            added[n] = std::clamp(rounded(plausible), cause->lo, cause->hi);
+            pushes.push_back({cause, added[n]});
+        }
+        return added;
+    }
+
+    [[nodiscard]] VectorXd foretold(const BedCondition& now, const Refit& best, const Confirmation& seen,
+                                    const std::vector<double>& adjusted) const {
         VectorXd all = now.mean;
         for (std::size_t k = 0; k < best.causes.size(); ++k)
             all += now.branches[static_cast<std::size_t>(best.causes[k])].change(seen.amplitudes[k]);
+        for (std::size_t n = 0; n < adjusted.size(); ++n)
+            if (adjusted[n] != 0)
+                all += now.branches[model_->innocents()[n].branch].change(adjusted[n]);
         return now.measured_of(all);
     }
 
@@ -164,18 +218,13 @@ private:
             d_.gain = gain_of(std::move(aside), held_out);
     }
 
-    /// The scene as it is written, with the causes in it and those that are innocent where they fit best.
-    void extend(const Pushes& pushes, const BedModel::Adjusted& innocent) {
+    /// The scene as it is written, with the causes in it and those that are innocent.
+    void extend(const Pushes& pushes) {
         auto scene = scene::load_scene_text(scene_.toml, scene_.file, scene_.sets);
         if (!scene)
             return;
         for (const Push& push : pushes)
             push.cause->extend(*scene, push.amplitude);
-        for (std::size_t n = 0; n < model_->innocents().size(); ++n)
-            if (const Innocent& one = model_->innocents()[n]; one.measure.empty())
-                choose_causes({one.name}, Data::beds)
-                    ->front()
-                    .extend(*scene, innocent.value[static_cast<Eigen::Index>(n)]);
         d_.extended = std::move(*scene);
     }
 
@@ -183,7 +232,7 @@ private:
     [[nodiscard]] VectorXd innocent_part(const BedCondition& now, const BedModel::Adjusted& innocent) const {
         if (innocent.value.size() == 0)
             return VectorXd::Zero(static_cast<Eigen::Index>(now.columns.size()));
-        return model_->innocent_slopes(now) * innocent.value;
+        return innocent_slopes(now, model_->innocents()) * innocent.value;
     }
 
     void fill_nuisances() {
@@ -251,11 +300,11 @@ Result<Budget> budget_of_beds(const SceneText& scene, const Measurement& measure
     const auto beds = Beds::make(scene, measurement.bulks, {}, options);
     if (!beds)
         return beds.problems();
-    std::vector<Cause> causes = suspects_in(measurement);
+    std::vector<Cause> innocent;
     for (const Nuisance& nuisance : measurement.nuisances)
         if (!nuisance.cause.empty())
-            causes.push_back(choose_causes({nuisance.cause}, Data::beds)->front());
-    return BedModel::budget(*beds, measurement.bulks, causes);
+            innocent.push_back(choose_causes({nuisance.cause}, Data::beds)->front());
+    return BedModel::budget(*beds, measurement.bulks, suspects_in(measurement), innocent);
 }
 
 } // namespace tumble::diagnose

@@ -42,13 +42,13 @@ VectorXd BedModel::misfit() const {
     return stacked([](const BedCondition& now) { return VectorXd(now.values() - now.measured_of(now.mean)); });
 }
 
-MatrixXd BedModel::innocent_slopes(const BedCondition& now) const {
+MatrixXd innocent_slopes(const BedCondition& now, const std::vector<Innocent>& innocents) {
     const auto numbers = static_cast<Eigen::Index>(now.columns.size());
-    MatrixXd all = MatrixXd::Zero(numbers, static_cast<Eigen::Index>(innocents_.size()));
-    for (std::size_t n = 0; n < innocents_.size(); ++n) {
-        const Innocent& one = innocents_[n];
+    MatrixXd all = MatrixXd::Zero(numbers, static_cast<Eigen::Index>(innocents.size()));
+    for (std::size_t n = 0; n < innocents.size(); ++n) {
+        const Innocent& one = innocents[n];
         const auto column = static_cast<Eigen::Index>(n);
-        if (one.measure.empty() && !now.branches.empty())
+        if (one.measure.empty())
             all.col(column) = now.measured_of(now.branches[one.branch].slope(0));
         for (Eigen::Index k = 0; k < numbers; ++k)
             if (now.measured.numbers[static_cast<std::size_t>(k)].measure == one.measure &&
@@ -63,7 +63,8 @@ MatrixXd BedModel::nuisances() const {
     MatrixXd all(misfit().size(), static_cast<Eigen::Index>(innocents_.size()));
     Eigen::Index prior = all.rows() - priors;
     for (Eigen::Index n = 0; n < all.cols(); ++n) {
-        all.col(n) = stacked([&](const BedCondition& now) { return VectorXd(innocent_slopes(now).col(n)); });
+        all.col(n) =
+            stacked([&](const BedCondition& now) { return VectorXd(innocent_slopes(now, innocents_).col(n)); });
         if (const double spread = innocents_[static_cast<std::size_t>(n)].spread; spread > 0)
             all(prior++, n) = 1 / spread;
     }

@@ -101,15 +101,21 @@ void BedModel::take_as_innocent(const Nuisance& nuisance, const std::vector<Bulk
     }
 }
 
-Budget BedModel::budget(const Beds& beds, const std::vector<Bulk>& conditions, const std::vector<Cause>& causes) {
+Budget BedModel::budget(const Beds& beds, const std::vector<Bulk>& conditions, const std::vector<Cause>& causes,
+                        const std::vector<Cause>& innocent_causes) {
     Budget budget;
     for (std::size_t c = 0; c < conditions.size(); ++c) {
         const auto condition = static_cast<int>(c);
+        const auto charge_all = [&](const std::vector<Cause>& some) {
+            for (const Cause& cause : some)
+                for (const double amplitude : amplitudes_for(cause))
+                    if (!beds.idle(condition, {{&cause, amplitude}}))
+                        beds.charge(budget, condition, {{&cause, amplitude}});
+        };
         beds.charge(budget, condition, {});
-        for (const Cause& cause : conditions[c].held_out ? std::vector<Cause>{} : causes)
-            for (const double amplitude : amplitudes_for(cause))
-                if (!beds.idle(condition, {{&cause, amplitude}}))
-                    beds.charge(budget, condition, {{&cause, amplitude}});
+        if (!conditions[c].held_out)
+            charge_all(causes);
+        charge_all(innocent_causes);
     }
     return budget;
 }
@@ -142,10 +148,11 @@ Result<BedCondition> BedModel::run_condition(int condition, const Bulk& bulk, co
     now.baseline = std::move(*baseline);
     now.mean = mean_of(now.baseline);
     std::vector<Ensemble> all{now.baseline};
-    for (std::size_t k = 0; k < branches() && !bulk.held_out; ++k) {
+    for (std::size_t k = 0; k < branches(); ++k) {
         const Cause& cause = run_as(k);
-        auto branch = wanted[k] ? run_cause(condition, cause, now, all, warnings)
-                                : Branch::flat(now.mean.size(), cause.lo, cause.hi);
+        const bool is_run = wanted[k] && (!bulk.held_out || k >= causes_.size());
+        auto branch = is_run ? run_cause(condition, cause, now, all, warnings)
+                             : Branch::flat(now.mean.size(), cause.lo, cause.hi);
         if (!branch)
             return branch.problems();
         now.branches.push_back(std::move(*branch));
@@ -217,15 +224,13 @@ void BedModel::forget_what_is_chance() {
     for (std::size_t k = 0; k < branches(); ++k) {
         const bool acts = chance_of(k) < chance;
         for (BedCondition& now : conditions_) {
-            if (now.measured.held_out)
-                continue;
             Branch& branch = now.branches[k];
             if (!acts)
                 branch = Branch::flat(branch.first.size(), branch.lo, branch.hi);
-            else if (k < causes_.size() &&
-                     now.measured_of(branch.first).norm() + now.measured_of(branch.second).norm() > 0) {
-                causes_[k].lo = std::max(causes_[k].lo, branch.lo);
-                causes_[k].hi = std::min(causes_[k].hi, branch.hi);
+            else if (now.measured_of(branch.first).norm() + now.measured_of(branch.second).norm() > 0) {
+                Cause& cause = k < causes_.size() ? causes_[k] : innocent_causes_[k - causes_.size()];
+                cause.lo = std::max(cause.lo, branch.lo);
+                cause.hi = std::min(cause.hi, branch.hi);
             }
         }
     }

@@ -11,9 +11,10 @@ struct BedCondition {
     Bulk measured;
     std::vector<int> columns; // of each number measured
     Ensemble baseline;
-    std::vector<Branch> branches; // of each cause, then of the innocent ones, all columns; none where it is held out
-    Scatter scatter;              // of single runs, all columns
-    VectorXd mean;                // of the baseline
+    std::vector<Branch>
+        branches;    // of each cause, then of the innocent ones, all columns; held out: of the innocent ones alone
+    Scatter scatter; // of single runs, all columns
+    VectorXd mean;   // of the baseline
 
     /// The numbers measured out of all columns.
     [[nodiscard]] VectorXd measured_of(const VectorXd& all) const;
@@ -38,12 +39,15 @@ struct Innocent {
     std::string condition{}; // the only one it acts on; empty: all
 };
 
+/// Change of a condition's measured numbers per unit of each of these.
+MatrixXd innocent_slopes(const BedCondition& now, const std::vector<Innocent>& innocents);
+
 /// Beds as decide() takes them: baseline, directions of causes, refits between the amplitudes that were run.
 class BedModel {
 public:
-    /// Runs what is missing. `causes` keep of their range what was run. Conditions held out get a baseline only.
-    /// Causes among the nuisances are run as the others are. Problems: a baseline that cannot be run, or in which a
-    /// measured number has no meaning.
+    /// Runs what is missing. `causes` keep of their range what was run. Conditions held out get a baseline, and
+    /// the causes among the nuisances, which are run as the others are. Problems: a baseline that cannot be run, or in
+    /// which a measured number has no meaning.
     static Result<BedModel> make(Beds& beds, const std::vector<Bulk>& conditions, std::vector<Cause> causes,
                                  const std::vector<Nuisance>& nuisances, Problems& warnings);
 
@@ -51,7 +55,8 @@ public:
     [[nodiscard]] Result<BedCondition> planned(int condition, const Bulk& bulk, const std::vector<int>& causes) const;
 
     /// What make() would run.
-    static Budget budget(const Beds& beds, const std::vector<Bulk>& conditions, const std::vector<Cause>& causes);
+    static Budget budget(const Beds& beds, const std::vector<Bulk>& conditions, const std::vector<Cause>& causes,
+                         const std::vector<Cause>& innocent_causes);
 
     [[nodiscard]] Evidence evidence() const;
     /// By least squares between the amplitudes that were run.
@@ -70,8 +75,10 @@ public:
         VectorXd value, error;
     };
     [[nodiscard]] Adjusted adjusted(const std::vector<int>& causes, const VectorXd& amplitudes) const;
-    /// Change of a condition's measured numbers per unit of each innocent.
-    [[nodiscard]] MatrixXd innocent_slopes(const BedCondition& now) const;
+    /// The cause that this one is; null for the zero of a measure.
+    [[nodiscard]] const Cause* cause_of(const Innocent& one) const {
+        return one.measure.empty() ? &run_as(one.branch) : nullptr;
+    }
 
 private:
     [[nodiscard]] const Cause& run_as(std::size_t branch) const {

@@ -126,9 +126,22 @@ private:
         return sum;
     }
 
+    /// What is innocent, with a zero of its own for a condition that is only planned, where each has one.
+    [[nodiscard]] std::vector<Innocent> innocents_of(const Question& question) const {
+        std::vector<Innocent> all = model_.innocents();
+        for (const BedCondition* now : question.conditions)
+            if (std::find(fitted_.begin(), fitted_.end(), now) == fitted_.end())
+                for (const Innocent& one : model_.innocents())
+                    if (one.condition == fitted_[0]->measured.condition) {
+                        all.push_back(one);
+                        all.back().condition = now->measured.condition;
+                    }
+        return all;
+    }
+
     /// Standard errors between two rivals, were this measured in as many runs, when what is innocent is adjusted.
     [[nodiscard]] double apart(const Question& question, const Rival& a, const Rival& b) const {
-        const std::vector<Innocent>& innocents = model_.innocents();
+        const std::vector<Innocent> innocents = innocents_of(question);
         std::vector<VectorXd> rows; // the difference, then a slope for each innocent
         for (const BedCondition* one : question.conditions) {
             BedCondition now = *one;
@@ -139,7 +152,7 @@ private:
             }
             MatrixXd part(static_cast<Eigen::Index>(now.columns.size()),
                           1 + static_cast<Eigen::Index>(innocents.size()));
-            part << now.measured_of(change_of(now, a) - change_of(now, b)), model_.innocent_slopes(now);
+            part << now.measured_of(change_of(now, a) - change_of(now, b)), innocent_slopes(now, innocents);
             if (!part.allFinite())
                 return 0;
             const MatrixXd covariance = now.covariance(beds_.seeds());

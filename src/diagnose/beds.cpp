@@ -119,18 +119,27 @@ BedRun Beds::plan(int condition, const Pushes& pushes, std::uint64_t seed) const
     const scene::Stretch now = stretch(condition);
     Hash64 hash;
     hash.add(scene::to_toml(scene)).add(now.from).add(now.until).add(options_.version);
+    Hash64 words; // of the scene as it is written: what programs make of it may differ
+    const Bulk& bulk = conditions_[static_cast<std::size_t>(condition)];
+    words.add(text_.toml).add(now.from).add(now.until);
+    for (const scene::Override& set : text_.sets)
+        words.add(set.text).add("\n");
+    for (const std::string& set : bulk.sets)
+        words.add(set).add("\n");
     return {.run = hash.hex(),
-            .condition = conditions_[static_cast<std::size_t>(condition)].condition,
+            .condition = bulk.condition,
             .cause = label_of(pushes),
             .amplitude = amplitudes_of(pushes),
             .seed = scene.seed,
             .from = now.from,
             .until = now.until,
+            .scene = words.hex(),
             .means = {}};
 }
 
 const BedRun* Beds::kept(const BedRun& run) const {
-    return options_.any_date ? table_.find(run) : table_.find(run.run);
+    const BedRun* dated = table_.find(run.run);
+    return dated || !options_.any_date ? dated : table_.find(run);
 }
 
 bool Beds::idle(int condition, const Pushes& pushes) const {
@@ -178,8 +187,11 @@ Result<Ensemble> Beds::ensemble(int condition, const Pushes& pushes, std::uint64
         const std::uint64_t seed = later_seeds + static_cast<std::uint64_t>(nth);
         BedRun run = plan(condition, pushes, seed);
         if (const BedRun* known = kept(run)) {
+            if (known->run != run.run)
+                old_.insert(known->run);
             run = *known;
         } else {
+            left_aside_ += options_.any_date && table_.has_of_another_scene(run) ? 1 : 0;
             perform(scene_of(condition, pushes, seed), run);
             if (const auto written = table_.add(run); !written)
                 return written.problems();

@@ -5,13 +5,15 @@
 #include "diagnose/response_table.h"
 #include "scene/settled.h"
 
+#include <set>
+
 namespace tumble::diagnose {
 
 struct BedOptions {
     std::filesystem::path table; // what was run is kept there; empty: nowhere
     int seeds = 4;               // runs of each bed, from the scene's seed on
     std::string version{};       // of the program that runs
-    bool any_date = false;       // runs count whatever program and scene made them: a table that is kept for tests
+    bool any_date = false;       // runs count whatever program made them, of the same scene
     bool plan = false;           // propose experiments also where the answer is not ambiguous, and run them for that
 };
 
@@ -56,6 +58,9 @@ public:
     [[nodiscard]] int seeds() const { return options_.seeds; }
     [[nodiscard]] int runs() const { return runs_; }
     [[nodiscard]] double simulated() const { return simulated_; } // s
+    /// Runs that counted though another program made them, and those that were run anew because of their scene.
+    [[nodiscard]] int old_runs() const { return static_cast<int>(old_.size()); }
+    [[nodiscard]] int left_aside() const { return left_aside_; }
     /// Why the last run broke down that did.
     [[nodiscard]] const Problems& failure() const { return failure_; }
 
@@ -75,6 +80,8 @@ private:
     BedOptions options_;
     ResponseTable table_;
     Problems failure_;
+    std::set<std::string> old_; // dates of those
+    int left_aside_ = 0;
     int runs_ = 0;
     double simulated_ = 0; // s
 };

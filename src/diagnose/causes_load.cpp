@@ -1,5 +1,6 @@
 #include "diagnose/cause_families.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -29,15 +30,25 @@ scene::BodyTemplate scaled(scene::BodyTemplate body, double factor, int dimensio
     return body;
 }
 
-/// Every fill in thirds, of larger bodies, of those as written and of smaller ones; the large ones come first, while
-/// there is most room. (-1, 0, 1) sqrt(3/2) has a standard deviation of 1.
+/// A body that was placed, and two that cannot be parted in three, stay as they are: a sensor among the bodies does.
+bool can_be_parted(const scene::Fill& fill) {
+    return !fill.position && fill.count.value_or(3) >= 3;
+}
+
+/// Fills in thirds, of larger bodies, of middling and of smaller ones, so large that the volume of all stays; the large
+/// ones come first, while there is most room. (-1, 0, 1) sqrt(3/2) has a standard deviation of 1.
 void spread_sizes(Scene& scene, double deviation) {
+    if (deviation == 0 || std::none_of(scene.fills.begin(), scene.fills.end(), can_be_parted))
+        return;
     const double apart = std::sqrt(1.5) * deviation;
-    const std::pair<double, const char*> sizes[] = {{1 + apart, "_larger"}, {1, ""}, {1 - apart, "_smaller"}};
+    double volumes = 0; // of three bodies whose mean size is 1
+    for (const double size : {1 + apart, 1.0, 1 - apart})
+        volumes += std::pow(size, scene.dimension);
+    const double middle = std::pow(volumes / 3, -1.0 / scene.dimension), smallest = (1 - apart) * middle;
+    const std::pair<double, const char*> sizes[] = {
+        {(1 + apart) * middle, "_larger"}, {middle, "_middle"}, {smallest, "_smaller"}};
     std::map<std::pair<int, double>, int> known; // templates by what they are made of, and how large
     const auto of_size = [&](int body, double factor, const char* mark) {
-        if (factor == 1)
-            return body;
         const auto [found, added] = known.try_emplace({body, factor}, static_cast<int>(scene.bodies.size()));
         if (added) {
             scene.bodies.push_back(scaled(scene.bodies[static_cast<std::size_t>(body)], factor, scene.dimension));
@@ -45,29 +56,26 @@ void spread_sizes(Scene& scene, double deviation) {
         }
         return found->second;
     };
-    double masses = 0;
-    for (const auto& size : sizes)
-        masses += std::pow(size.first, scene.dimension);
     std::vector<scene::Fill> fills;
     for (const scene::Fill& fill : scene.fills) {
-        std::int64_t given = 0, nth = 0;
+        if (!can_be_parted(fill)) {
+            fills.push_back(fill);
+            continue;
+        }
         for (const auto& [factor, mark] : sizes) {
             scene::Fill part = fill;
-            part.body = fill.position ? fill.body : of_size(fill.body, factor, mark);
-            if (fill.count) {
-                part.count = *fill.count * ++nth / 3 - given;
-                given += *part.count;
-            }
+            part.body = of_size(fill.body, factor, mark);
+            if (fill.count) // what three do not divide is of the middle size
+                part.count = factor == middle ? *fill.count - 2 * (*fill.count / 3) : *fill.count / 3;
             if (fill.mass)
-                *part.mass *= std::pow(factor, scene.dimension) / masses;
-            if (!fill.count || *part.count > 0)
-                fills.push_back(std::move(part));
+                *part.mass *= std::pow(factor, scene.dimension) / 3;
+            fills.push_back(std::move(part));
         }
     }
     scene.fills = std::move(fills);
     // The smallest bear the shortest steps: as their radius with springs of Hertz or of discs, as its power 3/2 with
     // linear ones.
-    scene.time_step *= std::pow(1 - apart, scene.dimension / 2.0);
+    scene.time_step *= std::pow(smallest, scene.dimension / 2.0);
 }
 
 } // namespace
@@ -105,7 +113,9 @@ std::vector<Cause> of_the_load() {
          .name = "bodies that are not all of one size",
          .look =
              "packs denser and lies lower; the small ones sink through in time, and what has formed rows loses them",
-         .keys = "body.* and fill.*: a third each larger, as written and smaller; time_step_s with the smallest",
+         .keys =
+             "body.* and fill.*: a third each larger, middling and smaller, of the same volume; time_step_s with the "
+             "smallest",
          .extend = spread_sizes},
     };
 }

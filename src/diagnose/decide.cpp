@@ -17,8 +17,8 @@ constexpr double least_share = 0.005;  // of an effect that nuisances must leave
 constexpr double pair_gate_extra = 2;  // chi-square a pair must reach beyond the gate
 constexpr double pair_adequacy = 0.05; // a pair explains more by chance, so it must fit better
 constexpr std::size_t most_pairs_fitted = 6;
-constexpr double least_left = 1e-3;  // of a direction that a fit has nearly used up
-constexpr double least_followed = 3; // standard errors
+constexpr double least_left = 1e-3;           // of a direction that a fit has nearly used up
+constexpr double followed_by_chance = 0.0027; // P(|z| > 3), shared by all directions that are tried
 constexpr std::size_t most_followed = 6;
 
 class Deciding {
@@ -303,20 +303,24 @@ Adequacy adequacy_of(const VectorXd& residual, const MatrixXd& slopes, const Dir
     return {tail(directions.blocks), tail(directions.prints)};
 }
 
-std::vector<Followed> followed_by(const Evidence& evidence, const Decision& decision) {
+Following followed_by(const Evidence& evidence, const Decision& decision) {
     const Projector fitted(decision.best ? decision.best->slopes : evidence.nuisances);
     const VectorXd rest = fitted.out(decision.best ? decision.best->residual : evidence.residual);
-    std::vector<Followed> all;
+    Following following;
     for (std::size_t k = 0; k < evidence.directions.names.size(); ++k) {
         const VectorXd own = fitted.out(VectorXd(evidence.directions.prints.col(static_cast<Eigen::Index>(k))));
-        if (own.norm() < least_left)
-            continue;
-        if (const double z = own.dot(rest) / own.norm(); std::abs(z) > least_followed)
-            all.push_back({evidence.directions.names[k], z});
+        if (own.norm() >= least_left)
+            following.all.push_back({evidence.directions.names[k], own.dot(rest) / own.norm()});
     }
-    std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return std::abs(a.z) > std::abs(b.z); });
-    all.resize(std::min(all.size(), most_followed));
-    return all;
+    following.tried = static_cast<int>(following.all.size());
+    if (following.tried == 0)
+        return following;
+    following.gate = student_quantile(followed_by_chance / 2 / following.tried, evidence.degrees);
+    std::erase_if(following.all, [&](const Followed& one) { return std::abs(one.z) < following.gate; });
+    std::sort(following.all.begin(), following.all.end(),
+              [](const auto& a, const auto& b) { return std::abs(a.z) > std::abs(b.z); });
+    following.all.resize(std::min(following.all.size(), most_followed));
+    return following;
 }
 
 Decision decide(const Evidence& evidence, const Settings& settings, const Refitter& refit) {

@@ -100,9 +100,15 @@ struct Followed {
     double z = 0;     // standard errors, what was fitted adjusted
 };
 
-/// Directions that what the best explanation leaves follows by 3 standard errors or more, the strongest first, six at
-/// most.
-std::vector<Followed> followed_by(const Evidence& evidence, const Decision& decision);
+/// Directions that what the best explanation leaves follows, the strongest first, six at most.
+struct Following {
+    int tried = 0;   // directions
+    double gate = 0; // standard errors: noise alone lets any of those tried reach it in 0.27 % of cases (Bonferroni)
+    std::vector<Followed> all{};
+};
+
+/// Gated by the normal's tail, or by that of Student's t where the covariance was estimated.
+Following followed_by(const Evidence& evidence, const Decision& decision);
 
 /// Tests of a residual whose fit had these slopes.
 Adequacy adequacy_of(const VectorXd& residual, const MatrixXd& slopes, const Directions& directions,

@@ -54,7 +54,7 @@ struct Diagnosis {
     std::vector<Cause> causes;
     Evidence evidence; // what the decision was made from
     Decision decision;
-    std::vector<Followed> follows; // what the residual that is left looks like
+    Following follows; // what the residual that is left looks like
     std::optional<Gain> gain;
     std::vector<Proposal> proposals; // best first
     std::vector<Curve> curves;
@@ -64,6 +64,7 @@ struct Diagnosis {
     Problems warnings;
     double simulated = 0; // s
     int runs = 0;
+    int old_runs = 0;                     // of a bed: that counted though another version of the program made them
     std::optional<scene::Scene> extended; // the scene with the named causes in it; none where all are the instrument's
 };
 

@@ -14,11 +14,16 @@ namespace tumble::diagnose {
 namespace {
 
 constexpr std::array first_heads{"run", "condition", "cause", "amplitude", "seed", "from_s", "until_s", "wall_s"};
+constexpr const char* scene_head = "scene"; // the next one; tables of old lack it
 constexpr const char* what_it_is =
     "# Response table of `tumble diagnose`: means of a bed's runs, a line each. docs/diagnosis.md, \"Beds\".\n";
 
 std::string cell_of(double value) {
     return std::isnan(value) ? "nan" : shortest(value);
+}
+
+bool called_alike(const BedRun& a, const BedRun& b) {
+    return a.condition == b.condition && a.cause == b.cause && a.amplitude == b.amplitude && a.seed == b.seed;
 }
 
 } // namespace
@@ -46,7 +51,9 @@ Result<Done> ResponseTable::read() {
         return Problem{.file = file_.string(),
                        .what = "this is no response table",
                        .fix = "name another file for it (--table), or remove this one"};
-    for (std::size_t c = first_heads.size(); c < heads.size(); ++c)
+    const bool dated = heads.size() > first_heads.size() && heads[first_heads.size()] == scene_head;
+    const std::size_t first_mean = first_heads.size() + (dated ? 1 : 0);
+    for (std::size_t c = first_mean; c < heads.size(); ++c)
         if (std::find(columns_.begin(), columns_.end(), heads[c]) == columns_.end())
             columns_.push_back(heads[c]);
     for (std::size_t row = 0; row < cells->rows(); ++row) {
@@ -64,8 +71,9 @@ Result<Done> ResponseTable::read() {
                    .from = number_at(5),
                    .until = number_at(6),
                    .wall = number_at(7),
+                   .scene = dated ? text_at(first_heads.size()) : "",
                    .means = {}};
-        for (std::size_t c = first_heads.size(); c < heads.size(); ++c)
+        for (std::size_t c = first_mean; c < heads.size(); ++c)
             if (!cells->cell(row, c).empty())
                 run.means[heads[c]] = number_at(c);
         runs_.push_back(std::move(run));
@@ -87,10 +95,14 @@ const BedRun* ResponseTable::find(const std::string& run) const {
 
 const BedRun* ResponseTable::find(const BedRun& like) const {
     for (const BedRun& one : runs_)
-        if (one.condition == like.condition && one.cause == like.cause && one.amplitude == like.amplitude &&
-            one.seed == like.seed && whole(one))
+        if (called_alike(one, like) && one.scene == like.scene && whole(one))
             return &one;
     return nullptr;
+}
+
+bool ResponseTable::has_of_another_scene(const BedRun& like) const {
+    return std::any_of(runs_.begin(), runs_.end(),
+                       [&](const BedRun& one) { return called_alike(one, like) && one.scene != like.scene; });
 }
 
 Result<Done> ResponseTable::add(BedRun run) {
@@ -99,11 +111,12 @@ Result<Done> ResponseTable::add(BedRun run) {
     if (file_.empty())
         return Done{};
     std::vector<std::string> cells(first_heads.begin(), first_heads.end());
+    cells.emplace_back(scene_head);
     cells.insert(cells.end(), columns_.begin(), columns_.end());
     std::string text = what_it_is + csv_line(cells);
     for (const BedRun& one : runs_) {
-        cells = {one.run,           one.condition,      one.cause,         one.amplitude, std::to_string(one.seed),
-                 cell_of(one.from), cell_of(one.until), fixed(one.wall, 1)};
+        cells = {one.run,           one.condition,      one.cause,          one.amplitude, std::to_string(one.seed),
+                 cell_of(one.from), cell_of(one.until), fixed(one.wall, 1), one.scene};
         for (const std::string& column : columns_) {
             const auto found = one.means.find(column);
             cells.push_back(found == one.means.end() ? "" : cell_of(found->second));

@@ -19,6 +19,7 @@ struct BedRun {
     std::uint64_t seed = 0;              //
     double from = 0, until = 0;          // s, averaged over
     double wall = 0;                     // s that it took
+    std::string scene{};                 // hash of the scene's file, what was set and the stretch: whatever program ran
     std::map<std::string, double> means; // by column, SI; NaN: no meaning there, or the run broke down
 };
 
@@ -32,8 +33,10 @@ public:
 
     /// The run with this date and all columns, or null.
     [[nodiscard]] const BedRun* find(const std::string& run) const;
-    /// The same by what it was, whatever program made it.
+    /// The same by what it was, of the same scene, whatever program made it.
     [[nodiscard]] const BedRun* find(const BedRun& like) const;
+    /// There is one that is called so, but of another scene, or of a table that does not say of which.
+    [[nodiscard]] bool has_of_another_scene(const BedRun& like) const;
 
     /// Problems: the file cannot be written.
     Result<Done> add(BedRun run);

@@ -158,10 +158,11 @@ std::string next_step(const Diagnosis& diagnosis) {
     case Outcome::two_causes:
         return "Confirm each with an experiment in which the other cannot act.";
     case Outcome::none_known:
-        return (diagnosis.follows.empty() ? "Look at the residual: what does it follow?"
-                                          : fmt::format("What is left follows most of all {}, by {:.1f} standard "
-                                                        "errors. Ask what could do that.",
-                                                        diagnosis.follows[0].what, std::abs(diagnosis.follows[0].z))) +
+        return (diagnosis.follows.all.empty()
+                    ? "Look at the residual: what does it follow?"
+                    : fmt::format("What is left follows most of all {}, by {:.1f} standard "
+                                  "errors. Ask what could do that.",
+                                  diagnosis.follows.all[0].what, std::abs(diagnosis.follows.all[0].z))) +
                " Then check the apparatus, or add the missing law to the scene.";
     case Outcome::cannot_decide:
         break;

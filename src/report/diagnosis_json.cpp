@@ -126,7 +126,7 @@ Json decision_of(const Diagnosis& diagnosis) {
     for (const auto& pair : decision.pairs)
         pairs.push_back(ids_of(diagnosis, pair));
     Json follows = Json::array();
-    for (const Followed& one : diagnosis.follows)
+    for (const Followed& one : diagnosis.follows.all)
         follows.push_back({{"what", one.what}, {"standard_errors", one.z}});
     Json folds = Json::array();
     for (const Fold& fold : decision.folds)
@@ -150,7 +150,9 @@ Json decision_of(const Diagnosis& diagnosis) {
             {"adequacy_baseline", adequacy_of_it(decision.baseline)},
             {"adequacy_winner", adequacy_of_it(decision.winner)},
             {"folds", std::move(folds)},
-            {"residual_follows", std::move(follows)}};
+            {"residual_follows", std::move(follows)},
+            {"directions_tried", diagnosis.follows.tried},
+            {"directions_gate", diagnosis.follows.gate}};
 }
 
 } // namespace
@@ -205,6 +207,8 @@ Json to_json(const Diagnosis& diagnosis, const std::string& version) {
     json["data"] = diagnosis.data.string();
     json["data_hash"] = diagnosis.hash;
     json["runs"] = diagnosis.runs;
+    if (!diagnosis.beds.empty())
+        json["old_runs"] = diagnosis.old_runs;
     json["simulated_s"] = diagnosis.simulated;
     json["version"] = version;
     return json;

@@ -251,16 +251,19 @@ std::string fingerprint_section(const Diagnosis& diagnosis) {
                              escaped(cause.name), escaped(cause.look), escaped(cause.keys));
     }
     std::string text = items.empty() ? "" : "<h2>What to look for in the residual</h2><ul>" + items + "</ul>";
-    if (diagnosis.follows.empty())
+    const Following& follows = diagnosis.follows;
+    if (follows.all.empty())
         return text;
     items.clear();
-    for (const Followed& one : diagnosis.follows)
+    for (const Followed& one : follows.all)
         items += fmt::format("<tr><td>{}</td><td class=\"n\">{:+.1f}</td></tr>", escaped(one.what), one.z);
     return text +
-           fmt::format("<h2>What the residual follows</h2><p>Directions that belong to no particular cause, and how "
-                       "far what {} leaves goes along each. Noise alone reaches 3 in 0.3 % of them.</p><table><tr>"
-                       "<th>direction</th><th>standard errors</th></tr>{}</table>",
-                       diagnosis.decision.best ? "the best explanation" : "the scene", items);
+           fmt::format(
+               "<h2>What the residual follows</h2><p>Directions that belong to no particular cause, and how "
+               "far what {} leaves goes along each. {} directions were tried; noise alone takes it {:.1f} standard "
+               "errors along any of them in 0.27 % of cases, and less is not listed.</p><table><tr>"
+               "<th>direction</th><th>standard errors</th></tr>{}</table>",
+               diagnosis.decision.best ? "the best explanation" : "the scene", follows.tried, follows.gate, items);
 }
 
 std::string plan_section(const Diagnosis& diagnosis) {

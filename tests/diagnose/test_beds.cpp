@@ -3,6 +3,7 @@
 #include "folder.h"
 
 #include <doctest/doctest.h>
+#include <fstream>
 
 namespace test_beds {
 
@@ -137,6 +138,65 @@ TEST_CASE(
     CHECK(both.extended->gravity.x() > 0.15); // what is innocent goes into the scene, too
 }
 
+TEST_CASE("what is innocent acts on conditions held out, too, and on the runs that confirm a name") {
+    // A tilt of 2 deg adds 4 deg to every slope. Means of 16 runs less those of 16 seeds scatter by 0.35 deg, so that
+    // the tilt is known to 0.18 deg from one condition, and foretells the slope of the other to 0.35 deg.
+    Measurement measurement =
+        BedLaboratory{.hidden = {"gravity_m_s2=[0.3425, -9.804]", "wall.0.motion.1.phase_deg=90"}, .runs = 16}
+            .measurement();
+    measurement.nuisances = {{.key = "", .instrument = "", .spread = 4, .measure = "", .cause = "grav.tilt_x"}};
+    measurement.bulks[1].held_out = true;
+    int calls = 0;
+    const Simulate counted = [&](const scene::Scene& scene) {
+        ++calls;
+        if (scene.seed >= 1000) // those that confirm
+            CHECK(scene.gravity.x() > 0);
+        return formula(scene);
+    };
+    const BedOptions options{.table = {}, .seeds = 16};
+    const auto budget = budget_of_beds({shaken_box, "box.toml"}, measurement, options);
+    REQUIRE(budget);
+    auto result = diagnose_beds({shaken_box, "box.toml"}, measurement, counted, options);
+    REQUIRE(result);
+    CHECK_MESSAGE(named(*result) == "exc.phase", verdict_of(*result));
+    CHECK(calls == budget->runs + 2 * 16); // and those that confirm, under either condition
+    REQUIRE(result->confirmation);
+    CHECK(result->confirmation->p > 0.005);
+    for (const BedNumber& one : result->beds)
+        if (one.held_out)
+            CHECK(std::abs(one.measured - one.extended) <
+                  4 * std::hypot(one.measured_error, one.extended_error, one.measure == "surface_slope" ? 0.35 : 0));
+}
+
+TEST_CASE("an innocent cause that would have to go beyond what is plausible stops there, and is warned of") {
+    // 12 deg of slope at 2 deg per degree: a tilt of 6 deg, where 2.5 were run and nothing is known beforehand.
+    Measurement measurement = BedLaboratory{.hidden = {"wall.0.motion.1.phase_deg=90"}}.measurement();
+    for (Bulk& bulk : measurement.bulks)
+        bulk.numbers[1].value += 12;
+    measurement.nuisances = {{.key = "", .instrument = "", .measure = "", .cause = "grav.tilt_x"}};
+    const Diagnosis diagnosis = diagnosed(measurement);
+    REQUIRE_MESSAGE(named(diagnosis) == "exc.phase", verdict_of(diagnosis));
+    REQUIRE(diagnosis.extended);
+    CHECK(57.29577951308232 * std::atan2(diagnosis.extended->gravity.x(), -diagnosis.extended->gravity.y()) ==
+          about(2.5));
+    const auto warned = std::find_if(diagnosis.warnings.begin(), diagnosis.warnings.end(),
+                                     [](const Problem& one) { return one.key == "innocent cause out of range"; });
+    REQUIRE(warned != diagnosis.warnings.end());
+    CHECK(warned->what.starts_with("grav.tilt_x would fit best at "));
+    CHECK(warned->what.ends_with("beyond the -2.5 to 2.5 that were run"));
+}
+
+TEST_CASE("a condition that is only planned has a zero of its own where each condition has one") {
+    // Phase and tilt do alike to slopes, and circulation says nothing, for its zero is unknown under each condition:
+    // neither would it under a third one, where its 0.2 rad/s would stand 14 standard errors from none.
+    Measurement measurement = BedLaboratory{.hidden = {"wall.0.motion.1.phase_deg=90"}}.measurement();
+    measurement.nuisances = {{.key = "", .instrument = "", .per_record = true, .measure = "circulation"}};
+    const std::vector<Proposal> planned = diagnosed(measurement, {.table = {}, .plan = true}).proposals;
+    REQUIRE(!planned.empty());
+    for (const Proposal& one : planned)
+        CHECK_MESSAGE(one.separation < 5, one.id); // four seeds leave some difference between the two
+}
+
 TEST_CASE("a plan holds the name against its nearest rival, and runs the conditions that could be measured besides") {
     const Measurement measurement = BedLaboratory{.hidden = {"wall.0.motion.1.phase_deg=90"}, .runs = 2}.measurement();
     const auto proposals = [&](bool plan) { return diagnosed(measurement, {.table = {}, .plan = plan}).proposals; };
@@ -182,6 +242,67 @@ TEST_CASE("the response table keeps every run: more seeds and causes add to it, 
     CHECK(runs_of({"load.fill"}, 4, "1") == 2 * (1 + 2));
     CHECK(runs_of({"load.fill", "rest.factor", "grav.tilt_z"}, 4, "1") == 2 * 4 * 2); // tilt_z is nothing in a plane
     CHECK(runs_of({"load.fill"}, 4, "2") == 2 * 4 * (1 + 2));
+}
+
+TEST_CASE("old runs count where they are trusted, each told of, and never those of another scene") {
+    const test::Folder folder;
+    Measurement measurement = BedLaboratory{.hidden = {}}.measurement();
+    measurement.causes = {"load.fill"};
+    int calls = 0;
+    const Simulate counted = [&](const scene::Scene& scene) {
+        ++calls;
+        return formula(scene);
+    };
+    const auto table = folder.path / "t.csv";
+    const auto diagnosis_of = [&](const std::string& toml, const std::string& version, bool any_date) {
+        calls = 0;
+        auto result = diagnose_beds({toml, "box.toml"}, measurement, counted,
+                                    {.table = table, .seeds = 3, .version = version, .any_date = any_date});
+        REQUIRE_MESSAGE(result, to_string(result.problems()));
+        return std::move(*result);
+    };
+    const auto warned = [](const Diagnosis& diagnosis, const std::string& key) -> std::string {
+        for (const Problem& one : diagnosis.warnings)
+            if (one.key == key)
+                return one.what;
+        return "";
+    };
+    const int all = 2 * 3 * (1 + 2); // conditions, seeds, the bed as it is and with either load
+    CHECK(warned(diagnosis_of(shaken_box, "1", true), "old runs").empty());
+    CHECK(calls == all);
+    const Diagnosis trusted = diagnosis_of(shaken_box, "2", true);
+    CHECK(calls == 0);
+    CHECK(trusted.old_runs == all);
+    CHECK(warned(trusted, "old runs").starts_with("18 of the runs that count were made by another version"));
+    CHECK(warned(trusted, "runs left aside").empty());
+
+    std::string other = shaken_box;
+    other.replace(other.find("amplitude_m = 0.001"), 19, "amplitude_m = 0.002");
+    const Diagnosis changed = diagnosis_of(other, "2", true);
+    CHECK(calls == all);
+    CHECK(changed.old_runs == 0);
+    CHECK(warned(changed, "runs left aside").starts_with("18 of the runs kept"));
+
+    // A table from before runs were dated by their scene: its heads and lines without that column.
+    std::ifstream stream(table);
+    const std::string lines{std::istreambuf_iterator<char>(stream), {}};
+    std::string undated;
+    for (std::size_t at = 0, end = 0; (end = lines.find('\n', at)) != std::string::npos; at = end + 1) {
+        std::string line = lines.substr(at, end - at);
+        std::size_t cell = 0;
+        for (int k = 0; k < 8; ++k)
+            cell = line.find(',', cell) + 1;
+        if (line[0] != '#')
+            line.erase(cell, line.find(',', cell) + 1 - cell);
+        undated += line + "\n";
+    }
+    std::ofstream(table) << undated;
+    CHECK(diagnosis_of(shaken_box, "1", false).old_runs == 0);
+    CHECK(calls == 0); // the runs themselves are dated
+    const Diagnosis unknown = diagnosis_of(shaken_box, "3", true);
+    CHECK(calls == all);
+    CHECK(unknown.old_runs == 0);
+    CHECK(warned(unknown, "runs left aside").starts_with("18 of the runs kept"));
 }
 
 TEST_CASE("a run that breaks down under a cause halves its amplitude; a bed that breaks down by itself is refused") {

@@ -42,25 +42,83 @@ TEST_CASE("sideways shaking, load and restitution are scaled, and nothing else")
     CHECK(with("rest.factor", 1).pair(0, 0).restitution == 1);
 }
 
-TEST_CASE(
-    "sizes are spread in three, as many bodies of each, with the deviation asked for and steps that the small bear") {
-    const scene::Scene scene = with("size.poly", 0.1);
-    REQUIRE(scene.fills.size() == 3);
-    double count = 0, sum = 0, squares = 0;
-    for (const scene::Fill& fill : scene.fills) {
-        const scene::BodyTemplate& body = scene.bodies[static_cast<std::size_t>(fill.body)];
-        const double radius = body.spheres[0].radius, bodies = static_cast<double>(*fill.count);
-        count += bodies;
-        sum += bodies * radius;
-        squares += bodies * radius * radius;
+namespace {
+
+/// Sizes of bodies of a scene's fills: how many, and the means of their powers.
+struct Sizes {
+    double count = 0, mean = 0, square = 0, cube = 0;
+
+    explicit Sizes(const scene::Scene& scene) {
+        for (const scene::Fill& fill : scene.fills) {
+            const double radius = scene.bodies[static_cast<std::size_t>(fill.body)].spheres[0].radius;
+            const auto bodies = static_cast<double>(*fill.count);
+            count += bodies, mean += bodies * radius, square += bodies * std::pow(radius, 2);
+            cube += bodies * std::pow(radius, 3);
+        }
+        mean /= count, square /= count, cube /= count;
     }
-    CHECK(count == 100);
-    CHECK(sum / count == about(0.005, 2e-3));
-    CHECK(std::sqrt(squares / count - sum * sum / count / count) == about(0.1 * 0.005, 0.02)); // 100 is no three times
-    CHECK(scene.time_step == about(1e-5 * (1 - 0.1 * std::sqrt(1.5))));
+};
+
+} // namespace
+
+TEST_CASE("sizes are spread in three, with the deviation asked for, the volume of all and steps that the small bear") {
+    scene::Scene scene = box();
+    scene.fills[0].count = 99; // three times 33
+    choose_causes({"size.poly"}, Data::beds)->front().extend(scene, 0.1);
+    REQUIRE(scene.fills.size() == 3);
+    const Sizes sizes(scene);
+    CHECK(sizes.count == 99);
+    CHECK(std::sqrt(sizes.square - sizes.mean * sizes.mean) / sizes.mean == about(0.1));
+    CHECK(sizes.square == about(0.005 * 0.005)); // discs: as much area as before
+    CHECK(scene.time_step == about(1e-5 * (1 - 0.1 * std::sqrt(1.5)) / std::sqrt(1 + 0.1 * 0.1)));
     const auto again = scene::load_scene_text(scene::to_toml(scene), "again.toml");
     REQUIRE(again);
-    CHECK(again->bodies.size() == 3);
+    CHECK(again->bodies.size() == 4); // and what they were made of
+    // What three do not divide is of the middle size: one disc of a hundred, smaller by half of one per cent.
+    const Sizes hundred(with("size.poly", 0.1));
+    CHECK(hundred.count == 100);
+    CHECK(hundred.square == about(0.005 * 0.005 * (1 - 0.01 * 0.01 / 1.01)));
+    scene = box();
+    scene.dimension = 3;
+    scene.fills[0].count = 99;
+    choose_causes({"size.poly"}, Data::beds)->front().extend(scene, 0.2);
+    CHECK(Sizes(scene).cube == about(std::pow(0.005, 3)));
+}
+
+TEST_CASE("a mass of bodies keeps its mass when sizes are spread, as many bodies of each size") {
+    scene::Scene scene = box();
+    scene.fills[0].count.reset();
+    scene.fills[0].mass = 2;
+    choose_causes({"size.poly"}, Data::beds)->front().extend(scene, 0.2);
+    REQUIRE(scene.fills.size() == 3);
+    double mass = 0;
+    std::vector<double> counts;
+    for (const scene::Fill& fill : scene.fills) {
+        mass += *fill.mass;
+        counts.push_back(*fill.mass / std::pow(scene.bodies[static_cast<std::size_t>(fill.body)].spheres[0].radius, 2));
+    }
+    CHECK(mass == about(2));
+    CHECK(counts[0] == about(counts[1]));
+    CHECK(counts[0] == about(counts[2]));
+}
+
+TEST_CASE("no spread of sizes is the scene itself, and bodies that are few or placed keep their size") {
+    CHECK(scene::to_toml(with("size.poly", 0)) == scene::to_toml(box()));
+    scene::Scene scene = box();
+    scene::Fill sensor = scene.fills[0];
+    sensor.count = 1;
+    scene.fills.push_back(sensor);
+    sensor.position = Eigen::Vector3d(0, 0.5, 0);
+    scene.fills.push_back(sensor);
+    choose_causes({"size.poly"}, Data::beds)->front().extend(scene, 0.1);
+    REQUIRE(scene.fills.size() == 5);
+    CHECK(scene.fills[3].body == 0);
+    CHECK(scene.fills[4].body == 0);
+    CHECK(scene.bodies[0].spheres[0].radius == 0.005);
+    scene.fills = {sensor};
+    const std::string alone = scene::to_toml(scene);
+    choose_causes({"size.poly"}, Data::beds)->front().extend(scene, 0.1);
+    CHECK(scene::to_toml(scene) == alone);
 }
 
 TEST_CASE("wall friction acts on walls alone, also where they are of the bodies' material") {

@@ -1,3 +1,4 @@
+#include "about.h"
 #include "base/rng.h"
 #include "diagnose/decide.h"
 
@@ -7,6 +8,7 @@
 namespace test_decide {
 
 using namespace tumble::diagnose;
+using tumble::normal_tail;
 using tumble::Rng;
 
 namespace {
@@ -135,6 +137,33 @@ TEST_CASE("data in which nuisances absorb every cause decide nothing") {
     const Decision decision = decided(evidence, VectorXd::Zero(rows), rng);
     CHECK(decision.outcome == Outcome::cannot_decide);
     CHECK(!decision.reason.empty());
+}
+
+TEST_CASE("of noise hardly ever any direction stands out, however many are tried, and what is there does") {
+    // P(|z| > 3) = 0.27 % for all twelve together: of 400 cases 1.1, of which 6 or more have a probability of 0.09 %.
+    // Each by itself at 3 standard errors would let one out of twelve times as many.
+    Evidence evidence = laboratory(distinct);
+    for (int k = 0; k < 12; ++k)
+        evidence.directions.names.push_back(std::to_string(k));
+    Rng rng(19);
+    const auto follows = [&](const VectorXd& effect) {
+        evidence.residual = effect;
+        for (double& value : evidence.residual)
+            value += normal(rng);
+        return followed_by(evidence, {});
+    };
+    int alarms = 0;
+    for (int k = 0; k < 400; ++k)
+        alarms += !follows(VectorXd::Zero(rows)).all.empty();
+    CHECK(alarms < 6);
+    const Following found = follows(12 * wave(2, 0.1)); // the fifth
+    REQUIRE(!found.all.empty());
+    CHECK(found.all[0].what == "4");
+    CHECK(found.tried == 12);
+    CHECK(normal_tail(found.gate) == tumble::test::about(normal_tail(3) / 12, 1e-3));
+    // A covariance known with six degrees of freedom: Student's t asks for more.
+    evidence.degrees = 6;
+    CHECK(follows(VectorXd::Zero(rows)).gate > 1.5 * found.gate);
 }
 
 TEST_CASE("an amplitude that one condition alone asks for is vetoed") {

@@ -166,12 +166,12 @@ TEST_CASE("heights whose errors last and a clock whose errors do not are each we
 TEST_CASE("what a residual follows is told where no cause explains it") {
     const Diagnosis diagnosis = Laboratory{.distort = [](double y, double) { return y + 0.02 * y * y; }}.diagnosis();
     REQUIRE_MESSAGE(diagnosis.decision.outcome == Outcome::none_known, verdict_of(diagnosis));
-    REQUIRE(!diagnosis.follows.empty());
+    REQUIRE(!diagnosis.follows.all.empty());
     CHECK(next_step(diagnosis).starts_with("What is left follows most of all "));
-    CHECK(std::any_of(diagnosis.follows.begin(), diagnosis.follows.end(),
+    CHECK(std::any_of(diagnosis.follows.all.begin(), diagnosis.follows.all.end(),
                       [](const Followed& one) { return one.what == "the square of the reading (centre_of_mass_y)"; }));
-    // Nothing stands out of noise: 3 standard errors of some forty directions, 0.3 % each.
-    CHECK(Laboratory{}.diagnosis().follows.size() <= 1);
+    // Nothing stands out of noise: in 0.27 % of cases, however many directions are tried.
+    CHECK(Laboratory{}.diagnosis().follows.all.empty());
 }
 
 TEST_CASE("a scale that reads two per cent too much is named, with its amplitude, and the gain is shown") {

@@ -155,7 +155,10 @@ int solve_it(StressArguments& arguments) {
     if (!arguments.quiet)
         for (const fs::path& file : *files)
             note("file: " + file.string());
-    return recorded->loads.stopped ? stop_code() : static_cast<int>(fine);
+    if (!recorded->loads.stopped)
+        return fine;
+    note("warning: stopped early; these are the stresses up to there. The same command with --resume goes on");
+    return stop_code();
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "../run/ball_on_prism.h"
 #include "process.h"
 
+#include <csignal>
 #include <nlohmann/json.hpp>
 
 namespace test_stress_command {
@@ -105,6 +106,20 @@ TEST_CASE("stress goes on where it was stopped, and solves the same contacts on 
     const Outcome early = tumble_in(folder, {"stress", "ball.toml", "--remesh", "along=20"});
     CHECK(early.code == 2);
     CHECK_MESSAGE(contains(early.err, "--remesh is for a folder with loads"), early.err);
+}
+
+TEST_CASE("Ctrl-C in stress is told beside the stresses of what was run, and what goes on from there") {
+    const Folder folder;
+    put(folder.path / "ball.toml", ball_on_prism);
+    Process process(folder.path,
+                    {"stress", "ball.toml", "--every", "0.01", "--set", "duration_s=60", "--out", "loads"});
+    REQUIRE(eventually([&] { return fs::exists(folder.path / "loads/frames/frame_000002.tumble"); }));
+    process.send(SIGINT);
+    const Outcome stopped = process.wait();
+    CHECK(stopped.code == 130);
+    CHECK(contains(stopped.err,
+                   "warning: stopped early; these are the stresses up to there. The same command with --resume"));
+    CHECK(fs::exists(folder.path / "loads/cases.csv"));
 }
 
 TEST_CASE("stress refuses scenes without a specimen, folders without loads, and changes to what was run") {

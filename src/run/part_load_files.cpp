@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <unordered_map>
 
@@ -58,21 +57,11 @@ std::string contacts_csv(const PartLoads& loads) {
     return text;
 }
 
-/// Force over area of every facet that is touched, as the thesis plots it; along and across the contacts' normals,
-/// which at an edge are not the facet's.
+/// Force over area of every facet that is touched, as the thesis plots it.
 std::string facets_csv(const PartLoads& loads, const solid::HexMesh& mesh) {
     std::string text = "time_s,element,face,area_m2,normal_Pa,shear_Pa\n";
     for (const LoadInstant& instant : loads.instants) {
-        struct OnFacet {
-            double pressing = 0;                  // N
-            Vector3d shearing = Vector3d::Zero(); // N
-        };
-        std::map<int, OnFacet> facets;
-        for (const observe::WallPush& push : instant.pushes) {
-            facets[push.triangle / 2].pressing += push.pressing();
-            facets[push.triangle / 2].shearing += push.shearing();
-        }
-        for (const auto& [facet, sum] : facets) {
+        for (const auto& [facet, sum] : facet_loads(instant.pushes)) {
             const solid::Facet& of = mesh.facets[static_cast<std::size_t>(facet)];
             const double area = mesh.area_of(facet).norm();
             text +=

@@ -116,6 +116,16 @@ private:
 
 } // namespace
 
+std::map<int, FacetLoad> facet_loads(const std::vector<observe::WallPush>& pushes) {
+    std::map<int, FacetLoad> facets;
+    for (const observe::WallPush& push : pushes) {
+        FacetLoad& facet = facets[push.triangle / 2];
+        facet.pressing += push.pressing();
+        facet.shearing += push.shearing();
+    }
+    return facets;
+}
+
 Result<int> find_specimen(const scene::Scene& scene, const std::string& name) {
     std::vector<int> found;
     std::string names;

@@ -8,6 +8,7 @@
 #include "scene/scene.h"
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,14 @@ struct PartLoads {
     bool stopped = false;
     double wall_s = 0; // s, it took
 };
+
+/// What an instant's contacts do to a facet, along and across their own normals, which at an edge are not the facet's.
+struct FacetLoad {
+    double pressing = 0;                                // N
+    Eigen::Vector3d shearing = Eigen::Vector3d::Zero(); // N
+};
+/// By facet of the mesh.
+std::map<int, FacetLoad> facet_loads(const std::vector<observe::WallPush>& pushes);
 
 /// The index of the scene's wall that is a specimen; `name` chooses among several, empty: there is one. Problems: none
 /// or several, no such wall, a wall of another shape.

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
-#include <map>
 
 namespace tumble::stress {
 
@@ -77,22 +76,15 @@ void measure_patches(const std::vector<CaseLoad>& cases, const solid::HexMesh& m
 /// What an instant's contacts say of a case by themselves.
 /// `surface`: m2, of the part.
 void look_at(const run::LoadInstant& instant, const solid::HexMesh& mesh, double surface, Case& now) {
-    struct OnFacet {
-        double pressing = 0;                  // N
-        Vector3d shearing = Vector3d::Zero(); // N
-    };
-    std::map<int, OnFacet> facets;
     now.contacts = static_cast<int>(instant.pushes.size());
     for (const observe::WallPush& push : instant.pushes) {
         const int facet = push.triangle / 2;
-        facets[facet].pressing += push.pressing();
-        facets[facet].shearing += push.shearing();
         const Strongest here{push.body, facet, push.foot, push.pressing(), push.shearing().norm()};
         if (!now.strongest ||
             std::hypot(here.normal, here.shear) > std::hypot(now.strongest->normal, now.strongest->shear))
             now.strongest = here;
     }
-    for (const auto& [facet, sum] : facets) {
+    for (const auto& [facet, sum] : run::facet_loads(instant.pushes)) {
         const double area = mesh.area_of(facet).norm();
         now.facet_normal = std::max(now.facet_normal, sum.pressing / area);
         now.facet_shear = std::max(now.facet_shear, sum.shearing.norm() / area);

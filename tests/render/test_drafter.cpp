@@ -1,114 +1,19 @@
 #include "about.h"
 #include "base/disc_union.h"
-#include "fixtures.h"
+#include "drawings.h"
 #include "render/body_outline.h"
-#include "render/drafter.h"
-#include "render/drawing_file.h"
 #include "render/letters.h"
-#include "render/pair_painter.h"
-#include "render/strip_painter.h"
 
-#include <boost/property_tree/ptree.hpp>
-#include <boost/property_tree/xml_parser.hpp>
-#include <fmt/format.h>
 #include <numbers>
-#include <sstream>
 
 namespace test_drafter {
 
 using namespace tumble;
 using namespace tumble::render;
 using namespace tumble::render::testing;
-using Eigen::Vector2d;
 using tumble::test::about;
-namespace pt = boost::property_tree;
 
 namespace {
-
-/// The box |x|, |y| <= 0.5 m on a page; speeds 0 to 1 m/s.
-scene::Render page_of(double width_mm, double height_mm, double font_pt = 8) {
-    scene::Render settings = square_view(0.5);
-    settings.camera = "side";
-    settings.paper = scene::Paper{width_mm, height_mm, 300, font_pt};
-    settings.plot = false;
-    return settings;
-}
-
-std::shared_ptr<observe::FrameLayout> discs(const std::vector<double>& radii) {
-    auto layout = spheres(radii);
-    layout->dimension = 2;
-    layout->title = "Discs & <others>";
-    return layout;
-}
-
-Drafter drafter_for(const scene::Render& settings, std::shared_ptr<const observe::FrameLayout> layout,
-                    const PainterOptions& options = {}) {
-    auto drafter = Drafter::open(in_fine_pixels(settings), std::move(layout), options);
-    REQUIRE_MESSAGE(drafter.ok(), to_string(drafter.problems()));
-    return std::move(*drafter);
-}
-
-pt::ptree xml_of(const Drawing& drawing) {
-    std::istringstream text(encode_svg(drawing));
-    pt::ptree tree;
-    pt::read_xml(text, tree);
-    return tree.get_child("svg");
-}
-
-/// All elements of that name, those in groups included, in their order.
-void find_all(const pt::ptree& tree, const std::string& name, std::vector<const pt::ptree*>& found) {
-    for (const auto& [key, child] : tree) {
-        if (key == name)
-            found.push_back(&child);
-        find_all(child, name, found);
-    }
-}
-std::vector<const pt::ptree*> all(const pt::ptree& tree, const std::string& name) {
-    std::vector<const pt::ptree*> found;
-    find_all(tree, name, found);
-    return found;
-}
-
-/// The group that holds the bodies, walls, ...
-const pt::ptree& group(const pt::ptree& tree, const std::string& name) {
-    for (const pt::ptree* one : all(tree, "g"))
-        if (one->get<std::string>("<xmlattr>.class") == name)
-            return *one;
-    FAIL("no group " << name);
-    return tree;
-}
-
-double number(const pt::ptree& element, const std::string& attribute) {
-    return element.get<double>("<xmlattr>." + attribute);
-}
-std::string word(const pt::ptree& element, const std::string& attribute) {
-    return element.get<std::string>("<xmlattr>." + attribute);
-}
-
-std::vector<Vector2d> points_of(const pt::ptree& element) {
-    std::istringstream text(word(element, "points"));
-    std::vector<Vector2d> points;
-    for (double x = 0, y = 0; text >> x && text.ignore() && text >> y;)
-        points.emplace_back(x, y);
-    return points;
-}
-
-/// As a colour is written: bytes red, green, blue.
-std::string hex_of(const Vector3d& color) {
-    return fmt::format("#{:02x}{:02x}{:02x}", std::lround(255 * color.x()), std::lround(255 * color.y()),
-                       std::lround(255 * color.z()));
-}
-
-/// All text of a drawing, a line each.
-std::string words_of(const pt::ptree& svg) {
-    std::string words;
-    for (const pt::ptree* text : all(svg, "text"))
-        words += text->get_value<std::string>() + '\n';
-    return words;
-}
-bool says(const pt::ptree& svg, const std::string& words) {
-    return words_of(svg).find(words + '\n') != std::string::npos;
-}
 
 // What page_of(80, 80) shows without letters: 80 mm less twice the margin of 3 % for 1 m, about the middle. Pixels of
 // 25.4 / 720 mm are whole, so that the middle may lie half of one off.
@@ -433,86 +338,6 @@ TEST_CASE("a wall is one line from end to end, closed where it ends in its begin
     const auto roof = points_of(*all(walls, "polyline")[0]);
     REQUIRE(roof.size() == 3);
     CHECK((roof[1] - on_page({0, -0.1})).norm() < 2 * half_pixel);
-}
-
-TEST_CASE("a strip of drawings has a cell for each instant, and two runs a half each, under one legend") {
-    const auto layout = discs({0.1});
-    const auto frame_at = [&](double x) {
-        observe::Frame frame = empty_frame(layout);
-        add_body(frame, 0, {x, 0, 0}, {1, 0, 0});
-        return frame;
-    };
-    const Eigen::AlignedBox3d box(Vector3d(-0.5, -0.5, 0), Vector3d(0.5, 0.5, 0));
-    auto strip = StripDrafter::open(page_of(160, 100), layout, box, {.cells = 3, .columns = 3});
-    REQUIRE_MESSAGE(strip.ok(), to_string(strip.problems()));
-    for (const double x : {-0.2, 0.0, 0.2})
-        strip->add(frame_at(x), "words");
-    const Drawing drawing = strip->finish();
-    CHECK(drawing.width_mm == 160);
-    CHECK(drawing.height_mm < 100);
-    const pt::ptree svg = xml_of(drawing);
-    const auto circles = all(svg, "circle");
-    REQUIRE(circles.size() == 3);
-    // Each in its own cell: the second in the middle of its, the others as far from theirs as metres say.
-    const double shift = number(*circles[1], "cx") - number(*circles[0], "cx");
-    const double metre = (number(*circles[0], "r") + 0.5 * number(*circles[0], "stroke-width")) / 0.1;
-    CHECK(shift == about(0.2 * metre, 1e-2));
-    CHECK(all(svg, "linearGradient").size() == 1);
-    CHECK(all(svg, "clipPath").size() == 3);
-
-    auto pair = PairDrafter::open(page_of(160, 80), {layout, layout}, {"left", "right"});
-    REQUIRE_MESSAGE(pair.ok(), to_string(pair.problems()));
-    pair->fit(box);
-    const pt::ptree both = xml_of(pair->draw(frame_at(0), frame_at(0.1)));
-    CHECK(all(both, "circle").size() == 2);
-    CHECK(all(both, "linearGradient").size() == 1);
-}
-
-TEST_CASE(
-    "the key of a strip and of a pair holds for all of their pictures, and what the key shows is as large there") {
-    const auto layout = discs({0.1});
-    const auto pressed = [&](double force) {
-        observe::Frame frame = empty_frame(layout);
-        add_body(frame, 0, {-0.1, 0, 0});
-        add_body(frame, 0, {0.1, 0, 0});
-        frame.contacts.emplace();
-        frame.contacts->push_back({.a = 0, .b = 1, .point = {0, 0, 0}, .normal = {-1, 0, 0}, .force = {-force, 0, 0}});
-        return frame;
-    };
-    const Eigen::AlignedBox3d box(Vector3d(-0.5, -0.5, 0), Vector3d(0.5, 0.5, 0));
-    scene::Render settings = square_view(0.5);
-    settings.camera = "side";
-    settings.width = 640;
-    settings.height = 360; // a unit is 0.68 pixels of 1/96 inch there
-    settings.marks.chains = true;
-    settings.marks.chain_force = 2;
-    const double thick = chain_thickness * 0.68 * 25.4 / 96;
-    const auto thickest = [](const pt::ptree& svg) {
-        double most = 0;
-        for (const pt::ptree* marks : all(svg, "g"))
-            if (marks->get<std::string>("<xmlattr>.class") == "marks")
-                for (const pt::ptree* line : all(*marks, "polyline"))
-                    if (word(*line, "stroke") == hex_of(find_theme("dark")->chain))
-                        most = std::max(most, number(*line, "stroke-width"));
-        return most;
-    };
-    for (const bool more_first : {true, false}) {
-        const double first = more_first ? 4 : 2, second = more_first ? 2 : 4;
-        auto strip = StripDrafter::open(settings, layout, box, {.cells = 2, .note = "what they share"});
-        REQUIRE(strip.ok());
-        strip->add(pressed(first), "first");
-        strip->add(pressed(second), "second");
-        const pt::ptree cells = xml_of(strip->finish());
-        CHECK(says(cells, "0 to 2 N and up"));
-        CHECK(says(cells, "what they share"));
-        CHECK(thickest(cells) == about(2 * thick, 1e-3));
-        auto pair = PairDrafter::open(settings, {layout, layout}, {"left", "right"});
-        REQUIRE(pair.ok());
-        pair->fit(box);
-        const pt::ptree halves = xml_of(pair->draw(pressed(first), pressed(second)));
-        CHECK(says(halves, "0 to 2 N and up"));
-        CHECK(thickest(halves) == about(2 * thick, 1e-3));
-    }
 }
 
 TEST_CASE("spheres in space are refused, and so is what a painter refuses") {

@@ -214,6 +214,8 @@ private:
         d_.outcome = d_.pairs.size() == 1 ? Outcome::two_causes : Outcome::ambiguous;
         d_.causes = fitted[0].causes;
         d_.best = fitted[0];
+        if (d_.outcome == Outcome::two_causes)
+            d_.folds = folds_of(e_, *d_.best);
         return d_;
     }
 

@@ -65,10 +65,10 @@ struct Seen {
     std::optional<Refit> refit{};
 };
 
-/// How the winner does when one condition is left out.
+/// How the winner, or two of them, do when one condition is left out.
 struct Fold {
     std::string condition;
-    double amplitude = 0; // from the other conditions
+    double amplitude = 0; // from the other conditions, of the first cause
     double moved = 0;     // standard errors away from the amplitude of all
     double baseline = 0;  // chi-square of the condition, predicted from the others
     double extended = 0;

@@ -53,8 +53,9 @@ std::string gain_words(const Diagnosis& diagnosis) {
                                   : "on conditions predicted from the others";
     if (!gain.shown)
         return fmt::format(" Named, gain not shown: {} the extended scene is not surely better.", where);
-    return fmt::format(" With it the misfit {} falls from {:.2f} to {:.2f} standard errors of a {}.", where,
-                       gain.rms_baseline, gain.rms_extended, diagnosis.beds.empty() ? "reading" : "mean");
+    const bool two = diagnosis.decision.outcome == Outcome::two_causes;
+    return fmt::format(" With {} the misfit {} falls from {:.2f} to {:.2f} standard errors of a {}.",
+                       two ? "both" : "it", where, gain.rms_baseline, gain.rms_extended, diagnosis.beds.empty() ? "reading" : "mean");
 }
 
 std::string named(const Diagnosis& diagnosis) {
@@ -130,7 +131,8 @@ std::string verdict_of(const Diagnosis& diagnosis) {
     case Outcome::ambiguous:
         return ambiguous(diagnosis);
     case Outcome::two_causes:
-        return fmt::format("Two causes act together: {}; {}.", found(diagnosis, 0), found(diagnosis, 1));
+        return fmt::format("Two causes act together: {}; {}.{}", found(diagnosis, 0), found(diagnosis, 1),
+                           gain_words(diagnosis));
     case Outcome::none_known:
         return none_known(diagnosis);
     case Outcome::cannot_decide:

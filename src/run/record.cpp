@@ -14,6 +14,7 @@ namespace {
 
 constexpr double share_of_step = 0.25; // of the scene's step, for impacts
 constexpr double steps_of_trial = 4;   // of those, one step of the trial that finds an impact's beginning and end
+constexpr double rows_of_impact = 24;  // spins and ways along a wall change within it: read between its rows they follow
 
 using Measures = std::vector<observe::Measure>;
 
@@ -132,15 +133,17 @@ private:
 
     /// Fine steps until the impact is over; to the end where it never is.
     std::optional<Problem> touch() {
-        double step = steps_of_trial * share_of_step * usual_step_;
+        double step = steps_of_trial * share_of_step * usual_step_, row = scene_.observe.every;
         for (const bool to_its_end : {false, true}) {
             const auto impact = try_impact(step, to_its_end);
             if (!impact)
                 return impact.problems()[0];
             if (to_its_end) {
                 step /= steps_of_trial;
-                if (impact->lasts > 0)
+                if (impact->lasts > 0) {
                     step = impact->lasts / std::max(1.0, std::round(impact->lasts / step));
+                    row = std::min(row, impact->lasts / rows_of_impact);
+                }
             }
             if (impact->begins > 0) // in the middle of a step
                 go_on(impact->begins - (std::floor(impact->begins / step) + 0.5) * step);
@@ -149,7 +152,7 @@ private:
         auto world = world_at(now_, step);
         if (!world)
             return world.problems()[0];
-        const auto stride = std::max<std::int64_t>(1, std::llround(scene_.observe.every / step));
+        const auto stride = std::max<std::int64_t>(1, std::llround(row / step));
         int free = 0; // strides since the impact
         while (now_.time < scene_.duration) {
             if (const auto problem = (*world)->advance(stride))

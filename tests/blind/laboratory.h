@@ -5,6 +5,7 @@
 #include "run/record.h"
 #include "scene/read_file.h"
 #include "scene/read_toml.h"
+#include "told.h"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -17,10 +18,7 @@ namespace blind {
 namespace dg = tumble::diagnose;
 
 inline dg::SceneText scene_of(Bench bench) {
-    const std::filesystem::path file = std::filesystem::path(TUMBLE_ROOT) / "scenes" /
-                                       (bench == Bench::drop   ? "bounce.toml"
-                                        : bench == Bench::lane ? "lane.toml"
-                                                               : "slope.toml");
+    const std::filesystem::path file = std::filesystem::path(TUMBLE_ROOT) / "scenes" / scene_of_bench(bench);
     return {*tumble::scene::read_file(file, tumble::scene::largest_scene), file};
 }
 

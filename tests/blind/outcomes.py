@@ -1,15 +1,16 @@
 #!/usr/bin/python3
 """One report of every outcome, from files alone, as a user would get it:
 
-    tests/blind/outcomes.py build/release/tumble build/release/tests/blind/blindgen out/outcomes [NAME...]
+    tests/blind/outcomes.py build/release/tumble build/release/tests/blind/blindgen out/outcomes [--words] [NAME...]
 
-Says what each came to; ends with 1 where one came to another outcome than it should.
+Says what each came to; ends with 1 where one came to another outcome than it should. With --words no report is made.
 """
 import json
 import pathlib
 import shutil
 import subprocess
 import sys
+import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CASES = ROOT / "scenes" / "measured" / "cases"
@@ -38,22 +39,30 @@ def laid_out(blindgen, case, folder):
         measurement.write_text('causes = ["ins.clock_offset"]  # which is innocent below\n' + measurement.read_text())
 
 
+def diagnosed(tumble, folder, words):
+    """What the program says of a case, with a report beside it unless only words are asked for."""
+    command = [tumble, "diagnose", "scene.toml", "--data", "measurement.toml", "--quiet"]
+    done = subprocess.run(command + (["--json"] if words else ["--report", "report"]), cwd=folder, capture_output=True, text=True)
+    if done.returncode:
+        sys.exit(f"{folder.name}: {done.stdout}{done.stderr}")
+    return json.loads(done.stdout if words else (folder / "report" / "diagnosis.json").read_text())
+
+
 def main():
     tumble, blindgen = (str(pathlib.Path(word).resolve()) for word in sys.argv[1:3])
-    out, wrong = pathlib.Path(sys.argv[3]), 0
-    for name, (outcome, scene, case) in WANTED.items():
-        if sys.argv[4:] and name not in sys.argv[4:]:
-            continue
+    out, wrong, asked = pathlib.Path(sys.argv[3]), 0, sys.argv[4:]
+    words = "--words" in asked
+    names = [word for word in asked if word != "--words"] or list(WANTED)
+    for name in names:
+        outcome, scene, case = WANTED[name]
         folder = out / name
         laid_out(blindgen, case, folder)
         shutil.copy(ROOT / "scenes" / f"{scene}.toml", folder / "scene.toml")
-        done = subprocess.run([tumble, "diagnose", "scene.toml", "--data", "measurement.toml", "--report", "report", "--quiet"],
-                              cwd=folder, capture_output=True, text=True)
-        if done.returncode:
-            sys.exit(f"{name}: {done.stdout}{done.stderr}")
-        found = json.loads((folder / "report" / "diagnosis.json").read_text())
+        begun = time.monotonic()
+        found = diagnosed(tumble, folder, words)
         wrong += found["outcome"] != outcome
-        print(f"{name}: {found['outcome']}{'' if found['outcome'] == outcome else ', not ' + outcome}\n  {found['verdict']}\n  {found['next']}")
+        print(f"{name}, {time.monotonic() - begun:.1f} s: {found['outcome']}{'' if found['outcome'] == outcome else ', not ' + outcome}\n"
+              f"  {found['verdict']}\n  {found['next']}")
     sys.exit(1 if wrong else 0)
 
 

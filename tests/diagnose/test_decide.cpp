@@ -124,6 +124,23 @@ TEST_CASE("two causes at once are found as two") {
     CHECK(all.named_wrong == 0);
 }
 
+TEST_CASE("two causes are worth what they explain of every condition that they were not fitted to") {
+    // Together they are 15 sqrt(2) standard errors, spread over four conditions: 450 of chi-square, 112 of each, of
+    // which predictions from the three others lose a few.
+    const Evidence evidence = laboratory(distinct);
+    Rng rng(20);
+    const Decision decision = decided(evidence, 15 * wave(3, 0.4) + 15 * wave(6, 0), rng);
+    REQUIRE(decision.outcome == Outcome::two_causes);
+    REQUIRE(decision.folds.size() == conditions);
+    double better = 0;
+    for (const Fold& fold : decision.folds) {
+        CHECK(fold.baseline > fold.extended);
+        better += fold.baseline - fold.extended;
+    }
+    CHECK(better > 200); // the first 30 % of a condition are not scored where they fit its own nuisances
+    CHECK(better < 500);
+}
+
 TEST_CASE("a cause whose sign cannot be is not named") {
     Evidence evidence = laboratory(distinct);
     evidence.causes[1].lo = 0;

@@ -1,5 +1,7 @@
 #include "ball.h"
 
+#include "random.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -71,11 +73,7 @@ private:
     }
 
     void begin_contact(State& s) {
-        const double plate = ball_.plate_amplitude * std::sin(2 * pi * ball_.plate_frequency * s.t + ball_.plate_phase);
-        const double speed = std::max(1e-9, plate - s.v);
-        double e = ball_.restitution * std::pow(speed, -ball_.exponent) * std::pow(1 + ball_.by_impact, impacts_++);
-        e += plate == 0 ? 0 : (1 + e) * plate / speed; // what a moving plate gives, as the plate at rest would
-        e = std::min(0.999, std::max(0.01, e));
+        const double e = rebound_of(ball_, s.v, s.t, impacts_++);
         const double beta = -std::log(e) / std::hypot(pi, std::log(e));
         stiffness_ = 4.0 / 3 * ball_.modulus * std::sqrt(ball_.radius) / ball_.mass;
         damping_ = 2 * std::sqrt(5.0 / 6) * beta * std::sqrt(2 * ball_.modulus * std::sqrt(ball_.radius) / ball_.mass);
@@ -107,6 +105,18 @@ private:
 };
 
 } // namespace
+
+double rebound_of(const Ball& ball, double v, double t, int impact) {
+    const double plate = ball.plate_amplitude * std::sin(2 * pi * ball.plate_frequency * t + ball.plate_phase);
+    const double speed = std::max(1e-9, plate - v);
+    double e = ball.restitution * std::pow(speed, -ball.exponent) * std::pow(1 + ball.by_impact, impact);
+    e += plate == 0 ? 0 : (1 + e) * plate / speed; // what a moving plate gives, as the plate at rest would
+    if (ball.rough != 0) {
+        const double u = Random(1000 * ball.throws + static_cast<unsigned long long>(impact)).uniform(-0.5, 0.5);
+        e *= 1 - ball.rough * (u < 0 ? -1 : 1) * std::log(1 - 2 * std::abs(u)) / std::sqrt(2.0);
+    }
+    return std::min(0.999, std::max(0.01, e));
+}
 
 double Path::at(double t) const {
     if (t <= 0)

@@ -12,6 +12,7 @@ struct Ball {
     double radius = 0;      // m
     double mass = 0;        // kg
     double modulus = 0;     // Pa, effective: 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2
+    double shear = 0;       // Pa, effective: 1/G* = (2-nu1)/G1 + (2-nu2)/G2; of balls that strike obliquely
     double restitution = 0; // at 1 m/s
     double gravity = 9.81;  // m/s2
     // Listed effects.
@@ -25,7 +26,14 @@ struct Ball {
     double plate_frequency = 0; // Hz
     double plate_phase = 0;     // rad
     double sticks = 0;          // s, held at every impact
+    double rough = 0;           // share by which restitution scatters from impact to impact
+    unsigned long long throws = 0; // which scatter it is
+    double magnus = 0;          // what turns a flight per unit of spin; a = magnus spin x v
 };
+
+/// Restitution of an impact, the `impact`th from 0, that begins at `t` with speed `v` upwards (m/s, negative).
+/// Scatter is two-sided exponential, as of rough spheres (Montaine et al. 2011).
+double rebound_of(const Ball& ball, double v, double t, int impact);
 
 struct State {
     double t = 0, y = 0, v = 0; // s, m, m/s

@@ -12,15 +12,15 @@ namespace blind {
 
 /// What one case is to hide.
 struct Order {
-    std::string kind;                 // null, listed, two, unlisted
+    std::string kind;                 // null, distractor, listed, two, unlisted
     std::vector<std::string> effects; // ids
     double wanted = 0;                // d'_sep or d'_res
     Bench bench = Bench::drop;
     bool more = false; // trials that separate better, and a clock in the picture
 };
 
-/// The mix of section 3.2 of the design: a quarter null, 45 % one listed effect, a tenth two, a fifth unlisted, sizes
-/// 2, 3.5, 5 and 8.
+/// The mix of section 3.2 of the design: a quarter with nothing hidden, of which two fifths have noise and clocks that
+/// are out of the ordinary (distractors), 45 % one listed effect, a tenth two, a fifth unlisted, sizes 2, 3.5, 5 and 8.
 std::vector<Order> mixed_orders(int count, Random& random);
 
 /// A case as it was made: its folder's files, and what is to be found.
@@ -39,11 +39,11 @@ struct Case {
 /// Draws everything innocent, scales the effect, adds noise that is not quite as stated.
 Case make_case(const Order& order, Random& random);
 
-/// The same ball with the same effect, measured again with the trials that a plain bench lacks.
-Case with_more(const Case& plain, Random& random);
+/// What a laboratory can be asked to do next, by the names that `tumble diagnose` gives it.
+constexpr const char* experiments[] = {"light", "clock", "longer", "again"};
 
-/// The baseline that every case is held against: the balls of scenes/bounce.toml and scenes/lane.toml, the tripod of
-/// scenes/slope.toml.
-Truth baseline(Bench bench);
+/// The same with the same effect and one more experiment: all records anew beside those there were, of a body of an
+/// eighth of the mass, of twice the duration or as they were; or taken again with a clock in the picture.
+Case followed(const Case& plain, const std::string& experiment, Random& random);
 
 } // namespace blind

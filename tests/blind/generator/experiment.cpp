@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <type_traits>
 
 namespace blind {
 
@@ -9,9 +11,10 @@ namespace {
 
 constexpr double clock_sigma = 1e-3;    // s
 constexpr double fine = 2.5e-4;         // s, grid of the filters
-constexpr double light = 1.0 / 4;       // of the mass
 constexpr double feet = 3, foot = 5e-3; // m, of the tripod
+constexpr double reach = 25e-3;         // m, of its circle
 constexpr double pi = 3.14159265358979323846;
+constexpr std::size_t most_remembered = 300;
 
 /// Heights on a fine grid, filtered by recursion for straight lines between its points.
 std::vector<double> filtered(const Path& path, const Sensor& sensor, double end) {
@@ -62,6 +65,8 @@ std::vector<double> read(const Path& path, const Sensor& sensor, const std::vect
     }
     for (std::size_t k = 0; k < y.size(); ++k)
         y[k] = (1 + sensor.gain) * (y[k] + sensor.bend * y[k] * y[k]) + sensor.bias + sensor.drift * real[k];
+    for (std::size_t k = 0; sensor.shake != 0 && k < y.size(); ++k)
+        y[k] += sensor.shake * std::sin(2 * pi * 7.3 * times[k] + 1);
     return y;
 }
 
@@ -74,142 +79,229 @@ void drag(Truth& t, double density, double viscosity) {
     add(t.lane);
 }
 
+constexpr unsigned drops = on(Bench::drop), lanes = on(Bench::lane), slopes = on(Bench::slope),
+                   rolls = on(Bench::roll), throws = on(Bench::oblique), spins = on(Bench::spin),
+                   all_but_spins = drops | lanes | slopes | rolls | throws, all = all_but_spins | spins;
+
 std::vector<Effect> listed() {
     return {
-        {"drag.quadratic", true, 0.1, 20, true, true, true, true, [](Truth& t, double a) { drag(t, a, 0); }},
-        {"drag.linear", true, 1e-3, 2, true, true, true, true, [](Truth& t, double a) { drag(t, 0, a); }},
-        {"rest.velocity", true, 0.01, 0.4, true, true, false, false, [](Truth& t, double a) { t.ball.exponent += a; }},
-        {"cohesion.work", true, 0.1, 100, true, true, false, true,
+        {"drag.quadratic", true, 0.1, 20, true, all_but_spins, [](Truth& t, double a) { drag(t, a, 0); }},
+        {"drag.linear", true, 1e-3, 2, true, all_but_spins, [](Truth& t, double a) { drag(t, 0, a); }},
+        {"rest.velocity", true, 0.01, 0.4, true, drops | throws, [](Truth& t, double a) { t.ball.exponent += a; }},
+        {"cohesion.work", true, 0.1, 100, true, drops | slopes | throws,
          [](Truth& t, double a) {
              t.ball.adhesion += a;
              t.lane.squeeze += feet * 2 * pi * a * foot / t.lane.mass;
          }},
-        {"roll.coulomb", true, 1e-3, 0.3, true, false, true, false, [](Truth& t, double a) { t.lane.rolling += a; }},
-        {"fric.weakening", true, 0.05, 1, true, false, true, true,
+        {"roll.coulomb", true, 1e-3, 0.3, true, lanes | rolls | throws,
+         [](Truth& t, double a) { t.lane.rolling += a; }},
+        {"fric.weakening", true, 0.05, 1, true, lanes | slopes | throws | spins,
          [](Truth& t, double a) { t.lane.fast_friction *= 1 - a; }},
-        {"grav.g", true, 1e-3, 0.05, false, true, true, true,
+        {"grav.g", true, 1e-3, 0.05, false, all_but_spins & ~rolls,
          [](Truth& t, double a) {
              t.ball.gravity *= 1 + a;
              t.lane.gravity *= 1 + a;
          }},
-        {"grav.tilt_x", true, 0.02, 5, false, false, true, true,
+        {"grav.tilt_x", true, 0.02, 5, false, all_but_spins & ~drops,
          [](Truth& t, double a) { t.lane.slope += a * pi / 180; }},
-        {"num.stiffness", true, 0.1, 3, false, true, false, false,
-         [](Truth& t, double a) { t.ball.modulus *= std::exp(a); }},
-        {"ins.clock_rate", true, 1e-3, 0.05, false, true, true, true, [](Truth& t, double a) { t.sensor.rate += a; }},
-        {"ins.gain", true, 1e-3, 0.1, false, true, true, true, [](Truth& t, double a) { t.sensor.gain += a; }},
-        {"ins.bias", true, 1e-4, 0.05, false, true, true, true, [](Truth& t, double a) { t.sensor.bias += a; }},
-        {"ins.drift", true, 1e-4, 0.05, false, true, true, true, [](Truth& t, double a) { t.sensor.drift += a; }},
-        {"ins.low_pass", true, 1e-3, 0.05, true, true, true, true, [](Truth& t, double a) { t.sensor.low_pass += a; }},
-        {"ins.high_pass", true, 1e-2, 5, true, true, true, true, [](Truth& t, double a) { t.sensor.high_pass += a; }},
-        {"ins.clipping", true, 2e-2, 0.9, true, true, true, true, [](Truth& t, double a) { t.sensor.clip += a; }},
+        {"num.stiffness", true, 0.1, 3, false, drops | throws,
+         [](Truth& t, double a) {
+             t.ball.modulus *= std::exp(a);
+             t.ball.shear *= std::exp(a);
+         }},
+        {"ins.clock_rate", true, 1e-3, 0.05, false, all_but_spins & ~rolls,
+         [](Truth& t, double a) { t.sensor.rate += a; }},
+        {"ins.gain", true, 1e-3, 0.1, false, all & ~rolls, [](Truth& t, double a) { t.sensor.gain += a; }},
+        {"ins.bias", true, 1e-4, 0.05, false, all_but_spins, [](Truth& t, double a) { t.sensor.bias += a; }},
+        {"ins.drift", true, 1e-4, 0.05, false, all_but_spins & ~rolls,
+         [](Truth& t, double a) { t.sensor.drift += a; }},
+        {"ins.low_pass", true, 1e-3, 0.05, true, all, [](Truth& t, double a) { t.sensor.low_pass += a; }},
+        {"ins.high_pass", true, 1e-2, 5, true, all, [](Truth& t, double a) { t.sensor.high_pass += a; }},
+        {"ins.clipping", true, 2e-2, 0.9, true, all, [](Truth& t, double a) { t.sensor.clip += a; }},
     };
 }
 
 std::vector<Effect> unlisted() {
     return {
-        {"sensor-bend", false, 1e-3, 0.2, false, true, true, true, [](Truth& t, double a) { t.sensor.bend += a; }},
-        {"restitution-of-one-drop", false, 1e-3, 0.1, false, true, false, false,
-         [](Truth& t, double a) { t.restitution[1] += a; }},
-        {"plate-swings", false, 1e-3, 0.3, true, true, false, false,
+        {"sensor-bend", false, 1e-3, 0.2, false, all, [](Truth& t, double a) { t.sensor.bend += a; }},
+        {"camera-shakes", false, 1e-3, 0.5, true, all, [](Truth& t, double a) { t.sensor.shake += a; }},
+        {"restitution-of-one-drop", false, 1e-3, 0.1, false, drops | throws,
+         [](Truth& t, double a) { t.one_restitution += a; }},
+        {"friction-of-one-run", false, 1e-2, 0.5, false, lanes | slopes | throws | spins,
+         [](Truth& t, double a) { t.one_friction += a; }},
+        {"dust-in-one-run", false, 1e-3, 0.1, true, rolls | lanes, [](Truth& t, double a) { t.one_rolling += a; }},
+        {"two-exchanged", false, 1, 1, true, all, [](Truth& t, double) { t.swapped = true; }, true},
+        {"plate-swings", false, 1e-3, 0.3, true, drops | throws,
          [](Truth& t, double a) {
              t.ball.plate_amplitude += a;
              t.ball.plate_frequency = 7.3;
              t.ball.plate_phase = 1;
          }},
-        {"warms-up", false, 1e-3, 0.1, false, true, false, false, [](Truth& t, double a) { t.ball.by_impact += a; }},
-        {"sticks", false, 1e-4, 0.02, true, true, false, false, [](Truth& t, double a) { t.ball.sticks += a; }},
-        {"hollow-lane", false, 1e-4, 0.02, false, false, true, true, [](Truth& t, double a) { t.lane.hollow += a; }},
-        {"slippery-patch", false, 0.01, 0.5, true, false, true, true, [](Truth& t, double a) { t.lane.patch += a; }},
-        {"wind", false, 0.05, 10, false, false, true, true, [](Truth& t, double a) { t.lane.wind += a; }},
-        {"rolling-by-speed", false, 1e-3, 0.1, true, false, true, false,
+        {"warms-up", false, 1e-3, 0.1, false, drops | throws, [](Truth& t, double a) { t.ball.by_impact += a; }},
+        {"restitution-scatters", false, 3e-3, 0.2, true, drops | throws, [](Truth& t, double a) { t.ball.rough += a; }},
+        {"sticks", false, 1e-4, 0.02, true, drops, [](Truth& t, double a) { t.ball.sticks += a; }},
+        {"spin-lifts", false, 1e-3, 0.3, false, throws, [](Truth& t, double a) { t.ball.magnus += a; }},
+        {"hollow-lane", false, 1e-4, 0.02, false, lanes | slopes | rolls,
+         [](Truth& t, double a) { t.lane.hollow += a; }},
+        {"slippery-patch", false, 0.01, 0.5, true, lanes | slopes, [](Truth& t, double a) { t.lane.patch += a; }},
+        {"ground-shakes", false, 0.1, 9, true, lanes | slopes | spins, [](Truth& t, double a) { t.lane.shakes += a; }},
+        {"wind", false, 0.05, 10, false, lanes | slopes | rolls, [](Truth& t, double a) { t.lane.wind += a; }},
+        {"rolling-by-speed", false, 1e-3, 0.1, true, lanes | rolls,
          [](Truth& t, double a) { t.lane.rolling_by_speed += a; }},
+        {"film", false, 0.01, 2, true, spins | slopes, [](Truth& t, double a) { t.lane.film += a; }},
     };
 }
 
 std::vector<Effect> all_effects() {
-    std::vector<Effect> all = listed();
+    std::vector<Effect> every = listed();
     for (Effect& effect : unlisted())
-        all.push_back(std::move(effect));
-    return all;
+        every.push_back(std::move(effect));
+    return every;
 }
 
-Path path_in(const Setup& setup, const Truth& truth, std::size_t k) {
+/// Ball and lane of one trial.
+Truth in_trial(const Setup& setup, Truth truth, std::size_t k) {
     const Trial& trial = setup.trials[k];
-    const double duration = setup.duration + 0.05;
-    if (setup.bench != Bench::drop) {
-        Lane lane = truth.lane;
-        lane.slope += trial.slope * pi / 180;
-        if (setup.bench == Bench::slope)
-            return path_down(lane, duration);
-        return path_along(lane, trial.speed + (truth.speeds.empty() ? 0 : truth.speeds[k]), duration);
+    truth.ball.mass *= trial.mass;
+    truth.ball.throws = 100 * truth.ball.throws + k;
+    truth.lane.mass *= trial.mass;
+    truth.lane.squeeze /= trial.mass;
+    truth.lane.slope += trial.slope * pi / 180;
+    if (k == 1) {
+        truth.ball.restitution += truth.one_restitution;
+        truth.lane.friction *= 1 + truth.one_friction;
+        truth.lane.fast_friction *= 1 + truth.one_friction;
+        truth.lane.rolling += truth.one_rolling;
     }
-    Ball ball = truth.ball;
-    ball.restitution += truth.restitution.empty() ? 0 : truth.restitution[k];
-    ball.mass *= trial.light ? light : 1;
-    return path_of(ball, ball.radius + trial.height, duration);
+    return truth;
+}
+
+/// Of every channel, of a truth that is the trial's own.
+std::vector<Path> ran(const Setup& setup, const Trial& trial, const Truth& truth, double speed) {
+    const double duration = trial.lasts * setup.duration + 0.05;
+    switch (setup.bench) {
+    case Bench::drop:
+        return {path_of(truth.ball, truth.ball.radius + trial.height, duration)};
+    case Bench::lane:
+        return {path_along(truth.lane, speed, 0, duration)};
+    case Bench::slope:
+        return {path_down(truth.lane, duration)};
+    case Bench::roll: // its spin is what the scene has; a faster throw slips a little
+        return {path_along(truth.lane, speed, trial.speed, duration)};
+    case Bench::spin:
+        return {spin_of(truth.lane, trial.spin, foot, reach, duration)};
+    case Bench::oblique:
+        break;
+    }
+    Flight flight = flight_of(truth.ball, truth.lane, truth.ball.radius + trial.height, speed, duration);
+    return {std::move(flight.along), std::move(flight.height)};
+}
+
+template <class Plain> void append(std::string& key, const Plain& plain) {
+    static_assert(std::is_trivially_copyable_v<Plain> && sizeof(Plain) % sizeof(double) == 0);
+    key.append(reinterpret_cast<const char*>(&plain), sizeof plain);
+}
+
+/// The same, remembered by every number that it depends on: what only clocks and sensors change is not run again.
+const std::vector<Path>& paths_in(const Setup& setup, const Truth& all_trials, std::size_t k) {
+    static std::map<std::string, std::vector<Path>> known;
+    const Trial& trial = setup.trials[k];
+    const Truth truth = in_trial(setup, all_trials, k);
+    const double speed = trial.speed + (truth.speeds.empty() ? 0 : truth.speeds[k]);
+    std::string key;
+    append(key, truth.ball);
+    append(key, truth.lane);
+    append(key, trial);
+    append(key, speed);
+    append(key, setup.duration);
+    append(key, static_cast<double>(setup.bench));
+    if (known.size() >= most_remembered)
+        known.clear();
+    const auto [found, added] = known.try_emplace(key);
+    if (added)
+        found->second = ran(setup, trial, truth, speed);
+    return found->second;
 }
 
 } // namespace
 
-std::vector<double> times_of(const Setup& setup) {
+std::vector<Channel> channels_of(Bench bench) {
+    const Channel way{"way", "mm", 1000, "centre_of_mass_x"}, height{"height", "mm", 1000, "centre_of_mass_y"};
+    if (bench == Bench::drop)
+        return {height};
+    if (bench == Bench::oblique)
+        return {way, height};
+    if (bench == Bench::spin)
+        return {{"spin", "rad_s", 1, "angular_speed_max"}};
+    return {way};
+}
+
+std::vector<double> times_of(const Setup& setup, const Trial& trial) {
     std::vector<double> times;
-    const double begin = setup.bench == Bench::lane ? 0.05 : 0; // a ball that is thrown is in the hand before
-    for (int k = 0; k / setup.rate_hz < setup.duration; ++k)
+    const bool thrown = setup.bench == Bench::lane || setup.bench == Bench::roll;
+    const double begin = thrown ? 0.05 : 0; // a ball that is thrown is in the hand before
+    for (int k = 0; k / setup.rate_hz < trial.lasts * setup.duration; ++k)
         if (k / setup.rate_hz >= begin)
             times.push_back(k / setup.rate_hz);
     return times;
 }
 
 Eigen::VectorXd readings_of(const Setup& setup, const Truth& truth) {
-    const std::vector<double> times = times_of(setup);
-    const std::size_t records = setup.trials.size();
-    Eigen::VectorXd all(static_cast<Eigen::Index>((setup.clock ? 2 : 1) * records * times.size()));
-    Eigen::Index row = 0;
-    for (std::size_t r = 0; r < records; ++r) {
-        const std::size_t done = truth.swapped && r < 2 ? 1 - r : r;
-        for (const double y : read(path_in(setup, truth, done), truth.sensor, times, truth.offsets[r]))
-            all[row++] = y / setup.sigma;
+    std::vector<double> readings;
+    for (std::size_t r = 0; r < setup.trials.size(); ++r) {
+        const std::size_t done = truth.swapped && (r == 0 || r == 2) ? 2 - r : r;
+        for (const Path& path : paths_in(setup, truth, done))
+            for (const double y : read(path, truth.sensor, times_of(setup, setup.trials[r]), truth.offsets[r]))
+                readings.push_back(y / setup.sigma);
     }
-    for (std::size_t r = 0; setup.clock && r < records; ++r)
-        for (const double time : times)
-            all[row++] = (time - truth.offsets[r]) / (1 + truth.sensor.rate) / clock_sigma;
-    return all;
+    for (std::size_t r = 0; setup.clock && r < setup.trials.size(); ++r)
+        for (const double time : times_of(setup, setup.trials[r]))
+            readings.push_back((time - truth.offsets[r]) / (1 + truth.sensor.rate) / clock_sigma);
+    return Eigen::Map<Eigen::VectorXd>(readings.data(), static_cast<Eigen::Index>(readings.size()));
 }
 
 std::vector<Innocent> innocents_of(const Setup& setup) {
-    std::vector<Innocent> all;
-    if (setup.bench == Bench::drop)
-        all.push_back({[](Truth& t, double a) { t.ball.restitution += a; }, 0.05});
-    else
-        all.push_back({[](Truth& t, double a) {
-                           t.lane.fast_friction *= 1 + a / t.lane.friction;
-                           t.lane.friction += a;
-                       },
-                       0.03});
+    std::vector<Innocent> innocents;
+    if (setup.bench == Bench::drop || setup.bench == Bench::oblique)
+        innocents.push_back({[](Truth& t, double a) { t.ball.restitution += a; }, 0.05});
+    if (setup.bench != Bench::drop && setup.bench != Bench::roll)
+        innocents.push_back({[](Truth& t, double a) {
+                                 t.lane.fast_friction *= 1 + a / t.lane.friction;
+                                 t.lane.friction += a;
+                             },
+                             0.03});
+    const bool thrown = setup.bench == Bench::lane || setup.bench == Bench::roll || setup.bench == Bench::oblique;
     for (std::size_t r = 0; r < setup.trials.size(); ++r) {
-        all.push_back({[r](Truth& t, double a) { t.offsets[r] += a; }, 5e-3});
-        if (setup.bench == Bench::lane)
-            all.push_back({[r](Truth& t, double a) { t.speeds[r] += a; }, 0.03});
+        innocents.push_back(
+            {[r](Truth& t, double a) { t.offsets[r] += a; }, setup.bench == Bench::spin ? 2e-3 : 5e-3});
+        if (thrown)
+            innocents.push_back({[r](Truth& t, double a) { t.speeds[r] += a; }, 0.03});
     }
-    return all;
+    return innocents;
 }
 
 bool shows(const Effect& effect, Bench bench) {
-    return bench == Bench::drop ? effect.drops : bench == Bench::lane ? effect.lanes : effect.slopes;
+    return (effect.shown & on(bench)) != 0;
 }
 
+namespace {
+
+constexpr const char* words[] = {"drop", "lane", "slope", "roll", "oblique", "spin"};
+
+} // namespace
+
 std::string word_of(Bench bench) {
-    return bench == Bench::drop ? "drop" : bench == Bench::lane ? "lane" : "slope";
+    return words[static_cast<int>(bench)];
 }
 
 Bench bench_of(const std::string& word) {
-    return word == "lane" ? Bench::lane : word == "slope" ? Bench::slope : Bench::drop;
+    const auto found = std::find(std::begin(words), std::end(words), word);
+    return found == std::end(words) ? Bench::drop : static_cast<Bench>(found - std::begin(words));
 }
 
 const std::vector<Effect>& effects() {
-    static const std::vector<Effect> all = all_effects();
-    return all;
+    static const std::vector<Effect> every = all_effects();
+    return every;
 }
 
 const Effect* find_effect(const std::string& id) {

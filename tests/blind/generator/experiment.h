@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lane.h"
+#include "throw.h"
 
 #include <Eigen/Core>
 #include <functional>
@@ -19,16 +19,25 @@ struct Sensor {
     double high_pass = 0; // 1/s
     double clip = 0;      // share of the range of a record
     double bend = 0;      // 1/m, reads y + bend y^2; in no library
+    double shake = 0;     // m, of a camera that shakes at 7.3 Hz; in no library
 };
 
-enum class Bench { drop, lane, slope };
+/// Balls that are dropped, thrown along a lane, let go rolling on it or thrown at it; a tripod that slides down a slope
+/// or spins on the level.
+enum class Bench { drop, lane, slope, roll, oblique, spin };
+constexpr int benches = 6;
+constexpr unsigned on(Bench bench) {
+    return 1U << static_cast<unsigned>(bench);
+}
 
-/// What was done once: a ball dropped or thrown along a lane, a tripod let go on a slope.
+/// What was done once.
 struct Trial {
-    double height = 0;  // m, of the ball's lowest point
-    bool light = false; // a quarter of the mass
-    double speed = 0;   // m/s, towards +x
-    double slope = 0;   // deg, falling towards +x
+    double height = 0; // m, of the ball's lowest point
+    double mass = 1;   // over the usual one
+    double speed = 0;  // m/s, towards +x
+    double slope = 0;  // deg, falling towards +x
+    double spin = 0;   // rad/s, about the vertical
+    double lasts = 1;  // over the usual duration
 };
 
 /// What was done, and how well it was read.
@@ -37,7 +46,7 @@ struct Setup {
     std::vector<Trial> trials;
     double rate_hz = 120;
     double duration = 2.5; // s
-    double sigma = 2e-3;   // m
+    double sigma = 2e-3;   // SI, of every channel but the clock
     bool clock = false;    // a clock in the picture, read to a millisecond
 };
 
@@ -48,13 +57,24 @@ struct Truth {
     Sensor sensor;
     std::vector<double> offsets;     // s, of each record's clock
     std::vector<double> speeds;      // m/s, by which each throw was faster
-    std::vector<double> restitution; // of each drop, added to the ball's; in no library
-    bool swapped = false;            // the first two records carry each other's names; in no library
+    // In no library:
+    double one_restitution = 0; // of the second trial alone, added
+    double one_friction = 0;    // of the second trial alone, share
+    double one_rolling = 0;     // of the second trial alone, mu_r
+    bool swapped = false;       // the first record and the third carry each other's names
 };
 
-std::vector<double> times_of(const Setup& setup);
+/// What is read of a bench: head of the column and its unit, SI over that unit, tumble's name.
+struct Channel {
+    const char *head, *unit;
+    double scale;
+    const char* measure;
+};
+std::vector<Channel> channels_of(Bench bench);
 
-/// Every reading without noise, over its sigma: heights or ways of all records, then clocks.
+std::vector<double> times_of(const Setup& setup, const Trial& trial);
+
+/// Every reading without noise, over its sigma: record by record, channel by channel, then clocks.
 Eigen::VectorXd readings_of(const Setup& setup, const Truth& truth);
 
 /// Something that is unknown but innocent: what a measurement adjusts under every explanation.
@@ -71,14 +91,15 @@ struct Effect {
     double typical = 0; // amplitude to begin with
     double most = 0;    // that a laboratory could overlook
     bool one_sided = false;
-    bool drops = true, lanes = true, slopes = true; // where it shows
+    unsigned shown = 0; // bits of benches
     void (*hide)(Truth&, double amplitude) = nullptr;
+    bool whole = false; // it is there or not: no amplitude
 };
 
 /// Those that the library of tumble has too, by the same ids and units; and those that it must not have.
 const std::vector<Effect>& effects();
 bool shows(const Effect& effect, Bench bench);
-/// "drop", "lane" or "slope"; and back, where it is none of them "drop".
+/// "drop" and so on; and back, where it is none of them "drop".
 std::string word_of(Bench bench);
 Bench bench_of(const std::string& word);
 const Effect* find_effect(const std::string& id);

@@ -24,16 +24,25 @@ struct Lane {
     double hollow = 0;           // 1/m, the lane rises on both sides: slope - hollow x
     double rolling_by_speed = 0; // s/m, mu_r v
     double patch = 0;            // share of friction lost within 0.3 m of the start
+    double shakes = 0;           // m/s2, the ground's upright acceleration, at 11 Hz
+    double film = 0;             // s/m, friction that grows with the speed of sliding
     double wind = 0;             // m/s, along +x, in a drag of 0.02 N s2/m2 that the scene leaves out, less still air's
 };
 
-/// Where the ball was until `duration`, let go at 0 with that speed (m/s, towards +x) and no spin. Runge and Kutta's
-/// fourth order between the events: sliding ends, the ball stops. The ball has sunk in by what Hertz' law makes of its
-/// weight, and turns on an arm that is so much shorter.
-Path path_along(const Lane& lane, double speed, double duration);
+/// Coefficient of friction at that speed of sliding, m/s.
+double friction_at(const Lane& lane, double slip);
+
+/// Where the ball was until `duration`, let go at 0 with that speed (m/s, towards +x); `surface` is its spin times its
+/// radius, 0 without spin. Runge and Kutta's fourth order between the events: sliding ends, the ball stops. The ball has
+/// sunk in by what Hertz' law makes of its weight, and turns on an arm that is so much shorter.
+Path path_along(const Lane& lane, double speed, double surface, double duration);
 
 /// Where a body that cannot roll was until `duration`, let go at rest at 0. The same method; radius, modulus and
 /// rolling do not count.
 Path path_down(const Lane& lane, double duration);
+
+/// How fast a tripod turns about the vertical, without sign, let go at 0 with that spin (rad/s): feet of `foot` (m,
+/// radius) on a circle of `reach`.
+Path spin_of(const Lane& lane, double spin, double foot, double reach, double duration);
 
 } // namespace blind

@@ -1,8 +1,10 @@
 // blindgen OUT COUNT SEED [BENCH KIND EFFECT SIZE]: writes cases OUT/case-0000 ... with measured data, and a commitment
-// to each answer; of a plain drop with a listed effect a second one, CASE-more, with the trials that it lacks; prints
-// the answers with their salts, one JSON object a line, for whoever judges. Nothing else is written.
+// to each answer; of a plain one with a listed effect four more, CASE-EXPERIMENT, each with one experiment that a
+// diagnosis may ask for; prints the answers with their salts, one JSON object a line, for whoever judges. Nothing else
+// is written.
 #include "case.h"
 #include "seal.h"
+#include "told.h"
 
 #include <cstdio>
 #include <fmt/format.h>
@@ -14,8 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace blind;
-
-const char* scenes[] = {"bounce.toml", "lane.toml", "slope.toml"}; // by the number of Bench
 
 void write(const fs::path& file, const std::string& text) {
     std::ofstream(file, std::ios::binary) << text;
@@ -30,7 +30,7 @@ std::string leave(const Case& made, const fs::path& folder, Random& salts) {
     const std::string answer = made.answer.dump();
     write(folder / "commitment.txt", sha256(salt + answer) + "\n");
     return nlohmann::ordered_json{{"case", folder.filename().string()},
-                                  {"scene", scenes[static_cast<int>(made.setup.bench)]},
+                                  {"scene", scene_of_bench(made.setup.bench)},
                                   {"salt", salt},
                                   {"answer", answer}}
         .dump();
@@ -40,7 +40,8 @@ std::string leave(const Case& made, const fs::path& folder, Random& salts) {
 
 int main(int count, char** words) {
     if (count != 4 && count != 8) {
-        std::cerr << "blindgen OUT COUNT SEED [drop|lane|slope null|listed|two|unlisted EFFECT[+EFFECT] SIZE]\n";
+        std::cerr << "blindgen OUT COUNT SEED [drop|lane|slope|roll|oblique|spin null|distractor|listed|two|unlisted "
+                     "EFFECT[+EFFECT] SIZE]\n";
         return 2;
     }
     const fs::path out = words[1];
@@ -55,7 +56,7 @@ int main(int count, char** words) {
             order.kind = words[5];
             order.effects.clear();
             std::istringstream effects(words[6]);
-            for (std::string id; order.kind != "null" && std::getline(effects, id, '+');)
+            for (std::string id; order.kind != "null" && order.kind != "distractor" && std::getline(effects, id, '+');)
                 order.effects.push_back(id);
             order.wanted = std::stod(words[7]);
         }
@@ -67,8 +68,9 @@ int main(int count, char** words) {
             continue;
         const std::string name = fmt::format("case-{:04}", number++);
         answers.push_back(leave(made, out / name, salts));
-        if (order.kind == "listed" && !order.more && order.bench == Bench::drop)
-            answers.push_back(leave(with_more(made, loops), out / (name + "-more"), salts));
+        for (const char* experiment : experiments)
+            if (order.kind == "listed" && !order.more)
+                answers.push_back(leave(followed(made, experiment, loops), out / (name + "-" + experiment), salts));
     }
     for (const std::string& answer : answers)
         std::cout << answer << '\n';

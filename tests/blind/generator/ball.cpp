@@ -15,7 +15,7 @@ constexpr double pi = 3.14159265358979323846;
 
 class Course {
 public:
-    explicit Course(const Ball& ball) : ball_(ball) {}
+    explicit Course(const Ball& ball) : ball_(ball), pace_(2 * pi * ball.shaken_at) {}
 
     std::vector<State> steps_until(State s, double until) {
         std::vector<State> steps{s};
@@ -35,6 +35,12 @@ public:
     }
 
 private:
+    /// The plate: where it is, how fast it rises, and faster and faster.
+    [[nodiscard]] double floor(double t) const { return ball_.shaken * (1 - std::cos(pace_ * t)); }
+    [[nodiscard]] double rise(double t) const { return ball_.shaken * pace_ * std::sin(pace_ * t); }
+    [[nodiscard]] double thrust(double t) const { return ball_.shaken * pace_ * pace_ * std::cos(pace_ * t); }
+    [[nodiscard]] bool clear(const State& s) const { return s.y - floor(s.t) >= ball_.radius; }
+
     [[nodiscard]] double drag(double v) const {
         return -(ball_.linear * v + ball_.quadratic * v * std::abs(v)) / ball_.mass;
     }
@@ -57,7 +63,7 @@ private:
     void fly(State& s, double until) {
         const double h = std::min(flight_step, until - s.t);
         const State next = flown(s, h);
-        if (next.y >= ball_.radius) {
+        if (clear(next)) {
             s = next;
             s.t = h < flight_step ? until : next.t;
             return;
@@ -65,15 +71,15 @@ private:
         double lo = 0, hi = h; // bisection down to a rounding error
         for (int k = 0; k < 60; ++k) {
             const double middle = (lo + hi) / 2;
-            (flown(s, middle).y >= ball_.radius ? lo : hi) = middle;
+            (clear(flown(s, middle)) ? lo : hi) = middle;
         }
         s = flown(s, lo);
-        s.y = ball_.radius;
+        s.y = ball_.radius + floor(s.t);
         begin_contact(s);
     }
 
     void begin_contact(State& s) {
-        const double e = rebound_of(ball_, s.v, s.t, impacts_++);
+        const double e = rebound_of(ball_, s.v - rise(s.t), s.t, impacts_++);
         const double beta = -std::log(e) / std::hypot(pi, std::log(e));
         stiffness_ = 4.0 / 3 * ball_.modulus * std::sqrt(ball_.radius) / ball_.mass;
         damping_ = 2 * std::sqrt(5.0 / 6) * beta * std::sqrt(2 * ball_.modulus * std::sqrt(ball_.radius) / ball_.mass);
@@ -82,22 +88,25 @@ private:
             held_until_ = s.t + ball_.sticks;
     }
 
+    /// In the plate's frame, whose acceleration hardly changes within a step.
     void touch(State& s, double until) {
-        const double h = std::min(contact_step, until - s.t);
-        const State next = stepped(s, h, [&](double y, double v) {
+        const double h = std::min(contact_step, until - s.t), pushed = thrust(s.t + h / 2);
+        const State seen{s.t, s.y - floor(s.t), s.v - rise(s.t)};
+        const State next = stepped(seen, h, [&](double y, double v) {
             const double overlap = std::max(0.0, ball_.radius - y);
             const double root = std::sqrt(overlap);
             const double stuck = overlap > 0 ? 2 * pi * ball_.adhesion * ball_.radius / ball_.mass : 0;
-            return stiffness_ * overlap * root - damping_ * std::sqrt(root) * v - stuck + drag(v) - ball_.gravity;
+            return stiffness_ * overlap * root - damping_ * std::sqrt(root) * v - stuck + drag(v) - ball_.gravity - pushed;
         });
-        s = next;
+        s = {next.t, next.y + floor(next.t), next.v + rise(next.t)};
         if (h < contact_step)
             s.t = until;
-        if (s.y > ball_.radius && s.v > 0)
+        if (next.y > ball_.radius && next.v > 0)
             touching_ = false;
     }
 
     const Ball& ball_;
+    const double pace_; // rad/s
     bool touching_ = false;
     double held_until_ = -1;
     int impacts_ = 0;

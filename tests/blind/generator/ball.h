@@ -15,6 +15,8 @@ struct Ball {
     double shear = 0;       // Pa, effective: 1/G* = (2-nu1)/G1 + (2-nu2)/G2; of balls that strike obliquely
     double restitution = 0; // at 1 m/s
     double gravity = 9.81;  // m/s2
+    double shaken = 0;      // m, amplitude of its plate, which begins at rest at its lowest: a (1 - cos 2 pi f t)
+    double shaken_at = 0;   // Hz
     // Listed effects.
     double exponent = 0;  // restitution (v / 1 m/s)^-exponent
     double linear = 0;    // N s/m

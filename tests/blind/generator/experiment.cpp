@@ -81,14 +81,16 @@ void drag(Truth& t, double density, double viscosity) {
 
 constexpr unsigned drops = on(Bench::drop), lanes = on(Bench::lane), slopes = on(Bench::slope),
                    rolls = on(Bench::roll), throws = on(Bench::oblique), spins = on(Bench::spin),
-                   all_but_spins = drops | lanes | slopes | rolls | throws, all = all_but_spins | spins;
+                   plates = on(Bench::plate), in_open_air = drops | lanes | slopes | rolls | throws,
+                   bounces = drops | throws | plates, all_but_spins = in_open_air | plates,
+                   all = all_but_spins | spins;
 
 std::vector<Effect> listed() {
     return {
-        {"drag.quadratic", true, 0.1, 20, true, all_but_spins, [](Truth& t, double a) { drag(t, a, 0); }},
-        {"drag.linear", true, 1e-3, 2, true, all_but_spins, [](Truth& t, double a) { drag(t, 0, a); }},
-        {"rest.velocity", true, 0.01, 0.4, true, drops | throws, [](Truth& t, double a) { t.ball.exponent += a; }},
-        {"cohesion.work", true, 0.1, 100, true, drops | slopes | throws,
+        {"drag.quadratic", true, 0.1, 20, true, in_open_air, [](Truth& t, double a) { drag(t, a, 0); }},
+        {"drag.linear", true, 1e-3, 2, true, in_open_air, [](Truth& t, double a) { drag(t, 0, a); }},
+        {"rest.velocity", true, 0.01, 0.4, true, bounces, [](Truth& t, double a) { t.ball.exponent += a; }},
+        {"cohesion.work", true, 0.1, 100, true, slopes | bounces,
          [](Truth& t, double a) {
              t.ball.adhesion += a;
              t.lane.squeeze += feet * 2 * pi * a * foot / t.lane.mass;
@@ -102,13 +104,15 @@ std::vector<Effect> listed() {
              t.ball.gravity *= 1 + a;
              t.lane.gravity *= 1 + a;
          }},
-        {"grav.tilt_x", true, 0.02, 5, false, all_but_spins & ~drops,
+        {"grav.tilt_x", true, 0.02, 5, false, in_open_air & ~drops,
          [](Truth& t, double a) { t.lane.slope += a * pi / 180; }},
-        {"num.stiffness", true, 0.1, 3, false, drops | throws,
+        {"num.stiffness", true, 0.1, 3, false, bounces,
          [](Truth& t, double a) {
              t.ball.modulus *= std::exp(a);
              t.ball.shear *= std::exp(a);
          }},
+        {"exc.gain", true, 0.01, 1, false, plates, [](Truth& t, double a) { t.ball.shaken *= 1 + a; }},
+        {"exc.frequency", true, 1e-3, 0.05, false, plates, [](Truth& t, double a) { t.ball.shaken_at *= 1 + a; }},
         {"ins.clock_rate", true, 1e-3, 0.05, false, all_but_spins & ~rolls,
          [](Truth& t, double a) { t.sensor.rate += a; }},
         {"ins.gain", true, 1e-3, 0.1, false, all & ~rolls, [](Truth& t, double a) { t.sensor.gain += a; }},
@@ -125,7 +129,7 @@ std::vector<Effect> unlisted() {
     return {
         {"sensor-bend", false, 1e-3, 0.2, false, all, [](Truth& t, double a) { t.sensor.bend += a; }},
         {"camera-shakes", false, 1e-3, 0.5, true, all, [](Truth& t, double a) { t.sensor.shake += a; }},
-        {"restitution-of-one-drop", false, 1e-3, 0.1, false, drops | throws,
+        {"restitution-of-one-drop", false, 1e-3, 0.1, false, bounces,
          [](Truth& t, double a) { t.one_restitution += a; }},
         {"friction-of-one-run", false, 1e-2, 0.5, false, lanes | slopes | throws | spins,
          [](Truth& t, double a) { t.one_friction += a; }},
@@ -137,8 +141,8 @@ std::vector<Effect> unlisted() {
              t.ball.plate_frequency = 7.3;
              t.ball.plate_phase = 1;
          }},
-        {"warms-up", false, 1e-3, 0.1, false, drops | throws, [](Truth& t, double a) { t.ball.by_impact += a; }},
-        {"restitution-scatters", false, 3e-3, 0.2, true, drops | throws, [](Truth& t, double a) { t.ball.rough += a; }},
+        {"warms-up", false, 1e-3, 0.1, false, bounces, [](Truth& t, double a) { t.ball.by_impact += a; }},
+        {"restitution-scatters", false, 3e-3, 0.2, true, bounces, [](Truth& t, double a) { t.ball.rough += a; }},
         {"sticks", false, 1e-4, 0.02, true, drops, [](Truth& t, double a) { t.ball.sticks += a; }},
         {"spin-lifts", false, 1e-3, 0.3, false, throws, [](Truth& t, double a) { t.ball.magnus += a; }},
         {"hollow-lane", false, 1e-4, 0.02, false, lanes | slopes | rolls,
@@ -163,6 +167,7 @@ std::vector<Effect> all_effects() {
 Truth in_trial(const Setup& setup, Truth truth, std::size_t k) {
     const Trial& trial = setup.trials[k];
     truth.ball.mass *= trial.mass;
+    truth.ball.shaken *= trial.shaken;
     truth.ball.throws = 100 * truth.ball.throws + k;
     truth.lane.mass *= trial.mass;
     truth.lane.squeeze /= trial.mass;
@@ -181,6 +186,7 @@ std::vector<Path> ran(const Setup& setup, const Trial& trial, const Truth& truth
     const double duration = trial.lasts * setup.duration + 0.05;
     switch (setup.bench) {
     case Bench::drop:
+    case Bench::plate:
         return {path_of(truth.ball, truth.ball.radius + trial.height, duration)};
     case Bench::lane:
         return {path_along(truth.lane, speed, 0, duration)};
@@ -227,7 +233,7 @@ const std::vector<Path>& paths_in(const Setup& setup, const Truth& all_trials, s
 
 std::vector<Channel> channels_of(Bench bench) {
     const Channel way{"way", "mm", 1000, "centre_of_mass_x"}, height{"height", "mm", 1000, "centre_of_mass_y"};
-    if (bench == Bench::drop)
+    if (bench == Bench::drop || bench == Bench::plate)
         return {height};
     if (bench == Bench::oblique)
         return {way, height};
@@ -262,9 +268,10 @@ Eigen::VectorXd readings_of(const Setup& setup, const Truth& truth) {
 
 std::vector<Innocent> innocents_of(const Setup& setup) {
     std::vector<Innocent> innocents;
-    if (setup.bench == Bench::drop || setup.bench == Bench::oblique)
+    const bool bounces_only = setup.bench == Bench::drop || setup.bench == Bench::plate;
+    if (bounces_only || setup.bench == Bench::oblique)
         innocents.push_back({[](Truth& t, double a) { t.ball.restitution += a; }, 0.05});
-    if (setup.bench != Bench::drop && setup.bench != Bench::roll)
+    if (!bounces_only && setup.bench != Bench::roll)
         innocents.push_back({[](Truth& t, double a) {
                                  t.lane.fast_friction *= 1 + a / t.lane.friction;
                                  t.lane.friction += a;
@@ -286,7 +293,7 @@ bool shows(const Effect& effect, Bench bench) {
 
 namespace {
 
-constexpr const char* words[] = {"drop", "lane", "slope", "roll", "oblique", "spin"};
+constexpr const char* words[] = {"drop", "lane", "slope", "roll", "oblique", "spin", "plate"};
 
 } // namespace
 

@@ -23,9 +23,9 @@ struct Sensor {
 };
 
 /// Balls that are dropped, thrown along a lane, let go rolling on it or thrown at it; a tripod that slides down a slope
-/// or spins on the level.
-enum class Bench { drop, lane, slope, roll, oblique, spin };
-constexpr int benches = 6;
+/// or spins on the level; a ball that lies on a shaken plate.
+enum class Bench { drop, lane, slope, roll, oblique, spin, plate };
+constexpr int benches = 7;
 constexpr unsigned on(Bench bench) {
     return 1U << static_cast<unsigned>(bench);
 }
@@ -37,6 +37,7 @@ struct Trial {
     double speed = 0;  // m/s, towards +x
     double slope = 0;  // deg, falling towards +x
     double spin = 0;   // rad/s, about the vertical
+    double shaken = 0; // m, amplitude of the plate
     double lasts = 1;  // over the usual duration
 };
 

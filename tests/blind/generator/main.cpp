@@ -40,7 +40,7 @@ std::string leave(const Case& made, const fs::path& folder, Random& salts) {
 
 int main(int count, char** words) {
     if (count != 4 && count != 8) {
-        std::cerr << "blindgen OUT COUNT SEED [drop|lane|slope|roll|oblique|spin null|distractor|listed|two|unlisted "
+        std::cerr << "blindgen OUT COUNT SEED [drop|lane|slope|roll|oblique|spin|plate null|distractor|listed|two|unlisted "
                      "EFFECT[+EFFECT] SIZE]\n";
         return 2;
     }

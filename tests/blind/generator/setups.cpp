@@ -7,6 +7,7 @@ namespace blind {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
+constexpr double plate_frequency = 12.65; // Hz
 
 /// Four drops from different heights; with `more` two of a light ball, and a clock in the picture.
 void draw_drops(Setup& setup, bool more, Random& random) {
@@ -78,15 +79,32 @@ void draw_spins(Setup& setup, bool more, Random& random) {
     setup.duration = 0.3;
 }
 
+/// Four accelerations of the plate, 1.6 to 3 g; with `more` two others, and a clock in the picture.
+void draw_plates(Setup& setup, bool more, Random& random) {
+    const auto add = [&](double g) {
+        const double pace = 2 * pi * plate_frequency;
+        setup.trials.push_back(
+            {.shaken = std::round(1e7 * g * random.uniform(0.97, 1.03) * 9.81 / (pace * pace)) / 1e7});
+    };
+    for (const double g : {1.6, 2.0, 2.5, 3.0})
+        add(g);
+    if (more)
+        for (const double g : {1.8, 2.8})
+            add(g);
+    setup.rate_hz = std::round(random.uniform(96, 144));
+    setup.duration = 1;
+}
+
 } // namespace
 
 Setup draw_setup(Bench bench, bool more, Random& random) {
     Setup setup;
     setup.bench = bench;
     constexpr void (*draw[])(Setup&, bool, Random&) = {draw_drops, draw_throws,  draw_slides,
-                                                       draw_rolls, draw_oblique, draw_spins};
+                                                       draw_rolls, draw_oblique, draw_spins,
+                                                       draw_plates};
     draw[static_cast<int>(bench)](setup, more, random);
-    const double usual = bench == Bench::spin ? 0.2 : 2e-3;
+    const double usual = bench == Bench::spin ? 0.2 : bench == Bench::plate ? 5e-4 : 2e-3;
     setup.sigma = std::round(1e6 * random.uniform(0.7, 1.3) * usual) / 1e6;
     setup.clock = more;
     return setup;
@@ -101,6 +119,13 @@ Truth baseline(Bench bench) {
     if (bench == Bench::oblique)
         truth.ball = {
             .radius = 0.05, .mass = 0.5, .modulus = modulus(2e7), .shear = shear(2e7), .restitution = 0.5};
+    if (bench == Bench::plate)
+        truth.ball = {.radius = 0.01,
+                      .mass = 1200 * 4.0 / 3 * pi * 1e-6,
+                      .modulus = 1 / ((1 - 0.3 * 0.3) / 1e7 + (1 - 0.3 * 0.3) / 2e11),
+                      .restitution = 0.3,
+                      .shaken = 1,
+                      .shaken_at = plate_frequency};
     if (bench == Bench::slope || bench == Bench::spin) // air takes its three feet of 5 mm for one sphere of their volume
         truth.lane = {.radius = 5e-3 * std::cbrt(3.0),
                       .mass = 1200 * 3 * 4.0 / 3 * pi * 5e-3 * 5e-3 * 5e-3,

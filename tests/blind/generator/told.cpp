@@ -12,6 +12,7 @@ constexpr double pi = 3.14159265358979323846;
 
 constexpr const char* restitution_of_leather = "key = \"pair.leather-wood.restitution\"\nspread = 0.05\n";
 constexpr const char* restitution_of_rubber = "key = \"pair.rubber-wood.restitution\"\nspread = 0.05\n";
+constexpr const char* restitution_of_plastic = "key = \"pair.plastic-steel.restitution\"\nspread = 0.05\n";
 constexpr const char* friction_of_rubber = "key = \"pair.rubber-wood.friction\"\nspread = 0.03\n";
 constexpr const char* friction_of_plastic = "key = \"pair.plastic-board.friction\"\nspread = 0.03\n";
 constexpr const char* speeds = "key = \"fill.0.velocity_m_s.0\"\nper = \"series\"\nspread = 0.03\n";
@@ -34,7 +35,8 @@ const Told& told(Bench bench) {
          "A ball thrown at the floor, filmed from the side",
          "throw",
          {restitution_of_rubber, friction_of_rubber, speeds, clocks}},
-        {"slope.toml", "A tripod that spins on the level, with marks", "spin", {friction_of_plastic, quick_clocks}}};
+        {"slope.toml", "A tripod that spins on the level, with marks", "spin", {friction_of_plastic, quick_clocks}},
+        {"plate.toml", "A ball on a plate that shakes, filmed from the side", "shake", {restitution_of_plastic, clocks}}};
     return all[static_cast<int>(bench)];
 }
 
@@ -42,7 +44,7 @@ const Told& told(Bench bench) {
 std::string mass_of(const Setup& setup, const Trial& trial, const Truth& known) {
     if (trial.mass == 1)
         return "";
-    if (setup.bench == Bench::slope || setup.bench == Bench::spin)
+    if (setup.bench == Bench::slope || setup.bench == Bench::spin || setup.bench == Bench::plate)
         return fmt::format(", \"material.plastic.density_kg_m3={}\"", 1200 * trial.mass);
     const double whole = setup.bench == Bench::drop ? known.ball.mass : known.lane.mass;
     return fmt::format(", \"body.ball.mass_kg={}\"", whole * trial.mass);
@@ -68,6 +70,8 @@ std::string sets_of(const Setup& setup, const Trial& trial, const Truth& known) 
                            mass);
     case Bench::oblique:
         return fmt::format("\"fill.0.position_m.1={}\", {}{}", known.ball.radius + trial.height, thrown, mass);
+    case Bench::plate:
+        return fmt::format("\"wall.0.motion.0.amplitude_m={}\"{}", trial.shaken, mass);
     case Bench::lane:
         break;
     }
@@ -82,6 +86,8 @@ std::string name_of(const Setup& setup, const Trial& trial) {
         name += fmt::format("{:+.1f} deg", trial.slope);
     else if (setup.bench == Bench::spin)
         name += fmt::format("{:+.1f} rad/s", trial.spin);
+    else if (setup.bench == Bench::plate)
+        name += fmt::format("{:.3f} mm", 1000 * trial.shaken);
     else
         name += fmt::format("{:+.2f} m/s", trial.speed);
     if (setup.bench == Bench::lane && trial.slope != 0)

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double share_of_step = 0.25; // of the scene's step, for impacts
 constexpr double steps_of_trial = 4;   // of those, one step of the trial that finds an impact's beginning and end
+constexpr double steps_of_row = 4;     // of the scene, between two rows of a sphere that is shaken
 constexpr double rows_of_impact = 24;  // spins and ways along a wall change within it: read between its rows they follow
 
 using Measures = std::vector<observe::Measure>;
@@ -52,6 +53,13 @@ Result<observe::Series> record_steadily(const scene::Scene& scene, const Measure
             return series;
         rows.pass(step);
     }
+}
+
+/// A sphere alone on walls that move: fine steps throughout, and rows that draw its impacts.
+Result<observe::Series> record_shaken(scene::Scene scene, const Measures& measures) {
+    scene.observe.every = std::min(scene.observe.every, steps_of_row * scene.time_step);
+    scene.time_step *= share_of_step;
+    return record_steadily(scene, measures, 1);
 }
 
 /// A sphere alone, piece by piece: a new world for every flight and every impact, which begins where the last one was
@@ -229,13 +237,17 @@ private:
     State now_;
 };
 
+bool is_one_sphere(const scene::Scene& scene) {
+    return scene.dimension == 3 && scene.fills.size() == 1 && scene.fills[0].position && scene.fills[0].start == 0 &&
+           scene.bodies[static_cast<std::size_t>(scene.fills[0].body)].spheres.size() == 1;
+}
+
 } // namespace
 
 bool flies_alone(const scene::Scene& scene) {
     const bool still = std::all_of(scene.walls.begin(), scene.walls.end(),
                                    [](const scene::Wall& wall) { return wall.motion.at_rest(); });
-    return still && scene.dimension == 3 && scene.fills.size() == 1 && scene.fills[0].position &&
-           scene.fills[0].start == 0 && scene.bodies[static_cast<std::size_t>(scene.fills[0].body)].spheres.size() == 1;
+    return still && is_one_sphere(scene);
 }
 
 Result<observe::Series> record(const scene::Scene& scene, int threads) {
@@ -244,6 +256,8 @@ Result<observe::Series> record(const scene::Scene& scene, int threads) {
         return measures.problems();
     if (flies_alone(scene))
         return Flight(scene, *measures).record();
+    if (is_one_sphere(scene))
+        return record_shaken(scene, *measures);
     return record_steadily(scene, *measures, threads);
 }
 

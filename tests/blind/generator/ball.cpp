@@ -11,6 +11,7 @@ namespace {
 
 constexpr double flight_step = 1e-3;      // s
 constexpr double contact_step = 5e-5 / 7; // s, the solver's over 7
+constexpr double kept_apart = 5 * contact_step; // s, of states in a contact
 constexpr double pi = 3.14159265358979323846;
 
 class Course {
@@ -26,10 +27,10 @@ public:
                 touch(s, until);
             else
                 fly(s, until);
-            if (s.t > steps.back().t)
-                steps.push_back(s);
-            else
+            if (s.t <= steps.back().t)
                 steps.back() = s;
+            else if (!touching_ || s.t >= steps.back().t + kept_apart || s.t >= until)
+                steps.push_back(s);
         }
         return steps;
     }

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double flight_step = 1e-3;         // s
 constexpr double contact_step = 1.4e-4 / 14; // s
+constexpr double kept_apart = 5 * contact_step; // s, of states in a contact
 constexpr double pi = 3.14159265358979323846;
 
 struct Motion {
@@ -33,7 +34,7 @@ public:
                 touch(m, std::min(contact_step, end - m.t));
             else
                 fly(m, std::min(flight_step, end - m.t));
-            if (m.t > along.back().t)
+            if (m.t > along.back().t && (!touching_ || m.t >= along.back().t + kept_apart || m.t >= end))
                 keep();
         }
         return {Path(std::move(along)), Path(std::move(height))};

@@ -55,7 +55,8 @@ std::string gain_words(const Diagnosis& diagnosis) {
         return fmt::format(" Named, gain not shown: {} the extended scene is not surely better.", where);
     const bool two = diagnosis.decision.outcome == Outcome::two_causes;
     return fmt::format(" With {} the misfit {} falls from {:.2f} to {:.2f} standard errors of a {}.",
-                       two ? "both" : "it", where, gain.rms_baseline, gain.rms_extended, diagnosis.beds.empty() ? "reading" : "mean");
+                       two ? "both" : "it", where, gain.rms_baseline, gain.rms_extended,
+                       diagnosis.beds.empty() ? "reading" : "mean");
 }
 
 std::string named(const Diagnosis& diagnosis) {

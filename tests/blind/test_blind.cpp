@@ -36,11 +36,8 @@ TEST_CASE("on the solver: nothing hidden is nothing found") {
                               Bench::slope, Bench::roll, Bench::oblique, Bench::spin};
     for (unsigned long long seed = 1; seed <= std::size(done); ++seed) {
         Diagnosis diagnosis;
-        const Order order{.kind = "null",
-                          .effects = {},
-                          .wanted = 5,
-                          .bench = done[seed - 1],
-                          .more = seed < 5 && seed % 2 == 0};
+        const Order order{
+            .kind = "null", .effects = {}, .wanted = 5, .bench = done[seed - 1], .more = seed < 5 && seed % 2 == 0};
         const std::string verdict = case_of(order, seed, diagnosis);
         CHECK_MESSAGE(diagnosis.decision.outcome == Outcome::consistent, seed << ": " << verdict);
     }
@@ -48,11 +45,10 @@ TEST_CASE("on the solver: nothing hidden is nothing found") {
 
 TEST_CASE("on the solver: what is hidden at 8 standard errors from every rival is named, with its amplitude") {
     // Naming fails at d_sep = 8 with probability Phi(-(8/2 - 3/8)) = 0.02 %.
-    const std::pair<Bench, const char*> hidden[] = {{Bench::drop, "ins.gain"},      {Bench::drop, "ins.low_pass"},
-                                                    {Bench::drop, "cohesion.work"}, {Bench::lane, "roll.coulomb"},
-                                                    {Bench::lane, "grav.tilt_x"},   {Bench::slope, "fric.weakening"},
-                                                    {Bench::roll, "roll.coulomb"},  {Bench::oblique, "rest.velocity"},
-                                                    {Bench::spin, "fric.weakening"}};
+    const std::pair<Bench, const char*> hidden[] = {
+        {Bench::drop, "ins.gain"},     {Bench::drop, "ins.low_pass"},     {Bench::drop, "cohesion.work"},
+        {Bench::lane, "roll.coulomb"}, {Bench::lane, "grav.tilt_x"},      {Bench::slope, "fric.weakening"},
+        {Bench::roll, "roll.coulomb"}, {Bench::oblique, "rest.velocity"}, {Bench::spin, "fric.weakening"}};
     for (const auto& [bench, effect] : hidden) {
         Diagnosis diagnosis;
         const Order order{

@@ -102,14 +102,32 @@ TEST_CASE("heights follow restitution smoothly: where in a step an impact begins
 
 TEST_CASE("spins are seen while an impact makes them: its rows are as close as it is short") {
     // Hertz: 2.87 (m^2 / (R E*^2 v))^0.2 = 3.9 ms at 2.43 m/s, two rows of those asked for. At 6 m/s along the lane it
-    // slides throughout, so spin and normal momentum grow together, by 5/2 mu (1 + e) v_n / R = 36 rad/s.
-    const auto series = run::record(thrown({"fill.0.velocity_m_s.0=6", "duration_s=0.4"}));
+    // slides throughout, so spin and normal momentum grow together, by 5/2 mu (1 + e) v_n / R = 47 rad/s; nearly
+    // elastic, for a dashpot that pulls at the end presses on friction, too.
+    const auto series =
+        run::record(thrown({"fill.0.velocity_m_s.0=6", "duration_s=0.4", "pair.rubber-wood.restitution=0.95"}));
     REQUIRE_MESSAGE(series, to_string(series.problems()));
     const std::vector<double>& spin = *series->find("angular_speed_max");
-    CHECK(spin.back() == about(2.5 * 0.2 * 1.5 * std::sqrt(2 * 9.81 * 0.3) / 0.05, 0.03));
+    CHECK(spin.back() == about(2.5 * 0.2 * 1.95 * std::sqrt(2 * 9.81 * 0.3) / 0.05, 0.03));
     const auto inside = std::count_if(spin.begin(), spin.end(),
                                       [&](double w) { return w > 0.02 * spin.back() && w < 0.98 * spin.back(); });
     CHECK(inside > 12);
+}
+
+TEST_CASE("ways follow friction smoothly, too: how many steps of an impact stick or slide leaves no trace") {
+    // 40, 60 and 68 degrees from the normal: it sticks, and begins or ends to. Two tenths of what a camera resolves.
+    for (const char* speed : {"2.04", "4.2", "6.1"}) {
+        std::vector<double> ways;
+        for (int k = 0; k < 8; ++k) {
+            const auto series = run::record(thrown({"observe.measures=[\"centre_of_mass_x\"]", "observe.every_s=0.001",
+                                                    std::string("fill.0.velocity_m_s.0=") + speed,
+                                                    "pair.rubber-wood.friction=" + shortest(0.2 + 1e-3 * k)}));
+            REQUIRE_MESSAGE(series, to_string(series.problems()));
+            ways.push_back(height_at(*series, 0.59));
+        }
+        for (std::size_t k = 2; k < ways.size(); ++k)
+            CHECK(std::abs(ways[k] - 2 * ways[k - 1] + ways[k - 2]) < 1e-4);
+    }
 }
 
 TEST_CASE("a ball thrown steeply or nearly along its wall is recorded to the end") {
@@ -121,8 +139,9 @@ TEST_CASE("a ball thrown steeply or nearly along its wall is recorded to the end
                         fmt::format("fill.0.velocity_m_s=[{}, {}, 0]", 3 * std::sin(angle), -3 * std::cos(angle))}));
             CAPTURE(degrees);
             CAPTURE(gap);
-            REQUIRE_MESSAGE(series, to_string(series.problems()));
-            CHECK(series->values[0].back() == about(0.3, 0.01));
+            CHECK_MESSAGE(series, to_string(series.problems()));
+            if (series)
+                CHECK(series->values[0].back() == about(0.3, 0.01));
         }
 }
 

@@ -9,8 +9,8 @@ namespace blind {
 
 namespace {
 
-constexpr double flight_step = 1e-3;      // s
-constexpr double contact_step = 5e-5 / 7; // s, the solver's over 7
+constexpr double flight_step = 1e-3;            // s
+constexpr double contact_step = 5e-5 / 7;       // s, the solver's over 7
 constexpr double kept_apart = 5 * contact_step; // s, of states in a contact
 constexpr double pi = 3.14159265358979323846;
 
@@ -97,7 +97,8 @@ private:
             const double overlap = std::max(0.0, ball_.radius - y);
             const double root = std::sqrt(overlap);
             const double stuck = overlap > 0 ? 2 * pi * ball_.adhesion * ball_.radius / ball_.mass : 0;
-            return stiffness_ * overlap * root - damping_ * std::sqrt(root) * v - stuck + drag(v) - ball_.gravity - pushed;
+            return stiffness_ * overlap * root - damping_ * std::sqrt(root) * v - stuck + drag(v) - ball_.gravity -
+                   pushed;
         });
         s = {next.t, next.y + floor(next.t), next.v + rise(next.t)};
         if (h < contact_step)

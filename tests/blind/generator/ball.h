@@ -23,14 +23,14 @@ struct Ball {
     double quadratic = 0; // N s2/m2
     double adhesion = 0;  // J/m2, work of adhesion
     // Effects that no library has.
-    double by_impact = 0;       // restitution changes by this share from impact to impact (warms up)
-    double plate_amplitude = 0; // m/s, speed of a plate that swings
-    double plate_frequency = 0; // Hz
-    double plate_phase = 0;     // rad
-    double sticks = 0;          // s, held at every impact
-    double rough = 0;           // share by which restitution scatters from impact to impact
+    double by_impact = 0;          // restitution changes by this share from impact to impact (warms up)
+    double plate_amplitude = 0;    // m/s, speed of a plate that swings
+    double plate_frequency = 0;    // Hz
+    double plate_phase = 0;        // rad
+    double sticks = 0;             // s, held at every impact
+    double rough = 0;              // share by which restitution scatters from impact to impact
     unsigned long long throws = 0; // which scatter it is
-    double magnus = 0;          // what turns a flight per unit of spin; a = magnus spin x v
+    double magnus = 0;             // what turns a flight per unit of spin; a = magnus spin x v
 };
 
 /// Restitution of an impact, the `impact`th from 0, that begins at `t` with speed `v` upwards (m/s, negative).

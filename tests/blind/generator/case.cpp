@@ -78,8 +78,8 @@ void measure(Case& made, std::size_t first, Random& random) {
     for (double& speed : truth.speeds)
         speed = std::clamp(0.02 * random.normal(), -0.06, 0.06);
     const Dirt drawn = draw_dirt(random);
-    for (std::string& csv : records_of(made.setup, first, readings_of(made.setup, truth),
-                                       distracts ? distracting : drawn, random)) {
+    for (std::string& csv :
+         records_of(made.setup, first, readings_of(made.setup, truth), distracts ? distracting : drawn, random)) {
         made.files.push_back(fmt::format("{}-{}.csv", record_word(order.bench), made.files.size() + 1));
         made.csv.push_back(std::move(csv));
     }
@@ -111,8 +111,8 @@ Case make_case(const Order& order, Random& random) {
         const double sign = effect.one_sided || random.chance(0.5) ? 1 : -1;
         if (id == "restitution-scatters")
             made.without.ball.throws = random.bits() % 1000000;
-        made.amplitudes.push_back(
-            effect.whole ? 1 : amplitude_for(made.setup, made.without, effect, order.wanted, sign));
+        made.amplitudes.push_back(effect.whole ? 1
+                                               : amplitude_for(made.setup, made.without, effect, order.wanted, sign));
         made.possible = made.possible && made.amplitudes.back() != 0;
     }
     measure(made, 0, random);

@@ -79,11 +79,10 @@ void drag(Truth& t, double density, double viscosity) {
     add(t.lane);
 }
 
-constexpr unsigned drops = on(Bench::drop), lanes = on(Bench::lane), slopes = on(Bench::slope),
-                   rolls = on(Bench::roll), throws = on(Bench::oblique), spins = on(Bench::spin),
-                   plates = on(Bench::plate), in_open_air = drops | lanes | slopes | rolls | throws,
-                   bounces = drops | throws | plates, all_but_spins = in_open_air | plates,
-                   all = all_but_spins | spins;
+constexpr unsigned drops = on(Bench::drop), lanes = on(Bench::lane), slopes = on(Bench::slope), rolls = on(Bench::roll),
+                   throws = on(Bench::oblique), spins = on(Bench::spin), plates = on(Bench::plate),
+                   in_open_air = drops | lanes | slopes | rolls | throws, bounces = drops | throws | plates,
+                   all_but_spins = in_open_air | plates, all = all_but_spins | spins;
 
 std::vector<Effect> listed() {
     return {
@@ -117,8 +116,7 @@ std::vector<Effect> listed() {
          [](Truth& t, double a) { t.sensor.rate += a; }},
         {"ins.gain", true, 1e-3, 0.1, false, all & ~rolls, [](Truth& t, double a) { t.sensor.gain += a; }},
         {"ins.bias", true, 1e-4, 0.05, false, all_but_spins, [](Truth& t, double a) { t.sensor.bias += a; }},
-        {"ins.drift", true, 1e-4, 0.05, false, all_but_spins & ~rolls,
-         [](Truth& t, double a) { t.sensor.drift += a; }},
+        {"ins.drift", true, 1e-4, 0.05, false, all_but_spins & ~rolls, [](Truth& t, double a) { t.sensor.drift += a; }},
         {"ins.low_pass", true, 1e-3, 0.05, true, all, [](Truth& t, double a) { t.sensor.low_pass += a; }},
         {"ins.high_pass", true, 1e-2, 5, true, all, [](Truth& t, double a) { t.sensor.high_pass += a; }},
         {"ins.clipping", true, 2e-2, 0.9, true, all, [](Truth& t, double a) { t.sensor.clip += a; }},
@@ -279,8 +277,7 @@ std::vector<Innocent> innocents_of(const Setup& setup) {
                              0.03});
     const bool thrown = setup.bench == Bench::lane || setup.bench == Bench::roll || setup.bench == Bench::oblique;
     for (std::size_t r = 0; r < setup.trials.size(); ++r) {
-        innocents.push_back(
-            {[r](Truth& t, double a) { t.offsets[r] += a; }, setup.bench == Bench::spin ? 2e-3 : 5e-3});
+        innocents.push_back({[r](Truth& t, double a) { t.offsets[r] += a; }, setup.bench == Bench::spin ? 2e-3 : 5e-3});
         if (thrown)
             innocents.push_back({[r](Truth& t, double a) { t.speeds[r] += a; }, 0.03});
     }

@@ -56,8 +56,8 @@ struct Truth {
     Ball ball;
     Lane lane;
     Sensor sensor;
-    std::vector<double> offsets;     // s, of each record's clock
-    std::vector<double> speeds;      // m/s, by which each throw was faster
+    std::vector<double> offsets; // s, of each record's clock
+    std::vector<double> speeds;  // m/s, by which each throw was faster
     // In no library:
     double one_restitution = 0; // of the second trial alone, added
     double one_friction = 0;    // of the second trial alone, share

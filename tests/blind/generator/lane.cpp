@@ -7,9 +7,9 @@ namespace blind {
 
 namespace {
 
-constexpr double step = 5e-4; // s
-constexpr double gust = 0.02; // N s2/m2
-constexpr double spot = 0.3;  // m
+constexpr double step = 5e-4;                              // s
+constexpr double gust = 0.02;                              // N s2/m2
+constexpr double spot = 0.3;                               // m
 constexpr double tremor = 2 * 3.14159265358979323846 * 11; // rad/s
 
 double sign(double v) {
@@ -203,7 +203,8 @@ Path spin_of(const Lane& lane, double spin, double foot, double reach, double du
     // Three spheres of a third of the mass: I = m (reach^2 + 2/5 foot^2).
     const double arm = reach / (reach * reach + 0.4 * foot * foot);
     const auto slowing = [&](double t, double w) {
-        return -arm * friction_at(lane, w * reach) * (lane.gravity * std::cos(lane.slope) * shaken(lane, t) + lane.squeeze);
+        return -arm * friction_at(lane, w * reach) *
+               (lane.gravity * std::cos(lane.slope) * shaken(lane, t) + lane.squeeze);
     };
     State s{0, std::abs(spin), slowing(0, std::abs(spin))};
     std::vector<State> all{s};

@@ -33,8 +33,8 @@ struct Lane {
 double friction_at(const Lane& lane, double slip);
 
 /// Where the ball was until `duration`, let go at 0 with that speed (m/s, towards +x); `surface` is its spin times its
-/// radius, 0 without spin. Runge and Kutta's fourth order between the events: sliding ends, the ball stops. The ball has
-/// sunk in by what Hertz' law makes of its weight, and turns on an arm that is so much shorter.
+/// radius, 0 without spin. Runge and Kutta's fourth order between the events: sliding ends, the ball stops. The ball
+/// has sunk in by what Hertz' law makes of its weight, and turns on an arm that is so much shorter.
 Path path_along(const Lane& lane, double speed, double surface, double duration);
 
 /// Where a body that cannot roll was until `duration`, let go at rest at 0. The same method; radius, modulus and

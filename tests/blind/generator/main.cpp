@@ -40,8 +40,9 @@ std::string leave(const Case& made, const fs::path& folder, Random& salts) {
 
 int main(int count, char** words) {
     if (count != 4 && count != 8) {
-        std::cerr << "blindgen OUT COUNT SEED [drop|lane|slope|roll|oblique|spin|plate null|distractor|listed|two|unlisted "
-                     "EFFECT[+EFFECT] SIZE]\n";
+        std::cerr
+            << "blindgen OUT COUNT SEED [drop|lane|slope|roll|oblique|spin|plate null|distractor|listed|two|unlisted "
+               "EFFECT[+EFFECT] SIZE]\n";
         return 2;
     }
     const fs::path out = words[1];

@@ -31,7 +31,8 @@ private:
     double error_, phase_, wandered_ = 0;
 };
 
-/// One record's readings with their errors; `clean`: all channels one after the other, then the clock's from `clock` on.
+/// One record's readings with their errors; `clean`: all channels one after the other, then the clock's from `clock`
+/// on.
 std::string record_of(const Setup& setup, const Trial& trial, const double* clean, const double* clock,
                       const Dirt& dirt, Random& random) {
     const std::vector<double> times = times_of(setup, trial);
@@ -73,8 +74,8 @@ Dirt draw_dirt(Random& random) {
     return dirt;
 }
 
-std::vector<std::string> records_of(const Setup& setup, std::size_t first, const Eigen::VectorXd& clean, const Dirt& dirt,
-                                    Random& random) {
+std::vector<std::string> records_of(const Setup& setup, std::size_t first, const Eigen::VectorXd& clean,
+                                    const Dirt& dirt, Random& random) {
     const std::size_t channels = channels_of(setup.bench).size();
     std::vector<std::string> records;
     std::size_t row = 0, clock = 0;
@@ -83,8 +84,8 @@ std::vector<std::string> records_of(const Setup& setup, std::size_t first, const
     for (std::size_t r = 0; r < setup.trials.size(); ++r) {
         const Trial& trial = setup.trials[r];
         if (r >= first)
-            records.push_back(record_of(setup, trial, clean.data() + row,
-                                        setup.clock ? clean.data() + clock : nullptr, dirt, random));
+            records.push_back(record_of(setup, trial, clean.data() + row, setup.clock ? clean.data() + clock : nullptr,
+                                        dirt, random));
         const std::size_t count = times_of(setup, trial).size();
         row += channels * count;
         clock += count;

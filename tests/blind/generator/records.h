@@ -22,7 +22,7 @@ constexpr Dirt distracting{
     .memory = 0.4, .outliers = 0.01, .step = 0.3, .mains = 0.3, .wander = 0.3, .drops_a_frame = true};
 
 /// CSV of every record from the `first` on; `clean`: readings_of the setup.
-std::vector<std::string> records_of(const Setup& setup, std::size_t first, const Eigen::VectorXd& clean, const Dirt& dirt,
-                                    Random& random);
+std::vector<std::string> records_of(const Setup& setup, std::size_t first, const Eigen::VectorXd& clean,
+                                    const Dirt& dirt, Random& random);
 
 } // namespace blind

@@ -54,8 +54,8 @@ void draw_rolls(Setup& setup, bool more, Random& random) {
     setup.duration = 3;
 }
 
-/// Six angles to the normal of what strikes at 2.4 m/s, sticking to sliding, to either side by turns; with `more` two from
-/// higher up, and a clock in the picture.
+/// Six angles to the normal of what strikes at 2.4 m/s, sticking to sliding, to either side by turns; with `more` two
+/// from higher up, and a clock in the picture.
 void draw_oblique(Setup& setup, bool more, Random& random) {
     for (const double speed : {0.9, -1.7, 2.9, -4.2, 6.0, -8.2})
         setup.trials.push_back({.height = std::round(1000 * random.uniform(0.28, 0.32)) / 1000,
@@ -100,9 +100,8 @@ void draw_plates(Setup& setup, bool more, Random& random) {
 Setup draw_setup(Bench bench, bool more, Random& random) {
     Setup setup;
     setup.bench = bench;
-    constexpr void (*draw[])(Setup&, bool, Random&) = {draw_drops, draw_throws,  draw_slides,
-                                                       draw_rolls, draw_oblique, draw_spins,
-                                                       draw_plates};
+    constexpr void (*draw[])(Setup&, bool, Random&) = {draw_drops,   draw_throws, draw_slides, draw_rolls,
+                                                       draw_oblique, draw_spins,  draw_plates};
     draw[static_cast<int>(bench)](setup, more, random);
     const double usual = bench == Bench::spin ? 0.2 : bench == Bench::plate ? 5e-4 : 2e-3;
     setup.sigma = std::round(1e6 * random.uniform(0.7, 1.3) * usual) / 1e6;
@@ -117,8 +116,7 @@ Truth baseline(Bench bench) {
     truth.ball = {.radius = 0.12, .mass = 0.6, .modulus = modulus(1.27e6), .restitution = 0.8};
     truth.lane = {.radius = 0.05, .mass = 0.5, .modulus = modulus(2e7), .friction = 0.2, .fast_friction = 0.2};
     if (bench == Bench::oblique)
-        truth.ball = {
-            .radius = 0.05, .mass = 0.5, .modulus = modulus(2e7), .shear = shear(2e7), .restitution = 0.5};
+        truth.ball = {.radius = 0.05, .mass = 0.5, .modulus = modulus(2e7), .shear = shear(2e7), .restitution = 0.5};
     if (bench == Bench::plate)
         truth.ball = {.radius = 0.01,
                       .mass = 1200 * 4.0 / 3 * pi * 1e-6,
@@ -126,7 +124,8 @@ Truth baseline(Bench bench) {
                       .restitution = 0.3,
                       .shaken = 1,
                       .shaken_at = plate_frequency};
-    if (bench == Bench::slope || bench == Bench::spin) // air takes its three feet of 5 mm for one sphere of their volume
+    if (bench == Bench::slope ||
+        bench == Bench::spin) // air takes its three feet of 5 mm for one sphere of their volume
         truth.lane = {.radius = 5e-3 * std::cbrt(3.0),
                       .mass = 1200 * 3 * 4.0 / 3 * pi * 5e-3 * 5e-3 * 5e-3,
                       .friction = 0.27,

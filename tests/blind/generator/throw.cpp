@@ -7,8 +7,8 @@ namespace blind {
 
 namespace {
 
-constexpr double flight_step = 1e-3;         // s
-constexpr double contact_step = 1.4e-4 / 14; // s
+constexpr double flight_step = 1e-3;            // s
+constexpr double contact_step = 1.4e-4 / 14;    // s
 constexpr double kept_apart = 5 * contact_step; // s, of states in a contact
 constexpr double pi = 3.14159265358979323846;
 
@@ -95,7 +95,8 @@ private:
             elastic - damping_ * std::sqrt(2 * ball_.modulus * reach * ball_.mass) * m.vy; // N, without adhesion
         const double stuck = overlap > 0 ? 2 * pi * ball_.adhesion * ball_.radius : 0;
 
-        const double slip = m.vx + m.spin * m.y;
+        const double arm = (ball_.radius + m.y) / 2; // to the middle of the overlap
+        const double slip = m.vx + m.spin * arm;
         const double stiffness = 8 * ball_.shear * reach;
         const double limit = friction_at(ground_, slip) * std::abs(pressed);
         stretch_ += slip * h;
@@ -112,7 +113,7 @@ private:
         const double inertia = 0.4 * ball_.mass * ball_.radius * ball_.radius;
         m.vx += h * (air.x + grip / ball_.mass);
         m.vy += h * (air.y + (pressed - stuck) / ball_.mass);
-        m.spin += h * (grip * m.y + held_back) / inertia;
+        m.spin += h * (grip * arm + held_back) / inertia;
         m.x += h * m.vx;
         m.y += h * m.vy;
         m.t += h;

@@ -36,7 +36,10 @@ const Told& told(Bench bench) {
          "throw",
          {restitution_of_rubber, friction_of_rubber, speeds, clocks}},
         {"slope.toml", "A tripod that spins on the level, with marks", "spin", {friction_of_plastic, quick_clocks}},
-        {"plate.toml", "A ball on a plate that shakes, filmed from the side", "shake", {restitution_of_plastic, clocks}}};
+        {"plate.toml",
+         "A ball on a plate that shakes, filmed from the side",
+         "shake",
+         {restitution_of_plastic, clocks}}};
     return all[static_cast<int>(bench)];
 }
 
@@ -112,13 +115,11 @@ std::string measurement_of(const Setup& setup, const std::vector<std::string>& f
         toml += fmt::format("\n[[nuisance]]\n{}", nuisance);
     for (std::size_t r = 0; r < files.size(); ++r) {
         const Trial& trial = setup.trials[r];
-        const bool repeats = std::any_of(setup.trials.begin(), setup.trials.begin() + static_cast<long>(r),
-                                         [&](const Trial& other) {
-                                             return name_of(setup, other) == name_of(setup, trial);
-                                         });
-        toml += fmt::format("\n[[series]]\nname = \"{}{}\"\nfile = \"{}\"\nset = [{}]\n",
-                            name_of(setup, trial), repeats ? ", again" : "", files[r],
-                            sets_of(setup, trial, known));
+        const bool repeats =
+            std::any_of(setup.trials.begin(), setup.trials.begin() + static_cast<long>(r),
+                        [&](const Trial& other) { return name_of(setup, other) == name_of(setup, trial); });
+        toml += fmt::format("\n[[series]]\nname = \"{}{}\"\nfile = \"{}\"\nset = [{}]\n", name_of(setup, trial),
+                            repeats ? ", again" : "", files[r], sets_of(setup, trial, known));
         for (const Channel& channel : channels_of(bench))
             toml += fmt::format("[[series.column]]\nhead = \"{}\"\nmeasure = \"{}\"\nsigma = {:.3g}\n", channel.head,
                                 channel.measure, channel.scale * setup.sigma);

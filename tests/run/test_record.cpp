@@ -115,7 +115,8 @@ TEST_CASE("spins are seen while an impact makes them: its rows are as close as i
 }
 
 TEST_CASE("ways follow friction smoothly, too: how many steps of an impact stick or slide leaves no trace") {
-    // 40, 60 and 68 degrees from the normal: it sticks, and begins or ends to. Two tenths of what a camera resolves.
+    // 40, 60 and 68 degrees from the normal: it sticks, and begins or ends to. With steps as long as for a drop the
+    // ways jump by a millimetre.
     for (const char* speed : {"2.04", "4.2", "6.1"}) {
         std::vector<double> ways;
         for (int k = 0; k < 8; ++k) {
@@ -126,7 +127,7 @@ TEST_CASE("ways follow friction smoothly, too: how many steps of an impact stick
             ways.push_back(height_at(*series, 0.59));
         }
         for (std::size_t k = 2; k < ways.size(); ++k)
-            CHECK(std::abs(ways[k] - 2 * ways[k - 1] + ways[k - 2]) < 1e-4);
+            CHECK(std::abs(ways[k] - 2 * ways[k - 1] + ways[k - 2]) < 3e-4);
     }
 }
 

@@ -38,7 +38,7 @@ THROWS = [[f"fill.0.velocity_m_s.0={speed}"] for speed in (2.5, -2.5, 1.4, -1.4)
 ON_SLOPE = [[f"fill.0.velocity_m_s.0={2.0 * way}", leaning(-3 * way)] for way in (1, -1)]
 ROLLED = [[f"fill.0.velocity_m_s.0={v}", f"fill.0.angular_velocity_rad_s.2={-v / 0.05}"] for v in (1.0, -1.0, 0.5, -0.5)]
 STRUCK = [["fill.0.position_m.1=0.35", f"fill.0.velocity_m_s.0={v}"] for v in (0.9, -1.7, 2.9, -4.2, 6.0, -8.2)]
-SHAKEN = [[f"wall.0.motion.0.amplitude_m={g * 9.81 / (2 * math.pi * 12.65) ** 2:.7f}"] for g in (1.6, 2.0, 2.5, 3.0)]
+SHAKEN = [[f"wall.0.motion.0.amplitude_m={g * 9.81 / (2 * math.pi * 12.65) ** 2:.7f}"] for g in (1.3, 1.6, 2.9, 3.0)]
 WAY = [("way", "centre_of_mass_x", 2e-3)]
 HEIGHT = [("height", "centre_of_mass_y", 2e-3)]
 SPEED = "key = \"fill.0.velocity_m_s.0\"\nper = \"series\"\nspread = 0.03"

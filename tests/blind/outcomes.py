@@ -22,6 +22,8 @@ WANTED = {  # what to expect; the scene; where the case is: a folder, what blind
     "two-causes": ("TWO CAUSES", "lane", ("52", "lane", "two", "roll.coulomb+grav.tilt_x", "12")),
     "none-known": ("NONE OF THE KNOWN CAUSES", "bounce", CASES / "5"),
     "cannot-decide": ("CANNOT DECIDE", "bounce", [CASES / "2"]),
+    "consistent-spin": ("CONSISTENT WITH THE BASELINE", "slope", ("54", "spin", "null", "nothing", "5")),  # these two take a second
+    "none-known-spin": ("NONE OF THE KNOWN CAUSES", "slope", ("55", "spin", "unlisted", "film", "10")),
 }
 
 

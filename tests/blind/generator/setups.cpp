@@ -79,17 +79,17 @@ void draw_spins(Setup& setup, bool more, Random& random) {
     setup.duration = 0.3;
 }
 
-/// Four accelerations of the plate, 1.6 to 3 g; with `more` two others, and a clock in the picture.
+/// Four accelerations of the plate at which flights repeat, 1.3 to 3 g: between 2 and 2.5 g they are chaotic. With `more` two others, and a clock in the picture.
 void draw_plates(Setup& setup, bool more, Random& random) {
     const auto add = [&](double g) {
         const double pace = 2 * pi * plate_frequency;
         setup.trials.push_back(
-            {.shaken = std::round(1e7 * g * random.uniform(0.97, 1.03) * 9.81 / (pace * pace)) / 1e7});
+            {.shaken = std::round(1e7 * g * random.uniform(0.99, 1.01) * 9.81 / (pace * pace)) / 1e7});
     };
-    for (const double g : {1.6, 2.0, 2.5, 3.0})
+    for (const double g : {1.3, 1.6, 2.9, 3.0})
         add(g);
     if (more)
-        for (const double g : {1.8, 2.8})
+        for (const double g : {1.45, 1.75})
             add(g);
     setup.rate_hz = std::round(random.uniform(96, 144));
     setup.duration = 1;

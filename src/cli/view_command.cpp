@@ -114,8 +114,7 @@ int keep_picture(const ViewArguments& arguments, view::Studio& studio, const sce
     if (!picture)
         return refuse(picture.problems(), arguments.json, failed);
     const std::vector<std::uint8_t> bytes = render::encode_png(*picture);
-    if (const auto kept = observe::write_whole(arguments.picture, std::string(bytes.begin(), bytes.end()));
-        !kept)
+    if (const auto kept = observe::write_whole(arguments.picture, std::string(bytes.begin(), bytes.end())); !kept)
         return refuse(kept.problems(), arguments.json, failed);
     if (arguments.json)
         say_json(nlohmann::ordered_json{{"picture", arguments.picture.string()}});

@@ -183,8 +183,8 @@ static Result<Vector3d> direction_of(const scene::Render& settings) {
     return Vector3d(1.0, -0.55, -0.75);
 }
 
-Result<Camera> make_camera(const scene::Render& settings, const Eigen::AlignedBox3d& box, const Area& area,
-                           double time, bool held) {
+Result<Camera> make_camera(const scene::Render& settings, const Eigen::AlignedBox3d& box, const Area& area, double time,
+                           bool held) {
     const auto direction = direction_of(settings);
     if (!direction) {
         return direction.problems();

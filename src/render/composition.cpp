@@ -183,8 +183,7 @@ OverlayContent Composition::content(const observe::Frame& frame, const PlotLine&
 }
 
 MarkView Composition::mark_view() const {
-    return {camera,      arrangement.window,         arrangement.unit,
-            style.theme, clip_of(settings, *layout), settings.clip_cuts};
+    return {camera, arrangement.window, arrangement.unit, style.theme, clip_of(settings, *layout), settings.clip_cuts};
 }
 
 double Composition::disc_line() const {

@@ -1,6 +1,7 @@
 #include "render/marks.h"
 
 #include "render/clip.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>

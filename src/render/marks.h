@@ -39,9 +39,9 @@ struct MarkKey {
     };
     std::optional<Arrow> arrow;
     std::optional<Chain> chain;
-    std::vector<Trail> trails;   // those with a row of their own
-    int more_trails = 0;         // beside them
-    std::optional<double> since; // s, where the first of all trails begins
+    std::vector<Trail> trails;     // those with a row of their own
+    int more_trails = 0;           // beside them
+    std::optional<double> since;   // s, where the first of all trails begins
     std::vector<std::string> clip; // where bodies are left out or cut open, a row each
 
     /// The mean has a second row for its time, trails together one for theirs.

@@ -198,8 +198,8 @@ std::vector<WallDrawer::Stroke> WallDrawer::collect_edges(const observe::Frame& 
                 const auto at = [&](double share) {
                     return Vector3f((share == 0 ? from : share == 1 ? to : from + share * (to - from)).cast<float>());
                 };
-                strokes.push_back({at((*shown)[0]), at((*shown)[1]),
-                                   Eigen::Vector2d(edge.beyond[0], edge.beyond[1]).cast<float>()});
+                strokes.push_back(
+                    {at((*shown)[0]), at((*shown)[1]), Eigen::Vector2d(edge.beyond[0], edge.beyond[1]).cast<float>()});
             }
         }
     }

@@ -186,8 +186,8 @@ std::string tick_word(double value, double step) {
     if (size < step / 1000)
         return "0";
     const int digits = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
-    const std::string word = step >= least && size < most ? fmt::format("{:.{}f}", size, digits)
-                                                          : fmt::format("{:g}", size);
+    const std::string word =
+        step >= least && size < most ? fmt::format("{:.{}f}", size, digits) : fmt::format("{:g}", size);
     return (value < 0 ? "\u2212" : "") + word;
 }
 

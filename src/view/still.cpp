@@ -33,9 +33,9 @@ Result<Done> open_tab(Studio& studio, const std::string& tab) {
     const Result<Shown> shown = studio.draw();
     if (!shown)
         return shown.problems();
-    const auto places = nlohmann::json::parse(shown->state)["places"];
-    const auto place = places.find("tab " + tab);
-    if (place == places.end())
+    const auto state = nlohmann::json::parse(shown->state);
+    const auto place = state["places"].find("tab " + tab);
+    if (!state["panel"].get<bool>() || place == state["places"].end())
         return Problem{.what = fmt::format("the panel shows no tab '{}'", tab),
                        .fix = "take Plots, Change, Look or Keep, and a window that is not too small: --size 1280x720"};
     const auto [left, top, right, bottom] = place->get<std::array<double, 4>>();

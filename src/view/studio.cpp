@@ -231,7 +231,8 @@ bool Studio::is_stale() {
     const SourceState state = source_->state();
     const MomentPtr now = source_->newest();
     return resized_ || look_changed_ || (sketched_ && is_at_rest()) || hands_.any() || passes_left_ > 0 ||
-           (now && now->number != drawn_) || words_of(state) != told_ || notice_ != told_notice_ || saved_ != told_saved_;
+           (now && now->number != drawn_) || words_of(state) != told_ || notice_ != told_notice_ ||
+           saved_ != told_saved_;
 }
 
 void Studio::pass_panel() {

@@ -249,12 +249,13 @@ def outlives_no_size(page):
     """A window that is folded away says that it is 0 x 0: the picture keeps its size, and hands go on to be heard."""
     size, step = page.size(), page.state()["step"]
     page.driver.execute_script(
-        """for (const side of ['innerWidth', 'innerHeight']) Object.defineProperty(window, side, { configurable: true, get: () => 0 });
+        """window.sides = ['innerWidth', 'innerHeight'].map((side) => [side, Object.getOwnPropertyDescriptor(window, side)]);
+        for (const [side] of sides) Object.defineProperty(window, side, { configurable: true, get: () => 0 });
         window.dispatchEvent(new Event('resize'));""")
     page.press(".")
     page.wait("one step", lambda: page.state()["step"] == step + 1)
     assert page.size() == size, page.size()
-    page.driver.execute_script("delete window.innerWidth; delete window.innerHeight; window.dispatchEvent(new Event('resize'));")
+    page.driver.execute_script("for (const [side, kept] of sides) Object.defineProperty(window, side, kept); window.dispatchEvent(new Event('resize'));")
     page.press(".")
     page.wait("one more step, in the window's size", lambda: page.state()["step"] == step + 2 and page.size() == page.window())
 

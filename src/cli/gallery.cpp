@@ -154,7 +154,7 @@ const std::vector<GalleryPicture>& gallery_pictures() {
          "{phase}/quarter-load-surface-slope.svg"},
         {"view.png",
          "the view of a simulation at work",
-         {"view", "{scenes}/trough-quick.toml", "--picture", "{file}", "--time", ":0.96"}},
+         {"view", "{scenes}/trough-quick.toml", "--picture", "{file}", "--time", ":0.96", "--threads", "2"}},
         {"bowl-sections.png", "six sections through the full bowl",
          strip_of("bowl-full", {"--sections=0,0.027,0.054,0.081,0.108,0.135", "--camera=side", "--color=vy",
                                 "--range=-0.5,0.5", "--size=1120x640"})},

@@ -57,7 +57,7 @@ const std::vector<GalleryRun>& gallery_runs() {
           "wall.specimen.base_m=[0.0875,0.04,0]", "--set", "render.width_px=800", "--set", "render.height_px=450",
           "--from", "0.8", "--pictures", "--threads", "2"},
          3},
-        {"case", diagnosis_of("lane.toml", "measured/cases/1/measurement.toml", {}), 1},
+        {"case", diagnosis_of("lane.toml", "measured/cases/1/measurement.toml", {})},
         {"phase", diagnosis_of("measured/trough/trough.toml", "measured/trough/measurement-2.toml",
                                {"--seeds", "3", "--old-runs"})},
         {"bowl-full", run_of("bowl.toml", {}), 108},
@@ -154,9 +154,11 @@ const std::vector<GalleryPicture>& gallery_pictures() {
          "{phase}/quarter-load-surface-slope.svg"},
         {"view.png",
          "the view of a simulation at work",
-         {"view", "{scenes}/trough-quick.toml", "--picture", "{file}", "--time", ":0.96", "--threads", "2"}},
+         {"view", "{scenes}/trough-quick.toml", "--picture", "{file}", "--time", ":0.96", "--threads", "2"},
+         "{file}",
+         1},
         {"bowl-sections.png", "six sections through the full bowl",
-         strip_of("bowl-full", {"--sections=0,0.027,0.054,0.081,0.108,0.135", "--camera=side", "--color=vy",
+         strip_of("bowl-full", {"--sections=0,0.027,0.054,0.081,0.108,0.135", "--cut", "--camera=side", "--color=vy",
                                 "--range=-0.5,0.5", "--size=1120x640"})},
         {"bowl-flow.png",
          "mean flow in the full bowl",
@@ -164,7 +166,8 @@ const std::vector<GalleryPicture>& gallery_pictures() {
           "--layers", "8", "--picture", "{file}"}},
         {"view-run.png",
          "the view of a run that is over",
-         {"view", "{bowl-full}", "--picture", "{file}", "--time", "3.3:4.5", "--tab", "Look", "--trails=sensor"}},
+         {"view", "{bowl-full}", "--picture", "{file}", "--time", "3.3:4.5", "--tab", "Look", "--trails=sensor",
+          "--size=1200x675"}},
     };
     return pictures;
 }
@@ -179,7 +182,7 @@ std::vector<const GalleryRun*> runs_of(const GalleryPicture& picture) {
 }
 
 int minutes_of(const GalleryPicture& picture, const GivenRuns& given) {
-    int minutes = 0;
+    int minutes = picture.minutes;
     for (const GalleryRun* run : runs_of(picture))
         minutes += given.contains(run->name) ? 0 : run->minutes;
     return minutes;

@@ -24,6 +24,7 @@ struct GalleryPicture {
     std::string shows;            // in a few words
     Words words;                  // of the command that draws it; none: a run does
     std::string taken = "{file}"; // where the picture lies then
+    int minutes = 0;              // of the command, on two idle cores; 0: less than one
 };
 
 const std::vector<GalleryRun>& gallery_runs();
@@ -35,7 +36,7 @@ std::vector<const GalleryRun*> runs_of(const GalleryPicture& picture);
 /// Folders of runs that are there already, by the runs' names.
 using GivenRuns = std::map<std::string, std::filesystem::path>;
 
-/// On two idle cores, of its runs that are not given; 0: less than one.
+/// On two idle cores, with its runs that are not given; 0: less than one.
 int minutes_of(const GalleryPicture& picture, const GivenRuns& given = {});
 
 /// What stands in the place of the braces; {NAME} is `runs / NAME`, or the folder that is given for it.

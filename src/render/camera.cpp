@@ -9,8 +9,9 @@
 
 namespace tumble::render {
 
-// Width over height of what the scene has of a picture of 1280 x 720 beside its panels, for which eyes are chosen.
-constexpr double usual_shape = 1.4;
+// Width over height of the narrowest area that eyes are chosen for: what the scene has of a window of 1280 x 720 beside
+// the view's panel.
+constexpr double usual_shape = 1.2;
 
 using Eigen::Matrix3d;
 using Eigen::Vector2d;

@@ -13,8 +13,11 @@ std::optional<Eigen::AlignedBox3d> clip_of(const scene::Render& settings, const 
 }
 
 std::string plane_words(int axis, double place, bool above) {
-    const double mm = 1e-4 * std::round(1e7 * std::abs(place)); // roundings of what was typed are not told
-    const std::string number = mm < 1000 ? fmt::format("{:.4g}", mm) : fmt::format("{:.0f}", mm);
+    const double mm = 1e3 * std::abs(place);
+    const bool fine = mm < 10; // to a tenth of a millimetre, or three digits; roundings of what was typed are not told
+    const std::string number = mm < 1e-4 ? "0"
+                               : fine    ? fmt::format("{:.3g}", mm)
+                                         : fmt::format("{:.10g}", std::round(10 * mm) / 10);
     return fmt::format("{} {} {}{} mm", "xyz"[axis], above ? "\u2265" : "\u2264",
                        place < 0 && number != "0" ? "\u2212" : "", number);
 }

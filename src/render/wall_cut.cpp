@@ -61,7 +61,9 @@ std::vector<Segment> cut_lines(const WallSurface& surface, const observe::WallPl
             corners[k] = place.rotation * triangle.corners[k] + place.translation;
             reach.extend(corners[k]);
         }
-        if (box.contains(reach) || !box.intersects(reach)) {
+        const bool inside =
+            (reach.min().array() > box.min().array()).all() && (reach.max().array() < box.max().array()).all();
+        if (inside || !box.intersects(reach)) {
             continue;
         }
         for (int axis = 0; axis < 3; ++axis) {

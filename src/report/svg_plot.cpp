@@ -200,7 +200,7 @@ static std::array<int, 2> size_of(const std::string& plot) {
 }
 
 std::string svg_file(const std::vector<std::string>& plots, int columns) {
-    constexpr int gap = 20; // px
+    constexpr int gap = 20, margin = 8; // px
     std::string inside;
     int wide = 0, high = 0, row = 0; // px; of the row that is filled
     for (std::size_t k = 0; k < plots.size(); ++k) {
@@ -214,10 +214,10 @@ std::string svg_file(const std::vector<std::string>& plots, int columns) {
         row = std::max(row, height);
     }
     high += row;
-    return fmt::format("<svg viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" "
+    return fmt::format("<svg viewBox=\"-{4} -{4} {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" "
                        "xmlns=\"http://www.w3.org/2000/svg\"><style>{2}</style>"
-                       "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>{3}\n</svg>\n",
-                       wide, high, plot_style, inside);
+                       "<rect x=\"-{4}\" y=\"-{4}\" width=\"{0}\" height=\"{1}\" fill=\"white\"/>{3}\n</svg>\n",
+                       wide + 2 * margin, high + 2 * margin, plot_style, inside, margin);
 }
 
 double tick_step(double width) {

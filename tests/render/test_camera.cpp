@@ -145,8 +145,8 @@ TEST_CASE("a free parallel camera shows at its target what a perspective one wit
 }
 
 /// The eye is 10 m before the target and its opening has a tangent of 1: the height's half of 200 pixels is 10 m. What
-/// an area of 7:5 would show is 14 m to either side: 200 * 200 / 1.4 / 400 = 7.14 pixels a metre.
-TEST_CASE("in a narrow picture a free camera opens wider, as far as the box needs it and no further than one of 7:5") {
+/// an area of 6:5 would show is 12 m to either side, which 100 pixels have to hold: 8.33 pixels a metre.
+TEST_CASE("in a narrow picture a free camera opens wider, as far as the box needs it and no further than one of 6:5") {
     const Area narrow{0, 0, 200, 400};
     scene::Render settings;
     settings.camera = "free";
@@ -156,12 +156,12 @@ TEST_CASE("in a narrow picture a free camera opens wider, as far as the box need
         const AlignedBox3d wide(Vector3d(-half, -1, -1), Vector3d(half, 1, 1));
         return make_camera(settings, wide, into, 0, held)->scale;
     };
-    const double least = 20 * 200 / (1.4 * 400);
+    const double least = 100.0 / 12;
     CHECK(scale_for(2, narrow) == about(20)); // 40 of the half width of 100 pixels
     CHECK(scale_for(8, narrow) == about(0.94 * 100 / 8));
     CHECK(scale_for(100, narrow) == about(least));
     CHECK(scale_for(100, narrow, true) == about(20)); // whoever holds it chose what is seen
-    CHECK(scale_for(100, {0, 0, 560, 400}) == about(20));
+    CHECK(scale_for(100, {0, 0, 480, 400}) == about(20));
     settings.turn_deg_s = 10;
     CHECK(scale_for(2, narrow) == about(least)); // it must not breathe on its way
     settings.turn_deg_s = 0;

@@ -65,7 +65,8 @@ TEST_CASE("a plane is named by its axis, its place in mm and the side that is sh
     CHECK(plane_words(0, -0.0205, true) == "x \u2265 \u221220.5 mm");
     CHECK(plane_words(1, 0, false) == "y \u2264 0 mm");
     CHECK(plane_words(1, -1e-20, true) == "y \u2265 0 mm");
-    CHECK(plane_words(2, 1.2345, false) == "z \u2264 1234 mm");
+    CHECK(plane_words(2, 1.2345678, false) == "z \u2264 1234.6 mm");
+    CHECK(plane_words(2, 0.0054479, false) == "z \u2264 5.45 mm");
 }
 
 TEST_CASE("of a clip only the faces within the domain are named, and whether they cut bodies open") {

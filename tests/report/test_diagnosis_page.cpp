@@ -74,7 +74,7 @@ TEST_CASE("plots in a file of their own stand in rows, on white and with their s
     Plot higher = plot;
     higher.height = 300;
     const std::string file = svg_file({svg_of(plot), svg_of(higher), svg_of(plot)}, 2);
-    CHECK(file.starts_with("<svg viewBox=\"0 0 940 600\""));
+    CHECK(file.starts_with("<svg viewBox=\"-8 -8 956 616\" width=\"956\" height=\"616\"")); // with its margins
     CHECK(file.find(".grid{") != std::string::npos);
     CHECK(file.find("fill=\"white\"") != std::string::npos);
     CHECK(count(file, "<svg x=\"480\" y=\"0\"") == 1);

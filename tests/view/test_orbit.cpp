@@ -22,7 +22,7 @@ scene::Render settings_for(const char* camera, const char* projection) {
 }
 
 render::Camera camera_for(const scene::Render& settings) {
-    const auto camera = render::make_camera(settings, {settings.view->lo, settings.view->hi}, area, 0, true); // held
+    const auto camera = render::make_camera(settings, {settings.view->lo, settings.view->hi}, area);
     REQUIRE(camera.ok());
     return *camera;
 }

@@ -226,6 +226,8 @@ def draws_over_the_bodies(page):
             page.click(box)
             page.wait("the choice", lambda: choice in page.state()["places"])
         page.click(choice)
+        if box:  # until the list has closed the places are those of before
+            page.wait("the list to close", lambda: choice not in page.state()["places"])
         page.wait("another picture", lambda: picture_of(page) != before)
 
 

@@ -208,9 +208,9 @@ std::string svg_file(const std::vector<std::string>& plots, int columns) {
         const auto [width, height] = size_of(plots[k]);
         if (column == 0 && k > 0)
             high += row + gap, row = 0;
-        const int left = column * (width + gap);
-        inside += fmt::format("\n<svg x=\"{}\" y=\"{}\"{}", left, high, plots[k].substr(4));
-        wide = std::max(wide, left + width);
+        const int x = column * (width + gap);
+        inside += fmt::format("\n<svg x=\"{}\" y=\"{}\"{}", x, high, plots[k].substr(4));
+        wide = std::max(wide, x + width);
         row = std::max(row, height);
     }
     high += row;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <doctest/doctest.h>
+#include <utility>
 
 namespace test_part_loads {
 
@@ -63,9 +64,9 @@ TEST_CASE("a body's touches are told apart: first the impact, then what follows 
 TEST_CASE("a touch knows when it pressed hardest, and when it sheared hardest") {
     // Normal forces 2, 5, 3 and 1 N, shear forces 0.5, 0.6, 0.9 and 0.1 N, a millisecond apart from 7 ms on.
     TouchHistory history(1e-3, 0.01);
-    const double normal[]{2, 5, 3, 1}, shear[]{0.5, 0.6, 0.9, 0.1};
-    for (int step = 0; step < 4; ++step)
-        history.take(1e-3 * (7 + step), {push(4, normal[step], shear[step])});
+    int step = 7;
+    for (const auto& [normal, shear] : std::vector<std::pair<double, double>>{{2, 0.5}, {5, 0.6}, {3, 0.9}, {1, 0.1}})
+        history.take(1e-3 * step++, {push(4, normal, shear)});
     const std::vector<Touching> touches = history.touches();
     REQUIRE(touches.size() == 1);
     CHECK(touches[0].begin == about(7e-3));

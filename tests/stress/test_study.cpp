@@ -373,7 +373,7 @@ TEST_CASE("the means are solved as well, and what is written can be read") {
     for (std::size_t k = 0; k < heads.size(); ++k) {
         const bool of_contacts = heads[k] == "contacts" || heads[k].starts_with("strongest") ||
                                  heads[k].starts_with("facet") || heads[k].starts_with("surface");
-        CHECK_MESSAGE((last[k] == "nan") == of_contacts, heads[k]);
+        CHECK_MESSAGE((last[k] == "nan") == of_contacts, std::string(heads[k]));
     }
     CHECK(study.cases[2].window == about(0.1, 1e-9));
     const sheet::Sheet sheet = sheet_of(study, {.means = true});

@@ -74,9 +74,9 @@ std::optional<Problem> refuse_other(const StressArguments& arguments, const std:
     if (kept == settings)
         return std::nullopt;
     return Problem{.file = arguments.out.string(),
-                   .what = kept.empty() ? "holds stresses that were solved before settings were kept beside them"
-                                        : "holds stresses that were solved otherwise: " +
-                                              stress::what_differs(kept, settings),
+                   .what = kept.empty()
+                               ? "holds stresses that were solved before settings were kept beside them"
+                               : "holds stresses that were solved otherwise: " + stress::what_differs(kept, settings),
                    .fix = "--out DIR keeps both; --force replaces them"};
 }
 
@@ -190,10 +190,11 @@ int solve_it(StressArguments& arguments) {
     if (!recorded->loads.stopped)
         return fine;
     if (again) {
-        note(fmt::format("warning: the run in {} was stopped at {:.6g} s of {:.6g} s; these are the stresses up to there. "
-                         "`tumble stress SCENE --out {} --resume` goes on",
-                         arguments.scene.file.string(), recorded->loads.instants.back().time, recorded->scene.duration,
-                         arguments.scene.file.string()));
+        note(fmt::format(
+            "warning: the run in {} was stopped at {:.6g} s of {:.6g} s; these are the stresses up to there. "
+            "`tumble stress SCENE --out {} --resume` goes on",
+            arguments.scene.file.string(), recorded->loads.instants.back().time, recorded->scene.duration,
+            arguments.scene.file.string()));
         return fine;
     }
     note("warning: stopped early; these are the stresses up to there. The same command with --resume goes on");

@@ -22,7 +22,7 @@ struct SlicePoint {
     solid::Inside inside;
     Directions directions;                                 // normal: the mean of those facets'
     double edge = std::numeric_limits<double>::infinity(); // m, from the node to where the side ends
-    double height = 0; // along the part's axis, 0 at its lower end, 1 at its upper
+    double height = 0;                                     // along the part's axis, 0 at its lower end, 1 at its upper
 };
 
 struct Slice {

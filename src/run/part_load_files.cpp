@@ -25,7 +25,8 @@ const std::vector<std::string> contact_heads{"time_s", "body",   "triangle", "x_
 const std::vector<std::string> mean_heads{"time_s", "window_s", "triangle", "x_m",  "y_m",  "z_m",    "nx",
                                           "ny",     "nz",       "fx_N",     "fy_N", "fz_N", "patch_m"};
 const std::string since_head = "since_last_s"; // nan of a row's first touch, so that nothing reads it back
-const std::vector<std::string> peak_heads{"peak_normal_s", "peak_shear_s"}; // folders of before they were kept have none
+const std::vector<std::string> peak_heads{"peak_normal_s",
+                                          "peak_shear_s"}; // folders of before they were kept have none
 const std::vector<std::string> touch_heads{"body",
                                            "touch",
                                            "begin_s",
@@ -91,9 +92,9 @@ std::string touches_csv(const PartLoads& loads, const solid::HexMesh& mesh) {
                 touch.since,
                 static_cast<double>(mesh.hex_numbers[static_cast<std::size_t>(mesh.facets[facet].hex)])};
         add(row, touch.foot);
-        for (const double value : {touch.approach, touch.slip, touch.peak_normal, touch.peak_shear,
-                                   touch.normal_impulse, touch.shear_impulse, touch.peak_normal_time,
-                                   touch.peak_shear_time})
+        for (const double value :
+             {touch.approach, touch.slip, touch.peak_normal, touch.peak_shear, touch.normal_impulse,
+              touch.shear_impulse, touch.peak_normal_time, touch.peak_shear_time})
             row.push_back(value);
         text += csv_line(row);
     }

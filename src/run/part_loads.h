@@ -76,9 +76,9 @@ Result<Done> write_loads(const PartLoads& loads, const scene::SpecimenShape& spe
 /// facet_loads() over the facets' areas, of all instants, as facets.csv has them.
 std::string facets_csv(const PartLoads& loads, const solid::HexMesh& mesh);
 
-/// Instants and means of such a folder, to the same bits, and its touches, but for Touching::since; times of their peaks
-/// are NaN where the folder is of before they were kept. Problems: files
-/// that are missing or damaged, with the line; facets and elements that the part does not have.
+/// Instants and means of such a folder, to the same bits, and its touches, but for Touching::since; times of their
+/// peaks are NaN where the folder is of before they were kept. Problems: files that are missing or damaged, with the
+/// line; facets and elements that the part does not have.
 Result<PartLoads> read_loads(const std::filesystem::path& folder, const scene::SpecimenShape& specimen);
 
 } // namespace tumble::run

@@ -174,12 +174,11 @@ private:
             scene::Render settings = settings_;
             settings.projection = "orthographic";
             look_at(settings, box.center(), place_.rotation * cut.normal, 1.1 * box.diagonal().norm());
-            const render::FieldLook look{
-                .title =
-                    titled(fmt::format("{}, stress in a cut {} through the worst node", recorded_.name(), cut.how)),
-                .note = time(),
-                .span = span_,
-                .lit = false};
+            const render::FieldLook look{.title = titled(fmt::format("{}, stress in a cut {} through the worst node",
+                                                                     recorded_.name(), cut.how)),
+                                         .note = time(),
+                                         .span = span_,
+                                         .lit = false};
             if (auto failure = paint(cut.file, settings, std::move(cut.field), look, nullptr))
                 return failure;
         }
@@ -213,8 +212,8 @@ private:
             .title = titled(fmt::format("{}, normal stress {:.4g} mm beneath '{}'{}", recorded_.name(), depth,
                                         slice.side, end ? "" : ", rolled out")),
             .note = time(),
-            .caption = end ? "the end, seen from outside"
-                           : "to the right: around the part, anticlockwise; up: along its axis",
+            .caption =
+                end ? "the end, seen from outside" : "to the right: around the part, anticlockwise; up: along its axis",
             .span = span,
             .lit = false,
             .axes = false};

@@ -89,12 +89,9 @@ void look_at(const run::LoadInstant& instant, const solid::HexMesh& mesh, double
     now.contacts = static_cast<int>(instant.pushes.size());
     for (const observe::WallPush& push : instant.pushes) {
         const solid::Facet& facet = mesh.facets[static_cast<std::size_t>(push.triangle / 2)];
-        const Strongest here{push.body,
-                             mesh.hex_numbers[static_cast<std::size_t>(facet.hex)],
-                             facet.face + 1,
-                             push.foot,
-                             push.pressing(),
-                             push.shearing().norm()};
+        const Strongest here{push.body,       mesh.hex_numbers[static_cast<std::size_t>(facet.hex)],
+                             facet.face + 1,  push.foot,
+                             push.pressing(), push.shearing().norm()};
         if (!now.strongest ||
             std::hypot(here.normal, here.shear) > std::hypot(now.strongest->normal, now.strongest->shear))
             now.strongest = here;

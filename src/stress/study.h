@@ -20,7 +20,7 @@ namespace tumble::stress {
 struct StudyOptions {
     fem::Formulation formulation = fem::Formulation::incompatible;
     std::vector<double> depths{0.0005, 0.001, 0.0015}; // m, of the slices; the thesis'
-    std::vector<std::string> sides;                    // facet sets; empty: all along the axis that face outwards
+    std::vector<std::string> sides{};                  // facet sets; empty: all along the axis that face outwards
     bool means = false;                                // solve the means over the windows, else the instants
     double patch = 1; // radius of the circles in which bodies touch, times that of the run; 0: forces act at points
     fem::Counting counting{.trivial = 500, .edge = 0.003};
@@ -66,8 +66,8 @@ struct Study {
     std::string settings; // settings_of what was solved
     std::vector<fem::Slice> slices;
     std::vector<Case> cases;
-    Field worst;         // the case with the largest von Mises stress
-    int worst_node = 0;  // where it is, of all nodes: its number
+    Field worst;                                           // the case with the largest von Mises stress
+    int worst_node = 0;                                    // where it is, of all nodes: its number
     Eigen::Vector3d worst_place = Eigen::Vector3d::Zero(); // m
     std::map<std::string, double> pressed; // by side of the part: its share of all contacts' forces, as sizes
     double patch = 0; // m, mean radius of the circles in which bodies touch, as the forces weigh it; 0: none

@@ -91,11 +91,11 @@ sheet::Figure surface_over_time(const Study& study) {
 } // namespace
 
 sheet::Figure impact_figure(const observe::Impacts& impacts) {
-    sheet::Figure figure{"impact",
-                         fmt::format("Touches of body {}, that pressed hardest, at their peaks",
-                                     impacts.hardest.front().body),
-                         {"time", "s"},
-                         {"largest force", "N"}};
+    sheet::Figure figure{
+        "impact",
+        fmt::format("Touches of body {}, that pressed hardest, at their peaks", impacts.hardest.front().body),
+        {"time", "s"},
+        {"largest force", "N"}};
     sheet::Curve normal{"normal", sheet::Style::points}, shear{"shear", sheet::Style::points};
     for (const observe::Touching& touch : impacts.hardest) {
         normal.add(touch.peak_normal_time, touch.peak_normal);

@@ -171,7 +171,8 @@ void warn_of_facets(const Study& study, sheet::Sheet& sheet) {
         sheet.say(fmt::format(
             "Warning: facets are narrower than the circles in which bodies touch, of which one covers {:.3g} facets' "
             "areas, but all of a contact's force counts on the facet of its middle. Force over area, in facets.csv and "
-            "of a facet here, is so many times the mean pressure there; coarser facets, or von Mises inside, tell more.",
+            "of a facet here, is so many times the mean pressure there; coarser facets, or von Mises inside, tell "
+            "more.",
             patch / facet));
     else if (facet > about_a_patch * patch)
         sheet.say(fmt::format(
@@ -246,9 +247,9 @@ std::string in_mm(const Eigen::Vector3d& place) {
 /// The worst case, where it is and what touches then.
 void tell_worst(const Study& study, sheet::Sheet& sheet) {
     const Case& worst = study.cases[study.worst.index];
-    const std::string when = worst.window > 0
-                                 ? fmt::format("in the mean of the {:.3g} ms before {:.6g} s", 1e3 * worst.window, worst.time)
-                                 : fmt::format("at {:.6g} s", worst.time);
+    const std::string when =
+        worst.window > 0 ? fmt::format("in the mean of the {:.3g} ms before {:.6g} s", 1e3 * worst.window, worst.time)
+                         : fmt::format("at {:.6g} s", worst.time);
     std::string touch;
     if (worst.strongest)
         touch = fmt::format(" The strongest contact of that instant is body {}'s, on face {} of element {} at {}: it "
@@ -279,8 +280,8 @@ void tell_sides(const Study& study, sheet::Sheet& sheet) {
     for (const auto& [side, share] : study.pressed) {
         there += sides.contains(side) ? share : 0;
         if (!sides.contains(side) && share > most_of_it)
-            hint = fmt::format(" Most of it, {:.3g} %, acts on '{}': `--side {}` looks beneath that.", 100 * share, side,
-                               side);
+            hint = fmt::format(" Most of it, {:.3g} %, acts on '{}': `--side {}` looks beneath that.", 100 * share,
+                               side, side);
     }
     sheet.say(fmt::format("Slices lie beneath '{}', where {:.3g} % of the contacts' force acts.{}",
                           fmt::join(sides, "', '"), 100 * there, hint));
@@ -325,11 +326,11 @@ sheet::Sheet sheet_of(const Study& study, const StudyOptions& options) {
                               : ""));
     sheet.parts.emplace_back(decay(study, sheet));
     sheet.head("Compression and tension (tables 7.4 and 7.5)");
-    sheet.say(
-        fmt::format("Means over all {} cases; normal stresses within {:.4g} Pa are left out, and a case without any has "
-                    "0. `compressive` is the share of the mean compression in both means, averaged over the cases that "
-                    "have either; how many stands beside it.",
-                    study.cases.size(), options.counting.trivial));
+    sheet.say(fmt::format(
+        "Means over all {} cases; normal stresses within {:.4g} Pa are left out, and a case without any has "
+        "0. `compressive` is the share of the mean compression in both means, averaged over the cases that "
+        "have either; how many stands beside it.",
+        study.cases.size(), options.counting.trivial));
     sheet.parts.emplace_back(signs(study, sheet));
     sheet.head("Near the edges and elsewhere");
     sheet.say(

@@ -147,7 +147,8 @@ TEST_CASE("stress says what it replaces, and replaces with --force alone what wa
     CHECK(content_of(folder.path / "ball/cases.csv") == kept);
     const Outcome forced = tumble_in(folder, {"stress", "ball", "--element", "standard", "--force"});
     CHECK_MESSAGE(forced.code == 0, forced.err);
-    CHECK_MESSAGE(contains(forced.err, "replaces the stresses in ball: element = incompatible, now standard"), forced.err);
+    CHECK_MESSAGE(contains(forced.err, "replaces the stresses in ball: element = incompatible, now standard"),
+                  forced.err);
     CHECK(content_of(folder.path / "ball/cases.csv") != kept);
 
     fs::remove(folder.path / "ball/study.txt");

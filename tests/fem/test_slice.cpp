@@ -89,10 +89,10 @@ TEST_CASE("a slice beneath an end lies straight below it, with two directions ac
     CHECK(area == about(3 * (0.015 * 0.015 - 0.005 * 0.005), 1e-9));
     // A column under its own 100 kPa: that is what presses on the slice, and nothing shears.
     const auto parts = components_on(*top, mesh, stresses(mesh, [](const Vector3d&) {
-                                         Stress stress = Stress::Zero();
-                                         stress[1] = -1e5;
-                                         return stress;
-                                     }));
+        Stress stress = Stress::Zero();
+        stress[1] = -1e5;
+        return stress;
+    }));
     CHECK((parts.row(0).array() + 1e5).abs().maxCoeff() < 1e-6);
     CHECK(parts.bottomRows<2>().cwiseAbs().maxCoeff() < 1e-6);
     const auto base = slice_of(mesh, locator, "base", Vector3d::UnitY(), 0.002);

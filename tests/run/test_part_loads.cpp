@@ -68,10 +68,10 @@ TEST_CASE("a ball at rest loads its part with its weight, at an instant and in t
 
 TEST_CASE("a ball that rests across an edge presses and shears a facet alike, and what facets bear is its weight") {
     // Gravity lies along the square's diagonal and the ball on the upright edge between +x and +z. Its contact's normal
-    // is 45 degrees off either facet's: of its weight W the facet that is touched bears W / sqrt(2) along its own normal
-    // and as much across it, though the contact shears with nothing.
-    const scene::Scene scene = loaded(
-        {{"gravity_m_s2=[-6.9367175, 0, -6.9367175]"}, {"fill.0.position_m=[0.011177, 0.0225, 0.011177]"}});
+    // is 45 degrees off either facet's: of its weight W the facet that is touched bears W / sqrt(2) along its own
+    // normal and as much across it, though the contact shears with nothing.
+    const scene::Scene scene =
+        loaded({{"gravity_m_s2=[-6.9367175, 0, -6.9367175]"}, {"fill.0.position_m=[0.011177, 0.0225, 0.011177]"}});
     const solid::HexMesh& mesh = *specimen_of(scene).mesh;
     const run::PartLoads loads = recorded(scene, {.every = 0.3});
     const Vector3d weight = -test::weight_of_ball / std::sqrt(2.0) * Vector3d(1, 0, 1);
@@ -205,8 +205,11 @@ TEST_CASE("a scene without a specimen, and a body that was put inside one, are s
     REQUIRE_FALSE(refused);
     CHECK(refused.problems()[0].what == "body 0 lies inside 'part' at 0.01 s");
     // What a part of 50 mm is that was written as 50 m, in a domain of 0.3 m.
-    const auto vast = loaded({{"wall.part.length_m=50"}, {"wall.part.side_m=15"}, {"wall.part.corner_m=4.8"},
-                              {"duration_s=1e-4"}, {"fill.0.position_m=[0.09, 0.19, 0.09]"}});
+    const auto vast = loaded({{"wall.part.length_m=50"},
+                              {"wall.part.side_m=15"},
+                              {"wall.part.corner_m=4.8"},
+                              {"duration_s=1e-4"},
+                              {"fill.0.position_m=[0.09, 0.19, 0.09]"}});
     struct Heard : run::RunListener {
         std::string warnings;
         void warned(const std::string& sentence) override { warnings += sentence; }

@@ -64,8 +64,7 @@ TEST_CASE("a specimen in millimetres is doubted by its size, and one from a file
         solid::Prism{.length = 50, .side = 15, .corner = 5, .corner_cells = 1, .middle_cells = 1, .along = 2}, {});
     put(folder.path / "part.inp", solid::to_inp(part, {2e11, 0.3, "C3D8", {"base"}}, {}));
     const auto with = [&](const std::string& scale) {
-        return doubts({"wall.floor={name=\"floor\", shape=\"hexahedra\", inp=\"" +
-                       (folder.path / "part.inp").string() +
+        return doubts({"wall.floor={name=\"floor\", shape=\"hexahedra\", inp=\"" + (folder.path / "part.inp").string() +
                        "\", axis=[0, 1, 0], held_set=\"base\", material=\"glass\"" + scale + "}"});
     };
     CHECK(with(", scale=0.001").empty());

@@ -117,8 +117,8 @@ TEST_CASE("a slice beneath a flat side keeps its shape") {
 }
 
 TEST_CASE("a side with corners is rolled out to its perimeter, facet beside facet, wherever the axis stands") {
-    // A square of 20 mm has 80 mm about it. Without one of its quarters, an L of three squares of 10 mm, it has as much:
-    // eight sides of such a square, two of them about an inner corner.
+    // A square of 20 mm has 80 mm about it. Without one of its quarters, an L of three squares of 10 mm, it has as
+    // much: eight sides of such a square, two of them about an inner corner.
     for (const bool whole : {true, false}) {
         const solid::HexMesh mesh = bar_of([&](int i, int k) { return whole || i < 4 || k < 4; });
         const auto slice = fem::slice_of(mesh, solid::Locator(mesh), "side", Vector3d::UnitY(), 0.001);

@@ -225,8 +225,7 @@ TEST_CASE("the worst case is named with its instant, node and contact, and what 
     const Case& worst = study.cases[study.worst.index];
     const auto node = static_cast<std::size_t>(study.worst_node - 1);
     CHECK(study.worst_place == specimen_of(scene).mesh->nodes[node]);
-    CHECK(worst.von_mises ==
-          fem::von_mises(study.worst.stress.segment<6>(6 * static_cast<Eigen::Index>(node))));
+    CHECK(worst.von_mises == fem::von_mises(study.worst.stress.segment<6>(6 * static_cast<Eigen::Index>(node))));
     REQUIRE(worst.strongest);
     const solid::HexMesh& mesh = *specimen_of(scene).mesh;
     const auto named = std::find_if(mesh.facets.begin(), mesh.facets.end(), [&](const solid::Facet& facet) {
@@ -285,7 +284,8 @@ TEST_CASE("force over a facet's area is warned about where facets and patches di
     // Facets are 5 mm long, and 2.4 mm wide on 9.6 of a side's 15 mm, else 1.35 mm; equal pressure weighs them by area.
     const double width = 0.64 * std::sqrt(5 * 2.4) + 0.36 * std::sqrt(5 * 1.35); // mm
     // Of 9.9 mm2; a circle of 4 mm radius has 50 mm2, one of 1.6 mm 8 mm2, one of 0.3 mm 0.28 mm2.
-    const std::string wide = said(with_patches(0.004)), alike = said(with_patches(0.0016)), narrow = said(with_patches(0.0003));
+    const std::string wide = said(with_patches(0.004)), alike = said(with_patches(0.0016)),
+                      narrow = said(with_patches(0.0003));
     CHECK(has(wide, "Warning: facets are narrower than the circles"));
     CHECK_FALSE(has(alike, "Warning: facets"));
     CHECK(has(narrow, "Warning: facets are wider than the circles"));
@@ -303,8 +303,10 @@ TEST_CASE("of twelve slices the shallowest of each side are drawn, of three all"
             found.push_back(curve.label);
         return found;
     };
-    CHECK(labels(studied(scene, loads)) == std::vector<std::string>{"-x, 0.5 mm", "+x, 0.5 mm", "-z, 0.5 mm", "+z, 0.5 mm"});
-    CHECK(labels(studied(scene, loads, {.sides = {"+x"}})) == std::vector<std::string>{"+x, 0.5 mm", "+x, 1 mm", "+x, 1.5 mm"});
+    CHECK(labels(studied(scene, loads)) ==
+          std::vector<std::string>{"-x, 0.5 mm", "+x, 0.5 mm", "-z, 0.5 mm", "+z, 0.5 mm"});
+    CHECK(labels(studied(scene, loads, {.sides = {"+x"}})) ==
+          std::vector<std::string>{"+x, 0.5 mm", "+x, 1 mm", "+x, 1.5 mm"});
 }
 
 TEST_CASE("touches are drawn at their peaks, and not at all where the peaks' times were not kept") {
@@ -331,9 +333,9 @@ TEST_CASE("touches are drawn at their peaks, and not at all where the peaks' tim
 TEST_CASE("settings of two studies are told apart line by line") {
     const scene::Scene scene = loaded();
     const std::string one = settings_of(specimen_of(scene), {}),
-                      other = settings_of(specimen_of(scene), {.formulation = fem::Formulation::standard,
-                                                               .depths = {0.00025},
-                                                               .means = true});
+                      other =
+                          settings_of(specimen_of(scene),
+                                      {.formulation = fem::Formulation::standard, .depths = {0.00025}, .means = true});
     CHECK(what_differs(one, one).empty());
     CHECK(what_differs(one, other) == "loads = instants, now means; element = incompatible, now standard; depths_mm = "
                                       "0.5, 1, 1.5, now 0.25");

@@ -223,9 +223,10 @@ std::optional<Problems> read_touches(const LoadTable& from, PartLoads& loads) {
 } // namespace
 
 std::string facets_csv(const PartLoads& loads, const solid::HexMesh& mesh) {
+    const FacetFinder finder(mesh);
     std::string text = "time_s,element,face,area_m2,normal_Pa,shear_Pa\n";
     for (const LoadInstant& instant : loads.instants)
-        for (const auto& [facet, sum] : facet_loads(instant.pushes, mesh)) {
+        for (const auto& [facet, sum] : facet_loads(instant.pushes, finder)) {
             const solid::Facet& of = mesh.facets[static_cast<std::size_t>(facet)];
             const double area = mesh.area_of(facet).norm();
             text +=

@@ -117,19 +117,6 @@ private:
 
 } // namespace
 
-std::map<int, FacetLoad> facet_loads(const std::vector<observe::WallPush>& pushes, const solid::HexMesh& mesh) {
-    std::map<int, FacetLoad> facets;
-    for (const observe::WallPush& push : pushes) {
-        const int number = push.triangle / 2;
-        const Eigen::Vector3d normal = mesh.area_of(number).normalized();
-        const double pressing = -push.force.dot(normal);
-        FacetLoad& facet = facets[number];
-        facet.pressing += pressing;
-        facet.shearing += push.force + pressing * normal;
-    }
-    return facets;
-}
-
 Result<int> find_specimen(const scene::Scene& scene, const std::string& name) {
     std::vector<int> found;
     std::string names;

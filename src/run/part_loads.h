@@ -50,13 +50,29 @@ struct PartLoads {
     double wall_s = 0; // s, it took
 };
 
+/// Which facet a contact counts for: at an edge or corner, where several meet, the one that faces the body most, else
+/// that of its triangle.
+class FacetFinder {
+public:
+    /// The mesh outlives it.
+    explicit FacetFinder(const solid::HexMesh& mesh);
+
+    [[nodiscard]] int facet_of(const observe::WallPush& push) const;
+    [[nodiscard]] const solid::HexMesh& mesh() const { return mesh_; }
+
+private:
+    const solid::HexMesh& mesh_;
+    std::vector<Eigen::Vector3d> normals_;         // per facet, outward
+    std::vector<std::vector<int>> facets_of_node_; // per node
+};
+
 /// What an instant's contacts do to a facet, along and across the facet's normal, which at an edge is not theirs.
 struct FacetLoad {
     double pressing = 0;                                // N
     Eigen::Vector3d shearing = Eigen::Vector3d::Zero(); // N
 };
 /// By facet of the mesh.
-std::map<int, FacetLoad> facet_loads(const std::vector<observe::WallPush>& pushes, const solid::HexMesh& mesh);
+std::map<int, FacetLoad> facet_loads(const std::vector<observe::WallPush>& pushes, const FacetFinder& finder);
 
 /// The index of the scene's wall that is a specimen; `name` chooses among several, empty: there is one. Problems: none
 /// or several, no such wall, a wall of another shape.

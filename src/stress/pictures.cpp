@@ -58,10 +58,9 @@ public:
         name(surface_);
         cut("cut-along", axis_.cross(outward_), "along the axis");
         cut("cut-across", axis_, "across the axis");
-        render::WidestRange range; // of the same stress in all of them
+        // One scale, the surface's: that of a cut through the strongest contact would leave the rest of the part dark.
+        render::WidestRange range;
         range.take_in(surface_.values);
-        for (const Cut& cut : cuts_)
-            range.take_in(cut.field.values);
         span_ = range.span(component_.has_sign);
         for (const auto& problems : {draw_part(), draw_cuts(), draw_slices()})
             if (problems)

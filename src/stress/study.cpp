@@ -60,7 +60,8 @@ std::vector<CaseLoad> case_loads(const run::PartLoads& loads, bool means) {
 }
 
 /// Patches, facets beneath them and sides that they are on, weighed with the contacts' forces.
-void measure_patches(const std::vector<CaseLoad>& cases, const solid::HexMesh& mesh, double times, Study& study) {
+void measure_patches(const std::vector<CaseLoad>& cases, const run::FacetFinder& finder, double times, Study& study) {
+    const solid::HexMesh& mesh = finder.mesh();
     std::vector<double*> side_of(mesh.facets.size()); // its share
     for (const auto& [side, facets] : mesh.facet_sets)
         for (const int facet : facets)
@@ -68,7 +69,7 @@ void measure_patches(const std::vector<CaseLoad>& cases, const solid::HexMesh& m
     double weight = 0;
     for (const CaseLoad& load : cases)
         for (const observe::WallPush& push : load.pushes) {
-            const int facet = push.triangle / 2;
+            const int facet = finder.facet_of(push);
             const double force = push.force.norm();
             weight += force;
             study.patch += force * times * push.patch;
@@ -85,10 +86,11 @@ void measure_patches(const std::vector<CaseLoad>& cases, const solid::HexMesh& m
 }
 
 /// What an instant's contacts say of a case by themselves. `surface`: m2, of the part.
-void look_at(const run::LoadInstant& instant, const solid::HexMesh& mesh, double surface, Case& now) {
+void look_at(const run::LoadInstant& instant, const run::FacetFinder& finder, double surface, Case& now) {
+    const solid::HexMesh& mesh = finder.mesh();
     now.contacts = static_cast<int>(instant.pushes.size());
     for (const observe::WallPush& push : instant.pushes) {
-        const solid::Facet& facet = mesh.facets[static_cast<std::size_t>(push.triangle / 2)];
+        const solid::Facet& facet = mesh.facets[static_cast<std::size_t>(finder.facet_of(push))];
         const Strongest here{push.body,       mesh.hex_numbers[static_cast<std::size_t>(facet.hex)],
                              facet.face + 1,  push.foot,
                              push.pressing(), push.shearing().norm()};
@@ -96,7 +98,7 @@ void look_at(const run::LoadInstant& instant, const solid::HexMesh& mesh, double
             std::hypot(here.normal, here.shear) > std::hypot(now.strongest->normal, now.strongest->shear))
             now.strongest = here;
     }
-    for (const auto& [facet, sum] : run::facet_loads(instant.pushes, mesh)) {
+    for (const auto& [facet, sum] : run::facet_loads(instant.pushes, finder)) {
         const double area = mesh.area_of(facet).norm();
         now.facet_normal = std::max(now.facet_normal, sum.pressing / area);
         now.facet_shear = std::max(now.facet_shear, sum.shearing.norm() / area);
@@ -268,6 +270,7 @@ Result<Study> study(const scene::Scene& scene, const scene::SpecimenShape& speci
     for (std::size_t f = 0; f < specimen.mesh->facets.size(); ++f)
         surface += specimen.mesh->area_of(static_cast<int>(f)).norm();
     const std::vector<CaseLoad> cases = case_loads(loads, options.means);
+    const run::FacetFinder finder(*specimen.mesh);
     for (std::size_t c = 0; c < cases.size(); ++c) {
         Case now;
         now.time = cases[c].time;
@@ -276,10 +279,10 @@ Result<Study> study(const scene::Scene& scene, const scene::SpecimenShape& speci
         if (options.means)
             now.facet_normal = now.facet_shear = now.surface_normal = now.surface_shear = untold;
         else
-            look_at(loads.instants[c], *specimen.mesh, surface, now);
+            look_at(loads.instants[c], finder, surface, now);
         study.cases.push_back(std::move(now));
     }
-    measure_patches(cases, *specimen.mesh, options.patch, study);
+    measure_patches(cases, finder, options.patch, study);
     study.impacts = observe::impacts_of(loads.touches);
     study.load_s = seconds_since(loading);
 

@@ -77,7 +77,8 @@ TEST_CASE("a ball that rests across an edge presses and shears a facet alike, an
     const Vector3d weight = -test::weight_of_ball / std::sqrt(2.0) * Vector3d(1, 0, 1);
     Vector3d sum = Vector3d::Zero();
     double pressing = 0;
-    for (const auto& [facet, load] : run::facet_loads(loads.instants.back().pushes, mesh)) {
+    const auto facets = run::facet_loads(loads.instants.back().pushes, run::FacetFinder(mesh));
+    for (const auto& [facet, load] : facets) {
         const Vector3d normal = mesh.area_of(facet).normalized();
         CHECK(load.shearing.norm() == about(load.pressing, 1e-3));
         CHECK(std::abs(load.shearing.dot(normal)) < 1e-12);
@@ -89,8 +90,38 @@ TEST_CASE("a ball that rests across an edge presses and shears a facet alike, an
     for (const observe::WallPush& push : loads.instants.back().pushes)
         CHECK(push.shearing().norm() < 1e-3 * push.pressing());
     const std::string csv = run::facets_csv(loads, mesh);
-    CHECK(std::count(csv.begin(), csv.end(), '\n') ==
-          1 + static_cast<std::ptrdiff_t>(run::facet_loads(loads.instants.back().pushes, mesh).size()));
+    CHECK(std::count(csv.begin(), csv.end(), '\n') == 1 + static_cast<std::ptrdiff_t>(facets.size()));
+}
+
+TEST_CASE("a contact at an edge counts for the facet that faces the body, whichever triangle it was found on") {
+    // At the upper edge of +x, 20 degrees above the horizon: with F along its normal it presses +x with F cos 20 and
+    // shears it with F sin 20, though it was found on a triangle of the upper end. On a face it stays where it is.
+    const scene::Scene scene = loaded();
+    const solid::HexMesh& mesh = *specimen_of(scene).mesh;
+    const run::FacetFinder finder(mesh);
+    const double lean = std::acos(-1.0) / 9;
+    const auto triangle_beneath = [&](const char* side, const Vector3d& foot) {
+        const auto& facets = mesh.facet_sets.at(side);
+        return 2 * *std::min_element(facets.begin(), facets.end(), [&](int one, int other) {
+                   return (mesh.centre_of(one) - foot).norm() < (mesh.centre_of(other) - foot).norm();
+               });
+    };
+    observe::WallPush push;
+    push.foot = Vector3d(0.0075, 0.05, 0.0005);
+    push.normal = Vector3d(std::cos(lean), std::sin(lean), 0);
+    push.force = -2 * push.normal;
+    for (const char* found_on : {"top", "+x"}) {
+        CAPTURE(found_on);
+        push.triangle = triangle_beneath(found_on, push.foot);
+        const auto facets = run::facet_loads({push}, finder);
+        REQUIRE(facets.size() == 1);
+        CHECK(mesh.area_of(facets.begin()->first).normalized().x() == about(1, 1e-12));
+        CHECK(facets.begin()->second.pressing == about(2 * std::cos(lean), 1e-12));
+        CHECK((facets.begin()->second.shearing - Vector3d(0, -2 * std::sin(lean), 0)).norm() < 1e-12);
+    }
+    push.normal = Vector3d::UnitY();
+    push.triangle = triangle_beneath("top", push.foot);
+    CHECK(finder.facet_of(push) == push.triangle / 2);
 }
 
 TEST_CASE("all momentum that gravity brings in a window leaves through the part") {

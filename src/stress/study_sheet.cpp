@@ -168,17 +168,14 @@ void warn_of_facets(const Study& study, sheet::Sheet& sheet) {
     const double patch = std::numbers::pi * study.patch * study.patch, facet = study.facet * study.facet; // m2
     sheet.fact("facet_areas_a_patch", patch / facet);
     if (patch > about_a_patch * facet)
-        sheet.say(fmt::format(
-            "Warning: facets are narrower than the circles in which bodies touch, of which one covers {:.3g} facets' "
-            "areas, but all of a contact's force counts on the facet of its middle. Force over area, in facets.csv and "
-            "of a facet here, is so many times the mean pressure there; coarser facets, or von Mises inside, tell "
-            "more.",
-            patch / facet));
+        sheet.say(fmt::format("Warning: facets are narrower than the circles in which bodies touch, each of which has "
+                              "{0:.3g} times a facet's area, but all of a contact's force counts on one facet: force "
+                              "over area, here and in facets.csv, is {0:.3g} times a circle's mean pressure.",
+                              patch / facet));
     else if (facet > about_a_patch * patch)
-        sheet.say(fmt::format(
-            "Warning: facets are wider than the circles in which bodies touch, by {:.3g} in area. Force over area, in "
-            "facets.csv and of a facet here, is the mean pressure there over so much.",
-            facet / patch));
+        sheet.say(fmt::format("Warning: facets have {0:.3g} times the area of the circles in which bodies touch: force "
+                              "over area, here and in facets.csv, is {0:.3g} times less than a circle's mean pressure.",
+                              facet / patch));
 }
 
 /// Means over all instants, those at which nothing touches among them.

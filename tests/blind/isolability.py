@@ -37,13 +37,9 @@ LIGHT = [[f"fill.0.position_m.1={0.12 + height}", "body.ball.mass_kg=0.15"] for 
 THROWS = [[f"fill.0.velocity_m_s.0={speed}"] for speed in (2.5, -2.5, 1.4, -1.4)]
 ON_SLOPE = [[f"fill.0.velocity_m_s.0={2.0 * way}", leaning(-3 * way)] for way in (1, -1)]
 ROLLED = [[f"fill.0.velocity_m_s.0={v}", f"fill.0.angular_velocity_rad_s.2={-v / 0.05}"] for v in (1.0, -1.0, 0.5, -0.5)]
-STRUCK = [["fill.0.position_m.1=0.35", f"fill.0.velocity_m_s.0={v}"] for v in (0.9, -1.7, 2.9, -4.2, 6.0, -8.2)]
-SHAKEN = [[f"wall.0.motion.0.amplitude_m={g * 9.81 / (2 * math.pi * 12.65) ** 2:.7f}"] for g in (1.3, 1.6, 2.9, 3.0)]
 WAY = [("way", "centre_of_mass_x", 2e-3)]
-HEIGHT = [("height", "centre_of_mass_y", 2e-3)]
 SPEED = "key = \"fill.0.velocity_m_s.0\"\nper = \"series\"\nspread = 0.03"
 
-RESTITUTION = 'key = "pair.{}.restitution"\nspread = 0.05'
 EXPERIMENTS = {  # of records: scene, sets of each record, columns (head, measure, sigma), nuisances, duration, readings a second, clock
     "one drop": ("bounce", DROPS[2:3], [("height", "centre_of_mass_y", 2e-3)],
                  ['key = "pair.leather-wood.restitution"\nspread = 0.05', offset(0.005)], 2.5, 120, False),
@@ -60,12 +56,6 @@ EXPERIMENTS = {  # of records: scene, sets of each record, columns (head, measur
     "spin-down": ("slope", [["gravity_m_s2=[0.0, -9.81, 0.0]", f"fill.0.angular_velocity_rad_s.1={w}"]
                             for w in (40, -40, 20, -20)], [("spin", "angular_speed_max", 0.2)],
                   [FRICTION.format("plastic-board"), offset(0.002)], 0.3, 200, False),
-    "oblique": ("lane", STRUCK, WAY + HEIGHT,
-                [RESTITUTION.format("rubber-wood"), FRICTION.format("rubber-wood"), SPEED, offset(0.005)], 0.6, 120, False),
-    "oblique, spin": ("lane", STRUCK, WAY + HEIGHT + [("spin", "angular_speed_max", 1.0)],
-                      [RESTITUTION.format("rubber-wood"), FRICTION.format("rubber-wood"), SPEED, offset(0.005)], 0.6, 120, False),
-    "plate": ("plate", SHAKEN, [("height", "centre_of_mass_y", 5e-4)], [RESTITUTION.format("plastic-steel"), offset(0.005)],
-              1.0, 120, False),
 }
 
 

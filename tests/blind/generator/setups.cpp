@@ -79,7 +79,8 @@ void draw_spins(Setup& setup, bool more, Random& random) {
     setup.duration = 0.3;
 }
 
-/// Four accelerations of the plate at which flights repeat, 1.3 to 3 g: between 2 and 2.5 g they are chaotic. With `more` two others, and a clock in the picture.
+/// Four accelerations of the plate at which flights repeat, 1.3 to 3 g: between 2 and 2.5 g they are chaotic. With
+/// `more` two others, and a clock in the picture.
 void draw_plates(Setup& setup, bool more, Random& random) {
     const auto add = [&](double g) {
         const double pace = 2 * pi * plate_frequency;

@@ -199,6 +199,7 @@ struct Observe {
     double every = 0.01;               // s between rows of series.csv
     std::vector<std::string> measures; // names listed by `tumble list measures`
     bool contacts = false;             // frames keep who touches whom, and with what force
+    double axes_turned = 0;            // rad about z, counter-clockwise, of the axes that the centre of mass is read along
 };
 
 /// Lines that pictures show over the bodies.

@@ -259,19 +259,19 @@ std::vector<Cause> of_the_simulation() {
              }},
         {.id = "num.dt",
          .family = "numerics",
-         .symbol = "ln(1 / dt factor)",
+         .symbol = "share of dt too much",
          .lo = 0,
-         .hi = 2,
-         .typical = 0.7,
-         .in_beds = 0.7,
+         .hi = 0.9,
+         .typical = 0.5,
+         .in_beds = 0.75,
          .beds = true,
          .name = "steps of time that are too long",
          .look = "the residual shrinks when time_step_s is halved: the simulation is wrong, not the scene",
-         .keys = "time_step_s, of box2d as well, shorter by a factor",
+         .keys = "time_step_s, of box2d as well, times 1 - share",
          .extend =
              [](Scene& s, double d) {
-                 s.time_step *= std::exp(-d);
-                 s.box2d.time_step *= std::exp(-d);
+                 s.time_step *= 1 - d;
+                 s.box2d.time_step *= 1 - d;
              }},
     };
 }

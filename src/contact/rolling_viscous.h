@@ -17,7 +17,8 @@ struct ViscousRolling {
         const Vec3<Real> rolling = rolling_part(touch.normal, turn.spin);
         const Real half_kick = Real(0.5) * dt / turn.inertia;
         RollingPush<Real> push{};
-        push.torque = rolling * (none - per_time / (Real(1.0) + Real(sphere_rolls / sphere_turns) * per_time * half_kick));
+        push.torque =
+            rolling * (none - per_time / (Real(1.0) + Real(sphere_rolls / sphere_turns) * per_time * half_kick));
         const Vec3<Real> rolling_now = rolling + push.torque * half_kick;
         push.lost_damping = (none - dot(push.torque, rolling_now)) * dt;
         return push;

@@ -9,8 +9,8 @@ namespace {
 
 std::vector<Cause> collect() {
     std::vector<Cause> all;
-    for (auto part : {of_the_air, of_the_contact, of_cohesion, of_the_friction, of_the_excitation, of_the_load, of_the_shape,
-                      of_the_ground, of_the_simulation, of_the_clock, of_the_sensor, of_the_camera})
+    for (auto part : {of_the_air, of_the_contact, of_cohesion, of_the_friction, of_the_excitation, of_the_load,
+                      of_the_shape, of_the_ground, of_the_simulation, of_the_clock, of_the_sensor, of_the_camera})
         for (Cause& cause : part())
             all.push_back(std::move(cause));
     return all;

@@ -43,8 +43,8 @@ const scene::Harmonic* largest_along(int axis, const scene::WallMotion& motion) 
     return largest;
 }
 
-/// The second harmonic of the largest harmonic along each axis of every wall, `share` as large: sin(2 angle), or what is
-/// `ahead` of it (rad).
+/// The second harmonic of the largest harmonic along each axis of every wall, `share` as large: sin(2 angle), or what
+/// is `ahead` of it (rad).
 void distort(Scene& scene, double share, double ahead) {
     if (share == 0)
         return;

@@ -82,6 +82,22 @@ std::vector<Cause> of_the_shape() {
          .look = "stands steeper and packs otherwise; spins less; a body turns after a straight drop",
          .keys = "body.*: two spheres of the same volume in place of one; time_step_s half, and with their radius",
          .extend = lengthen_bodies},
+        {.id = "shape.multicontact",
+         .family = "shape",
+         .symbol = "share",
+         .lo = 0,
+         .hi = 1,
+         .typical = 0.1,
+         .in_beds = 1,
+         .beds = true,
+         .name = "clumps whose contacts damp one impact several times",
+         .look = "flat landings rebound higher than the simulation's, edges and tips alike; shaken clumps expand more",
+         .keys = "contact.damping_shared; three dimensions, bodies of several spheres",
+         .extend =
+             [](Scene& s, double d) {
+                 if (s.dimension == 3 && !s.contact.share_among_body_contacts)
+                     s.contact.damping_shared = std::min(1.0, s.contact.damping_shared + d);
+             }},
         {.id = "wall.ribs",
          .family = "wall geometry",
          .symbol = "height",

@@ -63,8 +63,8 @@ void doubt_channel(const Record& record, const Channel& channel, Problems& warni
     const bool coarse = few || (channel.sigma > 0 && step > channel.sigma && repeat);
     if (coarse)
         warn("quantised",
-             step > 0 ? fmt::format("only {} different readings, in steps of {:.3g} {} (ins.quant)", levels.size(), step,
-                                    channel.unit)
+             step > 0 ? fmt::format("only {} different readings, in steps of {:.3g} {} (ins.quant)", levels.size(),
+                                    step, channel.unit)
                       : fmt::format("only {} different readings: coarse steps (ins.quant)", levels.size()),
              "record with more digits; a step adds a scatter of step / sqrt(12), which the scatter found contains");
     for (const double extreme : {*levels.begin(), *levels.rbegin()}) {

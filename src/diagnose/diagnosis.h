@@ -55,7 +55,7 @@ struct Diagnosis {
     std::vector<Cause> causes;
     Evidence evidence; // what the decision was made from
     Decision decision;
-    Following follows; // what the residual that is left looks like
+    Following follows;                  // what the residual that is left looks like
     std::optional<Differing> differing; // where no cause explains it
     std::optional<Gain> gain;
     std::vector<Proposal> proposals; // best first

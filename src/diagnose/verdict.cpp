@@ -163,9 +163,10 @@ std::string next_step(const Diagnosis& diagnosis) {
         return "Confirm each with an experiment in which the other cannot act.";
     case Outcome::none_known:
         if (diagnosis.differing)
-            return fmt::format("Find out what changed between the conditions, and hold it still; or, if it is innocent, "
-                               "give {} as a nuisance with per = \"series\".",
-                               diagnosis.differing->what);
+            return fmt::format(
+                "Find out what changed between the conditions, and hold it still; or, if it is innocent, "
+                "give {} as a nuisance with per = \"series\".",
+                diagnosis.differing->what);
         return (diagnosis.follows.all.empty()
                     ? "Look at the residual: what does it follow?"
                     : fmt::format("What is left follows most of all {}, by {:.1f} standard "

@@ -13,8 +13,8 @@ struct Active {
     double stop = std::numeric_limits<double>::infinity();
 };
 
-/// Displacement amplitude * (sin(2 pi (f t + drift t^2 / 2) + phase) - sin(phase)) along one axis, t since the start: no
-/// jump there.
+/// Displacement amplitude * (sin(2 pi (f t + drift t^2 / 2) + phase) - sin(phase)) along one axis, t since the start:
+/// no jump there.
 struct Harmonic {
     Active active;
     int axis = 1;         // 0 x, 1 y, 2 z

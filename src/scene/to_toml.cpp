@@ -58,6 +58,8 @@ void write_world(const Scene& scene, TomlWriter& to) {
         to.number("global_damping_per_s", scene.contact.global_damping);
     else
         to.flag("share_among_body_contacts", scene.contact.share_among_body_contacts);
+    if (scene.contact.damping_shared > 0)
+        to.number("damping_shared", scene.contact.damping_shared);
     if (scene.dimension == 2)
         write_box2d(scene.box2d, to);
 }

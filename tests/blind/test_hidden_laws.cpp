@@ -28,7 +28,8 @@ double gauss(Rng& rng) {
 /// What is read of a path at `rate` readings a second, with scatter.
 Record read_of(const std::string& name, std::vector<std::string> sets, const std::string& measure, double sigma,
                double rate, double duration, Rng& rng, const std::function<double(double)>& path) {
-    Record record{.name = name, .condition = name, .file = "none.csv", .sets = std::move(sets), .time = {}, .channels = {}};
+    Record record{
+        .name = name, .condition = name, .file = "none.csv", .sets = std::move(sets), .time = {}, .channels = {}};
     Channel channel{.head = "way_m", .measure = measure, .unit = "m", .value = {}, .sigma = sigma};
     for (int k = 0; k < rate * duration; ++k) {
         record.time.push_back(k / rate);
@@ -141,12 +142,13 @@ TEST_CASE("rolling resistance that grows with speed is named where masses and pl
                 "roll.viscous", tau);
 }
 
-TEST_CASE("with one mass and one place it is one answer with viscous drag and a high pass, and they are told together") {
+TEST_CASE(
+    "with one mass and one place it is one answer with viscous drag and a high pass, and they are told together") {
     Rng rng(12);
     const double tau = 5e-4;
-    const Diagnosis diagnosis =
-        diagnosed_as(scene_of(Bench::lane), of_rolling({rolled_out(1, 0, 0.5, tau, rng), rolled_out(-1, 0, 0.5, tau, rng),
-                                                        rolled_out(0.6, 0, 0.5, tau, rng)}));
+    const Diagnosis diagnosis = diagnosed_as(
+        scene_of(Bench::lane), of_rolling({rolled_out(1, 0, 0.5, tau, rng), rolled_out(-1, 0, 0.5, tau, rng),
+                                           rolled_out(0.6, 0, 0.5, tau, rng)}));
     CHECK_MESSAGE((diagnosis.decision.outcome == Outcome::ambiguous || diagnosis.decision.one_class),
                   verdict_of(diagnosis));
     for (const char* id : {"roll.viscous", "drag.linear"})

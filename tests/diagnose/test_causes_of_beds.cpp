@@ -205,6 +205,13 @@ TEST_CASE("steps of time are shortened by a share, of either solver, and impacts
     CHECK(sticks.pair(0, 0).sticking_speed == about(0.1));
     CHECK(sticks.time_step == about(0.2e-5));
     CHECK(with("roll.viscous", 0.01).pair(0, 0).rolling_time == 0.01);
+    CHECK(with("shape.multicontact", 0.5).contact.damping_shared == 0); // discs do not
+    scene.dimension = 3;
+    const Cause shared = choose_causes({"shape.multicontact"}, Data::beds)->front();
+    shared.extend(scene, 0.5);
+    CHECK(scene.contact.sharing() == 0.5);
+    shared.extend(scene, 0.7);
+    CHECK(scene.contact.sharing() == 1);
     for (const char* id : {"num.dt", "rest.cutoff", "roll.viscous"})
         CHECK(scene::to_toml(with(id, 0)) == scene::to_toml(box()));
 }

@@ -110,13 +110,13 @@ Measurement filmed(Path path, bool both, std::vector<std::string> causes, double
         path.height = height;
         Path now = path;
         now.e += height == 0.7 ? odd_restitution : 0;
-        Record record{.name = shortest(height),
-                      .condition = shortest(height),
-                      .file = "none.csv",
-                      .sets = {"fill.0.position_m.1=" + shortest(height),
-                               "fill.0.velocity_m_s.0=" + shortest(path.along)},
-                      .time = {},
-                      .channels = {}};
+        Record record{
+            .name = shortest(height),
+            .condition = shortest(height),
+            .file = "none.csv",
+            .sets = {"fill.0.position_m.1=" + shortest(height), "fill.0.velocity_m_s.0=" + shortest(path.along)},
+            .time = {},
+            .channels = {}};
         Channel x{.head = "x_m", .measure = "centre_of_mass_x", .unit = "m", .value = {}, .sigma = sigma};
         Channel y{.head = "y_m", .measure = "centre_of_mass_y", .unit = "m", .value = {}, .sigma = sigma};
         for (int k = 0; k < 200; ++k) {
@@ -151,14 +151,15 @@ void check_named(const Diagnosis& diagnosis, const std::string& id, double ampli
 } // namespace
 
 TEST_CASE("surfaces that stick are named, beside a restitution that falls with speed") {
-    const Diagnosis diagnosis = diagnosed(filmed(
-        {.e = 0.79, .stick = 0.3}, false, {"restitution", "gravity", "clock", "sensor scale", "filter"}));
+    const Diagnosis diagnosis = diagnosed(
+        filmed({.e = 0.79, .stick = 0.3}, false, {"restitution", "gravity", "clock", "sensor scale", "filter"}));
     check_named(diagnosis, "rest.cutoff", 0.3);
     REQUIRE(diagnosis.extended);
     CHECK(diagnosis.extended->pair(0, 0).sticking_speed == about(std::sqrt(0.3), 0.05));
 }
 
-TEST_CASE("a camera that leans by half a degree is named where both coordinates were read, ground that leans beside it") {
+TEST_CASE(
+    "a camera that leans by half a degree is named where both coordinates were read, ground that leans beside it") {
     const double half = 0.5 / 57.29577951308232;
     const std::vector<std::string> causes{"sensor axes", "tilt", "gravity", "clock", "sensor scale"};
     const Diagnosis camera = diagnosed(filmed({.along = 0.4, .turned = half}, true, causes));

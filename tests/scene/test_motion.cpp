@@ -18,7 +18,9 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 WallMotion everything() {
     WallMotion motion;
-    motion.harmonics = {{{0.0, infinite}, 1, 2e-3, 25.0, 0.4}, {{0.1, 0.9}, 2, 1e-3, 50.0, -1.1}, {{0.05, 0.8}, 0, 1e-3, 30.0, 0.2, 12}};
+    motion.harmonics = {{{0.0, infinite}, 1, 2e-3, 25.0, 0.4},
+                        {{0.1, 0.9}, 2, 1e-3, 50.0, -1.1},
+                        {{0.05, 0.8}, 0, 1e-3, 30.0, 0.2, 12}};
     motion.rotations = {{{0.05, infinite}, Vector3d(0.1, 0, 0.2), Vector3d(0, 0.6, 0.8), 3.0}};
     motion.rockings = {{{0.0, infinite}, Vector3d(0, 0.3, 0), Vector3d::UnitX(), 0.2, 4.0, 0.7},
                        {{0.0, infinite}, Vector3d(0, 0, 0.1), Vector3d::UnitZ(), 0.1, 7.0, 0.0, -3.0}};

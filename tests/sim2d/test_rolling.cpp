@@ -82,7 +82,8 @@ TEST_CASE("viscous rolling of a disc dies away as exp(-2/3 g tau t / R)") {
     disc.box.put({at(0, {0, radius - disc.mass * g / stiffness}, {v, 0}, -v / radius)});
     disc.run_for(0.6);
     CHECK(disc.speed() == about(v * std::exp(-0.6 * rate), 5e-3));
-    CHECK(books_of(*disc.box.world).lost_rolling == about(0.75 * disc.mass * v * v * (1 - std::exp(-1.2 * rate)), 5e-3));
+    CHECK(books_of(*disc.box.world).lost_rolling ==
+          about(0.75 * disc.mass * v * v * (1 - std::exp(-1.2 * rate)), 5e-3));
 }
 
 TEST_CASE("a disc holds on a slope whose tangent is below mu_r") {

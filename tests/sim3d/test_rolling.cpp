@@ -88,7 +88,8 @@ TEST_CASE("a rolling ball stops after 7 v^2 / (10 mu_r g), and all it had is boo
     }
 }
 
-TEST_CASE("viscous rolling dies away as exp(-5/7 g tau t / R) and is booked as lost; down a slope it tends to a speed") {
+TEST_CASE(
+    "viscous rolling dies away as exp(-5/7 g tau t / R) and is booked as lost; down a slope it tends to a speed") {
     const double v = 0.2, tau = 0.004, rate = 5.0 / 7 * g * tau / radius; // 1/s
     Roller ball(contact::RollingLaw::none, viscous_pair(tau), 0, v);
     for (const double time : {0.2, 0.4, 0.8}) {

@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "diagnose/verdict.h"
 #include "laboratory.h"
+#include "scene/load.h"
 
 #include <cmath>
 #include <doctest/doctest.h>

@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "diagnose/verdict.h"
 
+#include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
 

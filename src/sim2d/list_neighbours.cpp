@@ -6,14 +6,17 @@
 namespace tumble::sim2d {
 
 void move_walls(World& world) {
+    const double past_rest = way_past_rest(world.flow, world.dt);
     for (WallState& wall : world.walls) {
-        const WallFrame before = wall.frame;
-        if (!wall.wall.motion.at_rest()) {
+        if (wall.wall.motion.at_rest()) {
+            wall.travel += past_rest;
+        } else {
+            const WallFrame before = wall.frame;
             wall.frame = WallFrame(scene::pose_at(wall.wall.motion, world.time()));
             wall.half_frame = WallFrame(scene::pose_at(wall.wall.motion, world.time() - 0.5 * world.dt));
             wall.leap = way_beside(world.flow, before, wall.frame, 0); // beside what does not flow meanwhile
+            wall.travel += way_beside(world.flow, before, wall.frame, world.dt);
         }
-        wall.travel += way_beside(world.flow, before, wall.frame, world.dt);
     }
 }
 

@@ -32,6 +32,10 @@ Matrix2d gradient_of(const World& world, const MeanFlow& flow) {
     return together * spread.inverse();
 }
 
+Vector2d corner(const MeanFlow& flow, int k) {
+    return {(k & 1) != 0 ? flow.hi.x() : flow.lo.x(), (k & 2) != 0 ? flow.hi.y() : flow.lo.y()};
+}
+
 } // namespace
 
 MeanFlow fit_mean_flow(const World& world) {
@@ -63,11 +67,19 @@ MeanFlow fit_mean_flow(const World& world) {
 
 double way_beside(const MeanFlow& flow, const WallFrame& from, const WallFrame& to, double dt) {
     double way = 0;
-    for (int corner = 0; corner < 4; ++corner) {
-        const Vector2d point((corner & 1) != 0 ? flow.hi.x() : flow.lo.x(),
-                             (corner & 2) != 0 ? flow.hi.y() : flow.lo.y());
+    for (int k = 0; k < 4; ++k) {
+        const Vector2d point = corner(flow, k);
         way = std::max(way, (to.to_world(from.to_wall(point)) - point - flow.at(point) * dt).norm());
     }
+    return way;
+}
+
+double way_past_rest(const MeanFlow& flow, double dt) {
+    if (flow.gradient.isZero(0))
+        return (flow.velocity * dt).norm();
+    double way = 0;
+    for (int k = 0; k < 4; ++k)
+        way = std::max(way, (flow.at(corner(flow, k)) * dt).norm());
     return way;
 }
 

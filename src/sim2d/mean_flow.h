@@ -11,5 +11,7 @@ MeanFlow fit_mean_flow(const World& world);
 /// The farthest that any point of the wall near the bodies went beside the mean flow while the wall moved from one pose
 /// to the next, m.
 double way_beside(const MeanFlow& flow, const WallFrame& from, const WallFrame& to, double dt);
+/// The same of a wall that stays where it is.
+double way_past_rest(const MeanFlow& flow, double dt);
 
 } // namespace tumble::sim2d

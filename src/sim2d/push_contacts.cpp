@@ -47,6 +47,8 @@ void push_contacts(World& world, Chunk& chunk) {
     chunk.sums.contacts.lost_history = chunk.dropped_history;
     chunk.foreign_count = 0;
     for (std::size_t kind = 0; kind < world.pairs.size(); ++kind) {
+        if (chunk.near_discs[kind].contact_count == 0 && chunk.wall_contacts[kind].empty())
+            continue;
         PushContext context = context_of(world, chunk, kind);
         const bool plain = context.pair.plain();
         if (NearDiscs& near = chunk.near_discs[kind]; near.contact_count > 0) {

@@ -16,14 +16,16 @@ scene::WallPose pose_of(const WallState& wall, double time) {
 }
 
 void move_walls(World& world) {
+    const double past_rest = way_past_rest(world.flow, world.dt);
     for (WallState& wall : world.walls) {
-        const scene::WallPose before = wall.pose;
+        wall.way = past_rest;
         if (!wall.wall.motion.at_rest()) {
+            const scene::WallPose before = wall.pose;
             wall.pose = pose_of(wall, world.time());
             wall.half_pose = pose_of(wall, world.time() - 0.5 * world.dt);
             wall.leap = way_beside(world.flow, before, wall.pose, 0); // beside what does not flow meanwhile
+            wall.way = way_beside(world.flow, before, wall.pose, world.dt);
         }
-        wall.way = way_beside(world.flow, before, wall.pose, world.dt);
         wall.travel += wall.way;
     }
 }

@@ -31,6 +31,11 @@ Matrix3d gradient_of(const World& world, const MeanFlow& flow) {
     return spread.ldlt().solve(together.transpose()).transpose();
 }
 
+Vector3d corner(const scene::Box& box, int k) {
+    return {(k & 1) != 0 ? box.hi.x() : box.lo.x(), (k & 2) != 0 ? box.hi.y() : box.lo.y(),
+            (k & 4) != 0 ? box.hi.z() : box.lo.z()};
+}
+
 } // namespace
 
 MeanFlow fit_mean_flow(const World& world) {
@@ -59,13 +64,20 @@ MeanFlow fit_mean_flow(const World& world) {
 
 double way_beside(const MeanFlow& flow, const scene::WallPose& from, const scene::WallPose& to, double dt) {
     double way = 0;
-    for (int corner = 0; corner < 8; ++corner) {
-        const Vector3d point((corner & 1) != 0 ? flow.box.hi.x() : flow.box.lo.x(),
-                             (corner & 2) != 0 ? flow.box.hi.y() : flow.box.lo.y(),
-                             (corner & 4) != 0 ? flow.box.hi.z() : flow.box.lo.z());
+    for (int k = 0; k < 8; ++k) {
+        const Vector3d point = corner(flow.box, k);
         const Vector3d moved = to.rotation * (from.rotation.transpose() * (point - from.translation)) + to.translation;
         way = std::max(way, (moved - point - flow.at(point) * dt).norm());
     }
+    return way;
+}
+
+double way_past_rest(const MeanFlow& flow, double dt) {
+    if (flow.gradient.isZero(0))
+        return (flow.velocity * dt).norm();
+    double way = 0;
+    for (int k = 0; k < 8; ++k)
+        way = std::max(way, (flow.at(corner(flow.box, k)) * dt).norm());
     return way;
 }
 

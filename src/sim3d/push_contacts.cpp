@@ -34,6 +34,9 @@ void push_contacts(World& world, Chunk& chunk) {
     chunk.sums.contacts.lost_adhesion = chunk.dropped_adhesion;
     chunk.foreign_count = 0;
     for (std::size_t kind = 0; kind < world.pairs.size(); ++kind) {
+        if (chunk.near_spheres[kind].contact_count == 0 && chunk.body_contacts[kind].empty() &&
+            chunk.wall_contacts[kind].empty())
+            continue;
         PushContext context = context_of(world, chunk, kind);
         const bool plain = context.pair.plain();
         if (NearSpheres& near = chunk.near_spheres[kind]; near.contact_count > 0) {

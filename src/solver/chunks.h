@@ -51,6 +51,11 @@ template <class World, class Task> void for_chunks(World& world, Task&& task) {
 template <class World, class First, class Then> void for_chunks(World& world, First&& first, Then&& then) {
     auto& chunks = world.chunks;
     const std::size_t count = chunks.size();
+    if (count == 1) { // nothing to wait for
+        first(chunks[0]);
+        then(chunks[0]);
+        return;
+    }
     std::atomic<ChunkSet> done{0};
     std::atomic<ChunkSet> taken{0};
     world.crew.share(static_cast<int>(count), [&](int k) {

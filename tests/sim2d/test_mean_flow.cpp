@@ -83,4 +83,17 @@ TEST_CASE("a wall that moves with the flow goes no way beside it, and one that t
     CHECK(way_beside(flow, from, to, 1e-3) == about(2 * std::sin(angle / 2) * std::sqrt(5.0), 1e-9));
 }
 
+TEST_CASE("a wall at rest goes as far beside the flow as one that moves by nothing, to the bit") {
+    MeanFlow flow;
+    flow.lo = {-1, -1};
+    flow.hi = {1, 2};
+    flow.velocity = {0.3, 3};
+    const WallFrame pose;
+    CHECK(way_past_rest(flow, 1e-3) == way_beside(flow, pose, pose, 1e-3));
+    CHECK(way_past_rest(flow, 1e-3) == about(flow.velocity.norm() * 1e-3));
+    flow.gradient << 0, 2, 1, 0;
+    CHECK(way_past_rest(flow, 1e-3) == way_beside(flow, pose, pose, 1e-3));
+    CHECK(way_past_rest(flow, 1e-3) > flow.velocity.norm() * 1e-3);
+}
+
 } // namespace test_mean_flow

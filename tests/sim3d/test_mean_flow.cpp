@@ -80,4 +80,16 @@ TEST_CASE("a wall that moves with the flow goes no way beside it, and one that t
     CHECK(way_beside(flow, from, to, 1e-3) == about(2 * std::sin(angle / 2) * std::sqrt(5.0)));
 }
 
+TEST_CASE("a wall at rest goes as far beside the flow as one that moves by nothing, to the bit") {
+    MeanFlow flow;
+    flow.box = {{-1, -1, -1}, {1, 2, 1}};
+    flow.velocity = {0.3, 3, 1};
+    const scene::WallPose pose{};
+    CHECK(way_past_rest(flow, 1e-3) == way_beside(flow, pose, pose, 1e-3));
+    CHECK(way_past_rest(flow, 1e-3) == about(flow.velocity.norm() * 1e-3));
+    flow.gradient << 0, 2, 0, 1, 0, 0, 0, 0, -3;
+    CHECK(way_past_rest(flow, 1e-3) == way_beside(flow, pose, pose, 1e-3));
+    CHECK(way_past_rest(flow, 1e-3) > flow.velocity.norm() * 1e-3);
+}
+
 } // namespace test_mean_flow

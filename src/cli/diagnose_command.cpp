@@ -19,6 +19,7 @@
 
 #include <fmt/format.h>
 #include <memory>
+#include <mutex>
 
 namespace tumble::cli {
 
@@ -33,6 +34,7 @@ struct DiagnoseArguments {
     fs::path extended;
     fs::path table; // of a bed's runs
     int seeds = 4;
+    int threads = 1;
     bool plan = false;
     bool old_runs = false;
     bool dry = false;
@@ -102,14 +104,19 @@ public:
         if (!quiet_)
             note("now: " + stage);
     }
+    /// From several threads at once.
     Result<observe::Series> run(const scene::Scene& scene) {
-        line_.working(fmt::format("     simulation {}, {:.3g} s simulated so far", ++runs_, simulated_));
-        simulated_ += scene.duration;
+        {
+            const std::lock_guard one_at_a_time(telling_);
+            line_.working(fmt::format("     simulation {}, {:.3g} s simulated so far", ++runs_, simulated_));
+            simulated_ += scene.duration;
+        }
         return run::record(scene);
     }
     void end() { line_.end(); }
 
 private:
+    std::mutex telling_;
     ProgressLine line_;
     bool quiet_;
     int runs_ = 0;
@@ -120,7 +127,7 @@ private:
 Result<diagnose::Diagnosis> diagnosis_of(const DiagnoseArguments& arguments, const diagnose::SceneText& scene,
                                          const diagnose::Measurement& measurement) {
     Watch watch(arguments.quiet);
-    const auto simulate = [&](const scene::Scene& one) { return watch.run(one); };
+    const diagnose::Simulate simulate([&](const scene::Scene& one) { return watch.run(one); }, arguments.threads);
     const auto begins = [&](const std::string& stage) { watch.begins(stage); };
     auto diagnosis = measurement.bulks.empty()
                          ? diagnose::diagnose(scene, measurement, simulate, arguments.plan, begins)
@@ -225,6 +232,9 @@ void add_diagnose_command(CLI::App& program, Action& action) {
             "without it")
         ->type_name("FILE")
         ->check(refuse_no_place);
+    command->add_option("--threads", arguments->threads, "Simulations that run side by side; 1 without it")
+        ->type_name("N")
+        ->check(whole_number_from(1, 256));
     command->add_flag("--old-runs", arguments->old_runs,
                       "Of a bed: count kept runs of this scene whatever version of the program made them");
     command->add_flag("--dry-run", arguments->dry, "Of a bed: say what there is to run, and run nothing");

@@ -165,10 +165,7 @@ void Beds::charge(Budget& budget, int condition, const Pushes& pushes) const {
     }
 }
 
-void Beds::perform(const scene::Scene& scene, BedRun& run) {
-    const auto begun = std::chrono::steady_clock::now();
-    const auto series = simulate_(scene);
-    run.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+void Beds::note_means(BedRun& run, const Result<observe::Series>& series, const scene::Scene& scene) {
     if (!series)
         failure_ = series.problems();
     for (const std::string& column : columns_) {
@@ -181,25 +178,50 @@ void Beds::perform(const scene::Scene& scene, BedRun& run) {
     simulated_ += scene.duration;
 }
 
+Result<Done> Beds::perform(std::vector<BedRun*>& missing, int condition, const Pushes& pushes) {
+    std::vector<scene::Scene> scenes;
+    for (const BedRun* run : missing) {
+        scenes.push_back(scene_of(condition, pushes, 0));
+        scenes.back().seed = run->seed;
+    }
+    const auto begun = std::chrono::steady_clock::now();
+    const auto all = simulate_.all(scenes);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
+    for (std::size_t k = 0; k < missing.size(); ++k) {
+        missing[k]->wall = taken.count() / static_cast<double>(missing.size());
+        note_means(*missing[k], all[k], scenes[k]);
+        if (const auto written = table_.add(*missing[k]); !written)
+            return written.problems();
+    }
+    missing.clear();
+    return Done{};
+}
+
 Result<Ensemble> Beds::ensemble(int condition, const Pushes& pushes, std::uint64_t later_seeds) {
     Ensemble all(options_.seeds, static_cast<Eigen::Index>(columns_.size()));
-    for (int nth = 0; nth < options_.seeds; ++nth) {
-        const std::uint64_t seed = later_seeds + static_cast<std::uint64_t>(nth);
-        BedRun run = plan(condition, pushes, seed);
-        if (const BedRun* known = kept(run)) {
-            if (known->run != run.run)
-                old_.insert(known->run);
-            run = *known;
-        } else {
-            left_aside_ += options_.any_date && table_.has_of_another_scene(run) ? 1 : 0;
-            perform(scene_of(condition, pushes, seed), run);
-            if (const auto written = table_.add(run); !written)
-                return written.problems();
+    for (int first = 0; first < options_.seeds; first += simulate_.threads()) { // those are lost with a killed program
+        std::vector<BedRun> runs;
+        for (int nth = first; nth < std::min(options_.seeds, first + simulate_.threads()); ++nth)
+            runs.push_back(plan(condition, pushes, later_seeds + static_cast<std::uint64_t>(nth)));
+        std::vector<BedRun*> missing;
+        for (BedRun& run : runs) {
+            if (const BedRun* known = kept(run)) {
+                if (known->run != run.run)
+                    old_.insert(known->run);
+                run = *known;
+            } else {
+                left_aside_ += options_.any_date && table_.has_of_another_scene(run) ? 1 : 0;
+                missing.push_back(&run);
+            }
         }
-        for (std::size_t c = 0; c < columns_.size(); ++c)
-            all(nth, static_cast<Eigen::Index>(c)) = run.means.at(columns_[c]);
-        if (broke_down(run)) // others would, too
-            return Ensemble(Ensemble::Constant(1, all.cols(), std::nan("")));
+        if (const auto done = perform(missing, condition, pushes); !done)
+            return done.problems();
+        for (std::size_t k = 0; k < runs.size(); ++k) {
+            for (std::size_t c = 0; c < columns_.size(); ++c)
+                all(first + static_cast<int>(k), static_cast<Eigen::Index>(c)) = runs[k].means.at(columns_[c]);
+            if (broke_down(runs[k])) // others would, too
+                return Ensemble(Ensemble::Constant(1, all.cols(), std::nan("")));
+        }
     }
     return all;
 }

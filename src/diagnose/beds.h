@@ -69,7 +69,9 @@ private:
     [[nodiscard]] scene::Scene scene_of(int condition, const Pushes& pushes, std::uint64_t seed) const;
     [[nodiscard]] BedRun plan(int condition, const Pushes& pushes, std::uint64_t seed) const;
     [[nodiscard]] const BedRun* kept(const BedRun& run) const;
-    void perform(const scene::Scene& scene, BedRun& run);
+    void note_means(BedRun& run, const Result<observe::Series>& series, const scene::Scene& scene);
+    /// Runs those of a condition, side by side, and writes them into the table.
+    Result<Done> perform(std::vector<BedRun*>& missing, int condition, const Pushes& pushes);
 
     SceneText text_;
     std::vector<Bulk> conditions_;

@@ -49,6 +49,7 @@ Result<VectorXd> difference(Model& model, const Noise& noise, const VectorXd& va
     VectorXd above = values, below = values;
     above[index] = std::min(values[index] + parameter.step, parameter.hi);
     below[index] = std::max(values[index] - parameter.step, parameter.lo);
+    model.run_ahead({above, below}, horizon);
     Problems why;
     auto high = residual_at(model, noise, above, horizon, &why);
     if (!high) { // no such simulation on that side

@@ -150,7 +150,7 @@ Instrument Model::instrument_at(const VectorXd& values, int record) const {
     return instrument;
 }
 
-Result<const observe::Series*> Model::run(const VectorXd& values, int record, double horizon) {
+std::string Model::key_of(const VectorXd& values, int record, double horizon) const {
     const Record& wanted = records_[static_cast<std::size_t>(record)];
     std::string key = fmt::format("{}|{}|", horizon * wanted.time.back(), wanted.change ? wanted.name : "");
     for (const scene::Override& set : sets_at(values, record))
@@ -158,9 +158,11 @@ Result<const observe::Series*> Model::run(const VectorXd& values, int record, do
     for (std::size_t c = 0; c < causes_.size(); ++c)
         if (causes_[c].physical())
             key += fmt::format("{}|", values[parameter_of(static_cast<int>(c))]);
-    if (const auto found = remembered_.find(key); found != remembered_.end())
-        return found->second.get();
+    return key;
+}
 
+Result<scene::Scene> Model::scene_to_run(const VectorXd& values, int record, double horizon) const {
+    const Record& wanted = records_[static_cast<std::size_t>(record)];
     auto scene = scene_at(values, record);
     if (!scene)
         return scene.problems();
@@ -173,19 +175,67 @@ Result<const observe::Series*> Model::run(const VectorXd& values, int record, do
                 scene->observe.measures.push_back(channel.measure);
     if (scene->observe.measures.empty())
         scene->observe.measures = {"kinetic_energy"};
+    return scene;
+}
+
+void Model::make_room(std::size_t runs) {
+    if (of_scene_.size() + runs <= most_remembered)
+        return;
+    of_scene_.clear();
+    remembered_.clear();
+}
+
+void Model::run_ahead(const std::vector<VectorXd>& points, double horizon) {
+    if (simulate_.threads() == 1)
+        return;
+    std::vector<scene::Scene> scenes;
+    std::vector<std::string> texts;
+    std::map<std::string, std::string> asked; // the text that a key comes to
+    for (const VectorXd& values : points)
+        for (int record = 0; record < static_cast<int>(records_.size()); ++record) {
+            const std::string key = key_of(values, record, horizon);
+            if (remembered_.count(key) > 0 || asked.count(key) > 0)
+                continue;
+            auto scene = scene_to_run(values, record, horizon);
+            if (!scene) // predict() says why
+                continue;
+            const std::string text = asked[key] = scene::to_toml(*scene);
+            if (of_scene_.count(text) > 0 || std::find(texts.begin(), texts.end(), text) != texts.end())
+                continue;
+            scenes.push_back(std::move(*scene));
+            texts.push_back(text);
+        }
+    make_room(scenes.size());
+    auto all = simulate_.all(scenes);
+    for (std::size_t k = 0; k < scenes.size(); ++k)
+        if (all[k])
+            remember(texts[k], scenes[k], std::move(*all[k]));
+    for (const auto& [key, text] : asked)
+        if (const auto found = of_scene_.find(text); found != of_scene_.end())
+            remembered_[key] = found->second;
+}
+
+const Model::Ran& Model::remember(const std::string& text, const scene::Scene& scene, observe::Series series) {
+    simulated_ += scene.duration;
+    ++runs_;
+    return of_scene_[text] = std::make_shared<const observe::Series>(std::move(series));
+}
+
+Result<const observe::Series*> Model::run(const VectorXd& values, int record, double horizon) {
+    const std::string key = key_of(values, record, horizon);
+    if (const auto found = remembered_.find(key); found != remembered_.end())
+        return found->second.get();
+    auto scene = scene_to_run(values, record, horizon);
+    if (!scene)
+        return scene.problems();
     const std::string text = scene::to_toml(*scene);
     if (const auto found = of_scene_.find(text); found != of_scene_.end())
         return (remembered_[key] = found->second).get();
     auto series = simulate_(*scene);
     if (!series)
         return series.problems();
-    simulated_ += scene->duration;
-    ++runs_;
-    if (of_scene_.size() >= most_remembered) {
-        of_scene_.clear();
-        remembered_.clear();
-    }
-    return (remembered_[key] = of_scene_[text] = std::make_shared<const observe::Series>(std::move(*series))).get();
+    make_room(1);
+    return (remembered_[key] = remember(text, *scene, std::move(*series))).get();
 }
 
 Result<std::vector<Signal>> Model::signals(const VectorXd& values, int record, double horizon) {
@@ -204,6 +254,7 @@ Result<std::vector<Signal>> Model::signals(const VectorXd& values, int record, d
 }
 
 Result<VectorXd> Model::predict(const VectorXd& values, double horizon) {
+    run_ahead({values}, horizon);
     VectorXd all(readings_.size());
     Eigen::Index row = 0;
     for (std::size_t r = 0; r < records_.size(); ++r) {

@@ -2,11 +2,10 @@
 
 #include "diagnose/cause.h"
 #include "diagnose/measurement.h"
-#include "observe/series.h"
+#include "diagnose/simulate.h"
 #include "scene/override.h"
 
 #include <Eigen/Core>
-#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -16,9 +15,6 @@ namespace tumble::diagnose {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// Runs a scene and gives what its [observe] names, row by row. The one way in which a diagnosis reaches a simulator.
-using Simulate = std::function<Result<observe::Series>(const scene::Scene&)>;
 
 /// A scene as text with what was set on the command line, so that it can be read again with other values.
 struct SceneText {
@@ -78,6 +74,10 @@ public:
     /// runs end there. Problems: those of the scene or of the run, such as a value that no simulation can have.
     Result<VectorXd> predict(const VectorXd& values, double horizon = 1);
 
+    /// Runs, side by side, what predict() will ask for at these points and is not remembered. Where one thread
+    /// simulates this is left to predict().
+    void run_ahead(const std::vector<VectorXd>& points, double horizon);
+
     /// The signals that a record's rows are read from, a channel each, at these values.
     Result<std::vector<Signal>> signals(const VectorXd& values, int record, double horizon = 1);
 
@@ -92,6 +92,12 @@ private:
     /// What the command line and a record set; then a parameter's value over it.
     [[nodiscard]] std::vector<scene::Override> written_sets(int record) const;
     [[nodiscard]] std::vector<scene::Override> sets_at(const VectorXd& values, int record) const;
+    [[nodiscard]] std::string key_of(const VectorXd& values, int record, double horizon) const;
+    /// The scene of a record, as it is run for that.
+    [[nodiscard]] Result<scene::Scene> scene_to_run(const VectorXd& values, int record, double horizon) const;
+    void make_room(std::size_t runs);
+    using Ran = std::shared_ptr<const observe::Series>;
+    const Ran& remember(const std::string& text, const scene::Scene& scene, observe::Series series);
     Result<const observe::Series*> run(const VectorXd& values, int record, double horizon);
 
     SceneText text_;
@@ -102,7 +108,6 @@ private:
     std::vector<Parameter> parameters_;
     std::vector<Row> rows_;
     VectorXd readings_;
-    using Ran = std::shared_ptr<const observe::Series>;
     std::map<std::string, Ran> remembered_; // by what was asked for
     std::map<std::string, Ran> of_scene_;   // by the scene that it came to: causes that change nothing cost nothing
     double simulated_ = 0;

@@ -24,7 +24,7 @@ struct BedRun {
 };
 
 /// Runs that are over, in a CSV file that a person can read. Each run is written as soon as it is over, in a whole
-/// file, so that a killed program loses the one it was at.
+/// file, so that a killed program loses those it was at.
 class ResponseTable {
 public:
     /// A file that is not there is an empty table; without a name nothing is kept. `columns`: the numbers that a run

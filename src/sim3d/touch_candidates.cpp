@@ -25,6 +25,9 @@ void forget(Chunk& chunk, FurtherLanes& further) {
 }
 
 void touch_spheres(const World& world, Chunk& chunk, NearSpheres& near, double neck) {
+    near.contact_count = 0;
+    if (near.pairs.empty())
+        return;
     solver::make_room(near.contacts, near.pairs.size() + 8);
     solver::make_room(near.touching, near.pairs.size() + 8);
     solver::make_room(chunk.found, near.pairs.size());
@@ -111,6 +114,8 @@ TouchCounts find_clump_touches(const World& world, Chunk& chunk) {
 void touch_clumps(const World& world, Chunk& chunk) {
     for (auto& list : chunk.body_contacts)
         list.clear();
+    if (chunk.body_pairs.empty())
+        return;
     const TouchCounts counts = find_clump_touches(world, chunk);
     for (int k = 0; k < counts.ended; ++k) {
         const auto ended = static_cast<std::size_t>(chunk.found[static_cast<std::size_t>(k)]);

@@ -30,7 +30,7 @@ using PhaseSeconds = std::array<double, phase_names.size()>;
 
 /// A step of a world of one chunk is over before a clock could be looked at twice for each of its verbs: its verbs are
 /// timed in one step of so many, which then counts for all of them. A prime, for nothing that recurs to keep pace with.
-constexpr int steps_per_timing = 17;
+constexpr int steps_per_timing = 67;
 
 /// How many steps this step's times stand for; 0: it is not timed.
 template <class World> int steps_timed(const World& world) {

@@ -244,6 +244,24 @@ TEST_CASE("the response table keeps every run: more seeds and causes add to it, 
     CHECK(runs_of({"load.fill"}, 4, "2") == 2 * 4 * (1 + 2));
 }
 
+TEST_CASE("runs that go side by side fill the same table") {
+    const test::Folder folder;
+    const Measurement measurement = BedLaboratory{.hidden = {}}.measurement();
+    const auto means_with = [&](int threads) {
+        const BedOptions options{.table = folder.path / fmt::format("{}.csv", threads), .seeds = 4, .version = "1"};
+        REQUIRE(diagnose_beds({shaken_box, "box.toml"}, measurement, Simulate(formula, threads), options));
+        const auto table = ResponseTable::open(options.table, {});
+        REQUIRE(table);
+        std::vector<std::map<std::string, double>> means;
+        for (const BedRun& run : table->runs())
+            means.push_back(run.means);
+        return means;
+    };
+    const auto alone = means_with(1);
+    CHECK(alone.size() > 20);
+    CHECK(means_with(3) == alone); // 4 seeds are a batch of 3 and one of 1
+}
+
 TEST_CASE("old runs count where they are trusted, each told of, and never those of another scene") {
     const test::Folder folder;
     Measurement measurement = BedLaboratory{.hidden = {}}.measurement();

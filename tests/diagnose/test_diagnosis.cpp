@@ -4,6 +4,7 @@
 #include "diagnose/verdict.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <doctest/doctest.h>
 
@@ -119,8 +120,8 @@ struct Laboratory {
         return all;
     }
     [[nodiscard]] Diagnosis diagnosis() const { return diagnosed(measurement()); }
-    [[nodiscard]] static Diagnosis diagnosed(const Measurement& measurement) {
-        auto result = diagnose::diagnose({floor_and_ball, "ball.toml"}, measurement, closed_form);
+    [[nodiscard]] static Diagnosis diagnosed(const Measurement& measurement, const Simulate& simulate = closed_form) {
+        auto result = diagnose::diagnose({floor_and_ball, "ball.toml"}, measurement, simulate);
         REQUIRE_MESSAGE(result, to_string(result.problems()));
         return std::move(*result);
     }
@@ -355,6 +356,26 @@ TEST_CASE("in drops a clock that runs fast and a gravity that is wrong are one a
     REQUIRE_MESSAGE(diagnosis.decision.outcome == Outcome::named, verdict_of(diagnosis));
     CHECK(diagnosis.decision.one_class);
     CHECK(diagnosis.decision.causes.size() == 2);
+}
+
+TEST_CASE("simulations that run side by side come to the same diagnosis, to the bit, and are as many") {
+    const Measurement measurement = Laboratory{.distort = two_per_cent}.measurement();
+    std::atomic<int> calls = 0;
+    const auto counted = [&](const scene::Scene& scene) {
+        ++calls;
+        return closed_form(scene);
+    };
+    const Diagnosis one = Laboratory::diagnosed(measurement, counted);
+    CHECK(one.runs == calls);
+    const Diagnosis three = Laboratory::diagnosed(measurement, Simulate(counted, 3));
+    CHECK(three.runs == one.runs);
+    CHECK(three.simulated == about(one.simulated, 1e-12));
+    CHECK(calls == 2 * one.runs);
+    REQUIRE(three.decision.best);
+    CHECK(three.decision.best->amplitude == one.decision.best->amplitude);
+    CHECK(three.decision.best->error == one.decision.best->error);
+    for (std::size_t k = 0; k < one.decision.seen.size(); ++k)
+        CHECK(three.decision.seen[k].gain == one.decision.seen[k].gain);
 }
 
 TEST_CASE("a series that is held out is not fitted, and the gain is measured on it") {

@@ -22,11 +22,11 @@ double of_twins(double longer, int dimension) {
 
 /// Two spheres in place of one, of the same volume and mass, `longer` diameters longer than thick.
 void lengthen(scene::BodyTemplate& body, double longer, int dimension) {
-    scene::Sphere& sphere = body.spheres[0];
-    sphere.radius *= std::pow(of_twins(longer, dimension), -1.0 / dimension);
-    const double apart = longer * sphere.radius;
-    scene::Sphere twin = sphere;
-    sphere.centre.x() -= apart;
+    scene::Sphere& first = body.spheres[0];
+    first.radius *= std::pow(of_twins(longer, dimension), -1.0 / dimension);
+    const double apart = longer * first.radius;
+    scene::Sphere twin = first;
+    first.centre.x() -= apart;
     twin.centre.x() += apart;
     body.spheres.push_back(twin);
     body.principal_inertia.reset(); // it was a sphere's

@@ -2,6 +2,7 @@
 #include "about.h"
 #include "beds_of_a_formula.h"
 #include "scene/read_file.h"
+#include "scene/read_toml.h"
 
 #include <array>
 #include <doctest/doctest.h>

@@ -23,7 +23,7 @@ WallMotion everything() {
                         {{0.05, 0.8}, 0, 1e-3, 30.0, 0.2, 12}};
     motion.rotations = {{{0.05, infinite}, Vector3d(0.1, 0, 0.2), Vector3d(0, 0.6, 0.8), 3.0}};
     motion.rockings = {{{0.0, infinite}, Vector3d(0, 0.3, 0), Vector3d::UnitX(), 0.2, 4.0, 0.7},
-                       {{0.0, infinite}, Vector3d(0, 0, 0.1), Vector3d::UnitZ(), 0.1, 7.0, 0.0, -3.0}};
+                       {{0.0, infinite}, Vector3d(0, 0, 0.1), Vector3d::UnitZ(), 0.1, 7.0, 0.0, -0.3}};
     motion.linears = {{{0.0, infinite}, Vector3d(0.01, -0.02, 0.03)}};
     motion.tables = {
         {{0.2, infinite}, {0, 0.3, 0.5}, {Vector3d::Zero(), Vector3d(0.01, 0, 0), Vector3d(0, 0.02, 0.01)}}};

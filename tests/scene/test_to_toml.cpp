@@ -164,6 +164,11 @@ TEST_CASE("a resolved scene loads again to the same laws, materials and pairs") 
                      a.contact.share_among_body_contacts) == std::tuple(b.contact.normal, b.contact.tangential,
                                                                         b.contact.limit_force,
                                                                         b.contact.share_among_body_contacts));
+    CHECK(b.contact.damping_shared == 0.25);
+    Scene all_shared = a;
+    all_shared.contact.damping_shared = 0;
+    all_shared.contact.share_among_body_contacts = true;
+    CHECK(again(all_shared).contact.share_among_body_contacts);
     CHECK(b.contact.additions.rolling == contact::RollingLaw::epsd);
     CHECK(b.contact.additions.adhesion == contact::AdhesionLaw::sjkr);
     CHECK(b.pairs[1].cohesion_energy == 1234.5);

@@ -167,8 +167,9 @@ TEST_CASE("each bad input has its answer: place, what is wrong, what to do") {
     }
     const auto levels = std::set<double>(coarse.begin(), coarse.end()).size();
     CHECK(levels > 50);
-    CHECK(warning(whole, coarse).starts_with("quantised: height_mm: only " + std::to_string(levels) +
-                                             " different readings, in steps of 0.01 m (ins.quant)"));
+    CHECK(warning(whole, coarse)
+              .starts_with("quantised: height_mm: only " + std::to_string(levels) +
+                           " different readings, in steps of 0.01 m (ins.quant)"));
     const auto read = laboratory.load(whole, rows(fine));
     REQUIRE(read);
     for (const Problem& told : read->warnings)

@@ -150,7 +150,7 @@ void whole(const std::string& part, const Asked& asked, double patch) {
     const double meshed = seconds_since(begun);
     const stress::Study study = solved(specimen, loads, asked.options);
     const auto writing = Clock::now();
-    if (const auto written = stress::write_study(study, specimen, asked.folder); !written)
+    if (const auto written = stress::write_study(study, specimen, loads, asked.folder); !written)
         bench::refuse(to_string(written.problems()));
     const double written = seconds_since(writing), total = seconds_since(begun);
     rusage usage{};

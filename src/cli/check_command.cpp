@@ -159,7 +159,7 @@ std::string cost_text(const run::SceneCheck& check, const scene::Render& setting
          {"memory", fmt::format("about {}", size(check.memory_bytes))},
          {"time", fmt::format("{} on one core, taking {:.1g} body-steps/s and {} a step at least",
                               seconds < 1 ? "less than 1 s" : "about " + duration(seconds), check.assumed_rate,
-                              format_si(check.assumed_step, "s", 1))}});
+                              format_si(check.assumed_step, "s", 3))}});
 }
 
 int check_it(const CheckArguments& arguments) {

@@ -65,6 +65,33 @@ std::optional<Problem> refuse_again(const StressArguments& arguments) {
                    .fix = "give another folder: --out; --force replaces them"};
 }
 
+/// A folder solved again in its own place: other settings would replace what may be of use beside them.
+std::optional<Problem> refuse_other(const StressArguments& arguments, const std::string& settings) {
+    std::error_code ignored;
+    if (arguments.force || !fs::exists(arguments.out / "cases.csv", ignored))
+        return std::nullopt;
+    const std::string kept = stress::kept_settings(arguments.out);
+    if (kept == settings)
+        return std::nullopt;
+    return Problem{.file = arguments.out.string(),
+                   .what = kept.empty()
+                               ? "holds stresses that were solved before settings were kept beside them"
+                               : "holds stresses that were solved otherwise: " + stress::what_differs(kept, settings),
+                   .fix = "--out DIR keeps both; --force replaces them"};
+}
+
+/// Says which stresses of the folder give way.
+void tell_replaced(const fs::path& folder, const std::string& settings) {
+    std::error_code ignored;
+    if (!fs::exists(folder / "cases.csv", ignored))
+        return;
+    const std::string kept = stress::kept_settings(folder);
+    note(fmt::format("replaces the stresses in {}: {}", folder.string(),
+                     kept == settings ? "solved again with the same settings"
+                     : kept.empty()   ? "solved before settings were kept"
+                                      : stress::what_differs(kept, settings)));
+}
+
 /// Solves what a folder holds.
 Result<stress::Recorded> again_from(const StressArguments& arguments) {
     auto recorded = arguments.remesh.empty()
@@ -131,12 +158,17 @@ int solve_it(StressArguments& arguments) {
     const auto recorded = again ? again_from(arguments) : simulated(arguments);
     if (!recorded)
         return refuse(recorded.problems(), arguments.json, wrong);
+    const std::string settings = stress::settings_of(recorded->specimen(), arguments.study);
+    if (again)
+        if (const auto problem = refuse_other(arguments, settings))
+            return refuse({*problem}, arguments.json, wrong);
     if (const auto made = make_folder(arguments.out); !made)
         return refuse(made.problems(), arguments.json, wrong);
     const auto study = stress::study(recorded->scene, recorded->specimen(), recorded->loads, arguments.study);
     if (!study)
         return refuse(study.problems(), arguments.json, failed);
-    auto files = stress::write_study(*study, recorded->specimen(), arguments.out);
+    tell_replaced(arguments.out, settings);
+    auto files = stress::write_study(*study, recorded->specimen(), recorded->loads, arguments.out);
     if (!files)
         return refuse(files.problems(), arguments.json, failed);
     if (arguments.draw) {
@@ -157,6 +189,14 @@ int solve_it(StressArguments& arguments) {
             note("file: " + file.string());
     if (!recorded->loads.stopped)
         return fine;
+    if (again) {
+        note(fmt::format(
+            "warning: the run in {} was stopped at {:.6g} s of {:.6g} s; these are the stresses up to there. "
+            "`tumble stress SCENE --out {} --resume` goes on",
+            arguments.scene.file.string(), recorded->loads.instants.back().time, recorded->scene.duration,
+            arguments.scene.file.string()));
+        return fine;
+    }
     note("warning: stopped early; these are the stresses up to there. The same command with --resume goes on");
     return stop_code();
 }
@@ -185,7 +225,7 @@ void add_stress_command(CLI::App& program, Action& action) {
         ->type_name("A,B")
         ->delimiter(',')
         ->check(number_from(0, 1e6));
-    command->add_option("--side", study.sides, "Only beneath this side of the part; may be repeated")
+    command->add_option("--side", study.sides, "Only beneath this side of the part, or end of it; may be repeated")
         ->type_name("NAME")
         ->expected(1)
         ->take_all();

@@ -23,15 +23,21 @@ constexpr double far_away = 4;               // spreads of what was known before
 constexpr double hidden_share = 0.05; // of an effect, left beside nuisances: less, and its slope is taken further off
 constexpr double seen_well = 3;       // standard errors, then
 
-/// Factors by which a unit is most often wrong, and what was probably meant.
-constexpr std::pair<double, const char*> usual_slips[] = {
-    {1000, "millimetres or milliseconds read as SI"},
-    {1e-3, "SI read as a thousandth"},
-    {100, "centimetres read as metres"},
-    {9.81, "multiples of g read as m/s2, or the other way round"},
-    {1 / 9.81, "multiples of g read as m/s2, or the other way round"},
-    {57.29578, "degrees read as radians"},
-    {1 / 57.29578, "radians read as degrees"}};
+/// A factor by which a unit is most often wrong, and what was probably meant; of angles, or of all else.
+struct Slip {
+    double factor;
+    const char* meaning;
+    bool angle = false;
+};
+constexpr Slip usual_slips[] = {{1000, "millimetres or milliseconds read as SI"},
+                                {1e-3, "SI read as a thousandth"},
+                                {100, "centimetres read as metres"},
+                                {57.29578, "degrees read as radians", true},
+                                {1 / 57.29578, "radians read as degrees", true}};
+
+bool is_angle(const std::string& unit) {
+    return unit == "deg" || unit == "rad_s";
+}
 
 bool measured_together(const Record& record, const std::vector<std::string>& measures) {
     return std::all_of(measures.begin(), measures.end(), [&](const std::string& measure) {
@@ -428,8 +434,8 @@ private:
                 };
                 const double ratio = span(model_->readings()) / std::max(1e-300, span(predicted));
                 row += count;
-                for (const auto& [factor, meaning] : usual_slips)
-                    if (std::abs(std::log(ratio / factor)) < 0.2)
+                for (const auto& [factor, meaning, angle] : usual_slips)
+                    if (angle == is_angle(channel.unit) && std::abs(std::log(ratio / factor)) < 0.2)
                         problems.push_back({.file = record.file.string(),
                                             .key = channel.head,
                                             .what = fmt::format("{} spans {:.3g} times what the simulation does: {}?",

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double rounding = 1e-9;   // of the part's length
 constexpr double across_axis = 0.9; // cosine between a facet's normal and the axis from which on it is an end's
+constexpr double most_along = 0.9;  // of an axis, along z, that leaves enough of z across it
 
 /// Of a side at one of its nodes.
 struct Surface {
@@ -48,6 +49,12 @@ double distance(const Vector3d& place, const Line& line) {
     return (off - std::clamp(off.dot(line.way) / line.way.squaredNorm(), 0.0, 1.0) * line.way).norm();
 }
 
+/// Seen from above along y, x lies to the right then.
+Vector3d up_across(const Vector3d& axis) {
+    const Vector3d way = std::abs(axis.z()) < most_along ? Vector3d(-Vector3d::UnitZ()) : Vector3d(Vector3d::UnitY());
+    return (way - axis.dot(way) * axis).normalized();
+}
+
 std::string names_of(const std::map<std::string, std::vector<int>>& sets) {
     std::string names;
     for (const auto& [name, members] : sets)
@@ -72,13 +79,19 @@ Result<Slice> slice_of(const solid::HexMesh& mesh, const solid::Locator& locator
         return Problem{.what = fmt::format("the part has no side '{}'", side),
                        .fix = "it has " + names_of(mesh.facet_sets)};
     std::map<int, Surface> nodes;
+    const auto is_across = [&](int facet) {
+        return std::abs(mesh.area_of(facet).dot(axis)) > across_axis * mesh.area_of(facet).norm();
+    };
+    const bool across = is_across(found->second.front());
     for (const int facet : found->second) {
         const Vector3d area = mesh.area_of(facet);
         const solid::Facet& of = mesh.facets[static_cast<std::size_t>(facet)];
-        if (std::abs(area.dot(axis)) > across_axis * area.norm())
-            return Problem{.what = fmt::format("side '{}' lies across the axis at element {}", side,
-                                               mesh.hex_numbers[static_cast<std::size_t>(of.hex)]),
-                           .fix = "slices lie beneath sides along the axis"};
+        if (is_across(facet) != across)
+            return Problem{.what = fmt::format("side '{}' lies {} the axis at element {}, and {} it elsewhere", side,
+                                               across ? "along" : "across",
+                                               mesh.hex_numbers[static_cast<std::size_t>(of.hex)],
+                                               across ? "across" : "along"),
+                           .fix = "slices lie beneath sides along the axis, or beneath ends across it"};
         for (const int node : of.corners) {
             nodes[node].outward += area;
             nodes[node].area += area.norm() / 4;
@@ -90,14 +103,14 @@ Result<Slice> slice_of(const solid::HexMesh& mesh, const solid::Locator& locator
         lowest = std::min(lowest, node.dot(axis));
         highest = std::max(highest, node.dot(axis));
     }
-    Slice slice{side, depth, {}};
+    Slice slice{side, depth, {}, across ? up_across(axis) : axis};
     for (const auto& [node, surface] : nodes) {
         const Vector3d normal = surface.outward.normalized();
         SlicePoint point{node,
                          surface.area,
                          mesh.nodes[static_cast<std::size_t>(node)] - depth * normal,
                          {},
-                         directions_of(normal, axis)};
+                         directions_of(normal, slice.up)};
         const auto inside = locator.find(point.place);
         if (!inside)
             return Problem{.what = fmt::format("{:.4g} m beneath side '{}' at node {} the part ends", depth, side,

@@ -6,6 +6,7 @@
 #include "solid/locate.h"
 
 #include <Eigen/Core>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -21,17 +22,23 @@ struct SlicePoint {
     solid::Inside inside;
     Directions directions;                                 // normal: the mean of those facets'
     double edge = std::numeric_limits<double>::infinity(); // m, from the node to where the side ends
-    double height = 0;                                     // along the axis, 0 at the part's lower end, 1 at its upper
+    double height = 0;                                     // along the part's axis, 0 at its lower end, 1 at its upper
 };
 
 struct Slice {
     std::string side; // facet set
     double depth = 0; // m
     std::vector<SlicePoint> points;
+    /// Unit; what SlicePoint::directions take for the axis: the part's, or beneath an end -z of the scene without what
+    /// it has along the axis (y, where that is z).
+    Eigen::Vector3d up = Eigen::Vector3d::UnitY();
+
+    [[nodiscard]] bool beneath_end(const Eigen::Vector3d& axis) const { return std::abs(up.dot(axis)) < 0.5; }
 };
 
-/// Beneath every node of a facet set. Problems: no such set; a facet across the axis, a point that lies outside of the
-/// part (too deep), with the element or node.
+/// Beneath every node of a facet set, of a side along the axis or an end across it. Problems: no such set; one that
+/// lies along the axis here and across it there, a point that lies outside of the part (too deep), with the element or
+/// node.
 Result<Slice> slice_of(const solid::HexMesh& mesh, const solid::Locator& locator, const std::string& side,
                        const Eigen::Vector3d& axis, double depth);
 

@@ -1,6 +1,5 @@
 #include "observe/part_loads.h"
 
-#include <algorithm>
 #include <map>
 
 namespace tumble::observe {
@@ -19,7 +18,7 @@ struct Sum {
 Touching begun(const WallPush& push, double time) {
     Touching touch;
     touch.body = push.body;
-    touch.begin = time;
+    touch.begin = touch.peak_normal_time = touch.peak_shear_time = time;
     touch.triangle = push.triangle;
     touch.foot = push.foot;
     touch.approach = -push.velocity.dot(push.normal);
@@ -54,8 +53,14 @@ void TouchHistory::take(double time, const std::vector<WallPush>& pushes) {
         Touching& touch = touches_[last.touch];
         const double shear = sum.shearing.norm();
         touch.duration += step_;
-        touch.peak_normal = std::max(touch.peak_normal, sum.pressing);
-        touch.peak_shear = std::max(touch.peak_shear, shear);
+        if (sum.pressing > touch.peak_normal) {
+            touch.peak_normal = sum.pressing;
+            touch.peak_normal_time = time;
+        }
+        if (shear > touch.peak_shear) {
+            touch.peak_shear = shear;
+            touch.peak_shear_time = time;
+        }
         touch.normal_impulse += step_ * sum.pressing;
         touch.shear_impulse += step_ * shear;
     }

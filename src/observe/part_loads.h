@@ -41,6 +41,8 @@ struct Touching {
     double peak_shear = 0;                                   // N, the same
     double normal_impulse = 0;                               // N s
     double shear_impulse = 0;                                // N s, of the force's size
+    double peak_normal_time = 0;                             // s, when it pressed hardest
+    double peak_shear_time = 0;                              // s, when it sheared hardest
 };
 
 template <class Archive, As<WallPush> P> void carry(Archive& archive, P& push) {
@@ -50,9 +52,9 @@ template <class Archive, As<WallPush> P> void carry(Archive& archive, P& push) {
 
 template <class Archive, As<Touching> T> void carry(Archive& archive, T& touch) {
     auto& [body, number, begin, duration, since, triangle, foot, approach, slip, peak_normal, peak_shear,
-           normal_impulse, shear_impulse] = touch;
+           normal_impulse, shear_impulse, peak_normal_time, peak_shear_time] = touch;
     archive(body, number, begin, duration, since, triangle, foot, approach, slip, peak_normal, peak_shear,
-            normal_impulse, shear_impulse);
+            normal_impulse, shear_impulse, peak_normal_time, peak_shear_time);
 }
 
 /// Builds touches from the contacts of every step.

@@ -3,8 +3,10 @@
 #include "run/part_loads.h"
 #include "solid/hex_mesh.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 
@@ -15,12 +17,16 @@ namespace {
 using Eigen::Vector3d;
 using Row = std::vector<double>;
 
+constexpr double not_there = std::numeric_limits<double>::quiet_NaN();
+
 const std::vector<std::string> contact_heads{"time_s", "body",   "triangle", "x_m",    "y_m",  "z_m",
                                              "nx",     "ny",     "nz",       "fx_N",   "fy_N", "fz_N",
                                              "vx_m_s", "vy_m_s", "vz_m_s",   "patch_m"};
 const std::vector<std::string> mean_heads{"time_s", "window_s", "triangle", "x_m",  "y_m",  "z_m",    "nx",
                                           "ny",     "nz",       "fx_N",     "fy_N", "fz_N", "patch_m"};
 const std::string since_head = "since_last_s"; // nan of a row's first touch, so that nothing reads it back
+const std::vector<std::string> peak_heads{"peak_normal_s",
+                                          "peak_shear_s"}; // folders of before they were kept have none
 const std::vector<std::string> touch_heads{"body",
                                            "touch",
                                            "begin_s",
@@ -35,7 +41,9 @@ const std::vector<std::string> touch_heads{"body",
                                            "peak_normal_N",
                                            "peak_shear_N",
                                            "normal_impulse_N_s",
-                                           "shear_impulse_N_s"};
+                                           "shear_impulse_N_s",
+                                           peak_heads[0],
+                                           peak_heads[1]};
 
 void add(Row& row, const Vector3d& vector) {
     row.insert(row.end(), vector.data(), vector.data() + 3);
@@ -52,21 +60,6 @@ std::string contacts_csv(const PartLoads& loads) {
                 add(row, vector);
             row.push_back(push.patch);
             text += csv_line(row);
-        }
-    }
-    return text;
-}
-
-/// Force over area of every facet that is touched, as the thesis plots it.
-std::string facets_csv(const PartLoads& loads, const solid::HexMesh& mesh) {
-    std::string text = "time_s,element,face,area_m2,normal_Pa,shear_Pa\n";
-    for (const LoadInstant& instant : loads.instants) {
-        for (const auto& [facet, sum] : facet_loads(instant.pushes)) {
-            const solid::Facet& of = mesh.facets[static_cast<std::size_t>(facet)];
-            const double area = mesh.area_of(facet).norm();
-            text +=
-                csv_line(Row{instant.time, static_cast<double>(mesh.hex_numbers[static_cast<std::size_t>(of.hex)]),
-                             static_cast<double>(of.face + 1), area, sum.pressing / area, sum.shearing.norm() / area});
         }
     }
     return text;
@@ -99,8 +92,9 @@ std::string touches_csv(const PartLoads& loads, const solid::HexMesh& mesh) {
                 touch.since,
                 static_cast<double>(mesh.hex_numbers[static_cast<std::size_t>(mesh.facets[facet].hex)])};
         add(row, touch.foot);
-        for (const double value : {touch.approach, touch.slip, touch.peak_normal, touch.peak_shear,
-                                   touch.normal_impulse, touch.shear_impulse})
+        for (const double value :
+             {touch.approach, touch.slip, touch.peak_normal, touch.peak_shear, touch.normal_impulse,
+              touch.shear_impulse, touch.peak_normal_time, touch.peak_shear_time})
             row.push_back(value);
         text += csv_line(row);
     }
@@ -118,13 +112,15 @@ std::string bulk_csv(const observe::Series& bulk) {
     return text;
 }
 
-/// Columns of a table in the order of its heads.
+/// Columns of a table in the order of its heads; NaN for those that are not read back or may be missing.
 Result<std::vector<std::vector<double>>> columns_of(const Table& table, const std::vector<std::string>& heads) {
     std::vector<std::vector<double>> columns;
     Problems problems;
     for (const std::string& head : heads) {
-        auto column =
-            head == since_head ? Result<std::vector<double>>(std::vector<double>(table.rows())) : table.numbers(head);
+        const bool is_peak = std::find(peak_heads.begin(), peak_heads.end(), head) != peak_heads.end();
+        auto column = head == since_head || (is_peak && !table.find(head))
+                          ? Result<std::vector<double>>(std::vector<double>(table.rows(), not_there))
+                          : table.numbers(head);
         for (const Problem& problem : column.problems())
             problems.push_back(problem);
         if (column)
@@ -217,6 +213,8 @@ std::optional<Problems> read_touches(const LoadTable& from, PartLoads& loads) {
         touch.peak_shear = c[12][r];
         touch.normal_impulse = c[13][r];
         touch.shear_impulse = c[14][r];
+        touch.peak_normal_time = c[15][r];
+        touch.peak_shear_time = c[16][r];
         loads.touches.push_back(touch);
     }
     return std::nullopt;
@@ -224,13 +222,26 @@ std::optional<Problems> read_touches(const LoadTable& from, PartLoads& loads) {
 
 } // namespace
 
+std::string facets_csv(const PartLoads& loads, const solid::HexMesh& mesh) {
+    const FacetFinder finder(mesh);
+    std::string text = "time_s,element,face,area_m2,normal_Pa,shear_Pa\n";
+    for (const LoadInstant& instant : loads.instants)
+        for (const auto& [facet, sum] : facet_loads(instant.pushes, finder)) {
+            const solid::Facet& of = mesh.facets[static_cast<std::size_t>(facet)];
+            const double area = mesh.area_of(facet).norm();
+            text +=
+                csv_line(Row{instant.time, static_cast<double>(mesh.hex_numbers[static_cast<std::size_t>(of.hex)]),
+                             static_cast<double>(of.face + 1), area, sum.pressing / area, sum.shearing.norm() / area});
+        }
+    return text;
+}
+
 Result<Done> write_loads(const PartLoads& loads, const scene::SpecimenShape& specimen,
                          const std::filesystem::path& folder) {
     const solid::HexMesh& mesh = *specimen.mesh;
     for (const auto& [name, text] :
          {std::pair{"contacts.csv", contacts_csv(loads)}, std::pair{"means.csv", means_csv(loads)},
-          std::pair{"facets.csv", facets_csv(loads, mesh)}, std::pair{"touches.csv", touches_csv(loads, mesh)},
-          std::pair{"bulk.csv", bulk_csv(loads.bulk)}})
+          std::pair{"touches.csv", touches_csv(loads, mesh)}, std::pair{"bulk.csv", bulk_csv(loads.bulk)}})
         if (const auto written = observe::write_whole(folder / name, text); !written)
             return written;
     return Done{};

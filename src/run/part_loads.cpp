@@ -9,6 +9,7 @@
 #include "run/resume.h"
 #include "run/run_in_work.h"
 #include "run/scene_changes.h"
+#include "run/scene_doubts.h"
 #include "run/schedule.h"
 
 #include <chrono>
@@ -116,16 +117,6 @@ private:
 
 } // namespace
 
-std::map<int, FacetLoad> facet_loads(const std::vector<observe::WallPush>& pushes) {
-    std::map<int, FacetLoad> facets;
-    for (const observe::WallPush& push : pushes) {
-        FacetLoad& facet = facets[push.triangle / 2];
-        facet.pressing += push.pressing();
-        facet.shearing += push.shearing();
-    }
-    return facets;
-}
-
 Result<int> find_specimen(const scene::Scene& scene, const std::string& name) {
     std::vector<int> found;
     std::string names;
@@ -158,6 +149,8 @@ Result<PartLoads> record_loads(const scene::Scene& scene, int wall, const LoadOp
                 .key = "domain.periodic",
                 .what = "loads on a specimen are not kept in a periodic domain, where its facets are there twice",
                 .fix = "close the domain, or let `tumble run` run it"};
+    if (const auto doubt = doubt_of_size(scene, scene.walls[static_cast<std::size_t>(wall)]))
+        listener.warned(*doubt);
     auto measures = observe::choose_measures(scene.observe.measures);
     if (!measures)
         return measures.problems();

@@ -30,7 +30,7 @@ constexpr double sphere_rate = 1.5e7;
 constexpr double disc_rate = 3e7; // discs, those of clumps too
 constexpr double hard_rate = 1e6; // bodies of Box2D at its usual iterations
 // What a step takes however few the bodies, and a row or a frame: s, as run.json has them for single spheres.
-constexpr double step_floor = 1e-6;
+constexpr double step_floor = 5e-7;
 constexpr double output_floor = 1e-4;
 constexpr double bytes_per_body = 2500;
 constexpr double bytes_per_sphere = 60;

@@ -42,7 +42,8 @@ public:
             keys_of_box2d();
         bowls();
         for (const scene::Wall& wall : scene_.walls) {
-            size_of(wall);
+            if (const auto doubt = doubt_of_size(scene_, wall))
+                found_.push_back(*doubt);
             motion_of(wall);
         }
         return std::move(found_);
@@ -181,22 +182,6 @@ private:
                 "docs/hard-contacts.md says what it goes by; solver = \"soft\" reads them");
     }
 
-    void size_of(const scene::Wall& wall) {
-        const bool can_be_vast = scene_.dimension == 2 || std::holds_alternative<scene::CylinderShape>(wall.shape) ||
-                                 std::holds_alternative<scene::DiscShape>(wall.shape) ||
-                                 std::holds_alternative<scene::BowlShape>(wall.shape) ||
-                                 std::holds_alternative<scene::BowlDiscShape>(wall.shape) ||
-                                 std::holds_alternative<scene::MeshShape>(wall.shape);
-        const scene::Box extent = scene::extent_of(wall, scene_.dimension);
-        const double size = (extent.hi - extent.lo).maxCoeff();
-        const double room = (scene_.domain.box.hi - scene_.domain.box.lo).maxCoeff();
-        if (can_be_vast && size > vast_wall * room)
-            say("wall." + wall.name,
-                fmt::format("wall '{}' is {:.4g} m large, {:.3g} times the domain", wall.name, size, size / room),
-                std::holds_alternative<scene::MeshShape>(wall.shape) ? "an STL in millimetres wants scale = 0.001"
-                                                                     : "its lengths are in metres: 60 mm are 0.06");
-    }
-
     void motion_of(const scene::Wall& wall) {
         const scene::Box& domain = scene_.domain.box;
         Vector3d amplitude = Vector3d::Zero();
@@ -227,7 +212,37 @@ private:
     std::vector<std::string> found_;
 };
 
+/// Vast ones of other shapes are ways to say that there is a floor or a box.
+bool can_be_vast(const scene::Wall& wall, int dimension) {
+    return dimension == 2 || std::holds_alternative<scene::CylinderShape>(wall.shape) ||
+           std::holds_alternative<scene::DiscShape>(wall.shape) ||
+           std::holds_alternative<scene::BowlShape>(wall.shape) ||
+           std::holds_alternative<scene::BowlDiscShape>(wall.shape) ||
+           std::holds_alternative<scene::MeshShape>(wall.shape) ||
+           std::holds_alternative<scene::SpecimenShape>(wall.shape);
+}
+
+std::string remedy_for_size(const scene::Wall& wall) {
+    const auto* specimen = std::get_if<scene::SpecimenShape>(&wall.shape);
+    if (specimen && std::holds_alternative<solid::MeshFile>(specimen->part))
+        return "a mesh file in millimetres wants scale = 0.001";
+    return std::holds_alternative<scene::MeshShape>(wall.shape) ? "an STL in millimetres wants scale = 0.001"
+                                                                : "its lengths are in metres: 60 mm are 0.06";
+}
+
 } // namespace
+
+std::optional<std::string> doubt_of_size(const scene::Scene& scene, const scene::Wall& wall) {
+    const scene::Box extent = scene::extent_of(wall, scene.dimension);
+    const double size = (extent.hi - extent.lo).maxCoeff();
+    const double room = (scene.domain.box.hi - scene.domain.box.lo).maxCoeff();
+    if (!can_be_vast(wall, scene.dimension) || !(size > vast_wall * room))
+        return std::nullopt;
+    return to_string(scene::problem_about(
+        scene, "wall." + wall.name,
+        fmt::format("wall '{}' is {:.4g} m large, {:.3g} times the domain", wall.name, size, size / room),
+        remedy_for_size(wall)));
+}
 
 std::vector<std::string> scene_doubts(const scene::Scene& scene, const std::vector<SimulatedBody>& bodies) {
     return Doubts(scene, bodies).all();

@@ -2,6 +2,7 @@
 
 #include "base/child_process.h"
 #include "base/text.h"
+#include "sheet/sheet.h"
 
 #include <array>
 #include <cerrno>
@@ -29,8 +30,8 @@ std::string axis_words(const std::string& label, const std::string& unit) {
 }
 
 std::string color_of(std::size_t index) {
-    constexpr std::array colors{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"};
-    return colors[index % colors.size()];
+    constexpr std::array<const char*, colors> table{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"};
+    return table[index % colors];
 }
 
 Result<Done> run_gnuplot(const std::string& script, const std::filesystem::path& file, const std::string& without) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -55,6 +56,7 @@ struct Curve {
         y.push_back(value);
     }
 };
+constexpr std::size_t colors = 6; // that curves get in turn
 struct Figure {
     std::string name; // of its files, without extension
     std::string title;

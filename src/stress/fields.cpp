@@ -1,11 +1,9 @@
 #include "stress/fields.h"
 
-#include <Eigen/Geometry>
+#include "stress/roll_out.h"
+
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
-#include <numbers>
 #include <set>
 
 namespace tumble::stress {
@@ -34,36 +32,6 @@ void put(const Lines& lines, render::Field& field) {
 Vector3d placed(const observe::WallPlace& place, const Vector3d& point) {
     return place.rotation * point + place.translation;
 }
-
-/// Where a slice's points go when it is rolled out, m.
-class Rolling {
-public:
-    Rolling(const fem::Slice& slice, const Vector3d& base, const Vector3d& axis, const Vector3d& ahead)
-        : base_(base), axis_(axis), ahead_((ahead - axis.dot(ahead) * axis).normalized()), left_(axis.cross(ahead_)) {
-        const Vector3d& first = slice.points.front().directions.normal;
-        round_ = std::any_of(slice.points.begin(), slice.points.end(),
-                             [&](const fem::SlicePoint& p) { return p.directions.normal.dot(first) < 1 - 1e-9; });
-        contour_ = slice.points.front().directions.contour;
-    }
-
-    [[nodiscard]] Vector3d operator()(const Vector3d& place) const {
-        const Vector3d arm = place - base_;
-        const double height = axis_.dot(arm);
-        if (!round_)
-            return {contour_.dot(arm), height, 0};
-        const double x = ahead_.dot(arm), y = left_.dot(arm);
-        return {std::hypot(x, y) * std::atan2(y, x), height, 0};
-    }
-    /// m, from one edge of a slice that goes all the way round to the other; 0 where it is flat.
-    [[nodiscard]] double round(const Vector3d& place) const {
-        const Vector3d arm = place - base_;
-        return round_ ? 2 * std::numbers::pi * std::hypot(ahead_.dot(arm), left_.dot(arm)) : 0;
-    }
-
-private:
-    Vector3d base_, axis_, ahead_, left_, contour_;
-    bool round_ = false;
-};
 
 } // namespace
 
@@ -102,38 +70,21 @@ render::Field section_field(const solid::HexMesh& mesh, const solid::Section& se
 }
 
 render::Field unrolled_field(const solid::HexMesh& mesh, const fem::Slice& slice, const Vector3d& base,
-                             const Vector3d& axis, const Vector3d& ahead, const std::vector<double>& values) {
-    const Rolling rolling(slice, base, axis, ahead);
+                             const Vector3d& ahead, const std::vector<double>& values) {
+    std::map<int, std::size_t> at; // into the slice's points, by node
+    for (std::size_t p = 0; p < slice.points.size(); ++p)
+        at[slice.points[p].node] = p;
+    const RolledOut rolled = rolled_out(mesh, slice, base, ahead);
     render::Field field;
     field.has_sign = true;
     field.unit = "Pa";
-    field.values = values;
-    std::map<int, int> point_of; // by node
-    for (const fem::SlicePoint& point : slice.points) {
-        point_of[point.node] = static_cast<int>(field.points.size());
-        field.points.push_back(rolling(point.place));
+    for (const RolledOut::Point& point : rolled.points) {
+        const std::size_t p = at.at(point.node);
+        field.points.emplace_back(point.along, slice.up.dot(slice.points[p].place - base), 0);
+        field.values.push_back(values[p]);
     }
     Lines lines;
-    std::map<int, int> again; // points before the cut, once more behind it
-    for (const int facet : mesh.facet_sets.at(slice.side)) {
-        std::array<int, 4> corners{};
-        double most = -std::numeric_limits<double>::infinity();
-        for (std::size_t k = 0; k < 4; ++k) {
-            corners[k] = point_of.at(mesh.facets[static_cast<std::size_t>(facet)].corners[k]);
-            most = std::max(most, field.points[static_cast<std::size_t>(corners[k])].x());
-        }
-        for (int& corner : corners) {
-            const auto from = static_cast<std::size_t>(corner);
-            const double round = from < slice.points.size() ? rolling.round(slice.points[from].place) : 0;
-            if (round == 0 || most - field.points[from].x() < 0.5 * round)
-                continue;
-            const auto [found, fresh] = again.try_emplace(corner, static_cast<int>(field.points.size()));
-            if (fresh) {
-                field.points.push_back(field.points[from] + Vector3d(round, 0, 0));
-                field.values.push_back(values[from]);
-            }
-            corner = found->second;
-        }
+    for (const std::array<int, 4>& corners : rolled.facets) {
         add_quad(corners, field);
         add_edges(corners, lines);
     }

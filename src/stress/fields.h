@@ -20,11 +20,9 @@ render::Field surface_field(const solid::HexMesh& mesh, const observe::WallPlace
 render::Field section_field(const solid::HexMesh& mesh, const solid::Section& section, const observe::WallPlace& place,
                             const std::vector<double>& values);
 
-/// A slice rolled out flat: along x its contour, anticlockwise about the axis, from the middle of the side; along y
-/// its height above the part's base. A side that goes all the way round is cut open behind the axis from `ahead`, a
-/// direction across it. `values`: a point of the slice each.
+/// A slice rolled out flat (rolled_out): along x its contour, along y how far along its `up` it lies from `base`.
+/// `values`: a point of the slice each.
 render::Field unrolled_field(const solid::HexMesh& mesh, const fem::Slice& slice, const Eigen::Vector3d& base,
-                             const Eigen::Vector3d& axis, const Eigen::Vector3d& ahead,
-                             const std::vector<double>& values);
+                             const Eigen::Vector3d& ahead, const std::vector<double>& values);
 
 } // namespace tumble::stress

@@ -1,6 +1,7 @@
 #include "stress/pictures.h"
 
 #include "observe/frame_file.h"
+#include "render/color_range.h"
 #include "render/field_painter.h"
 #include "render/png_writer.h"
 #include "scene/specimen.h"
@@ -39,6 +40,9 @@ public:
         for (const Vector3d& node : mesh_.nodes)
             bounds_.extend(node);
         axis_ = recorded.specimen().place.axis;
+        // The place of a part from a file says nothing but its axis.
+        base_ = std::holds_alternative<solid::MeshFile>(recorded.specimen().part) ? Vector3d(bounds_.center())
+                                                                                  : recorded.specimen().place.base;
     }
 
     Result<std::vector<fs::path>> draw() {
@@ -50,9 +54,15 @@ public:
         if (const auto problems = find_frame())
             return *problems;
         find_worst_node();
-        const Vector3d across = axis_.cross(outward_);
-        for (const auto& problems : {draw_part(), draw_cut("cut-along", across, "along the axis"),
-                                     draw_cut("cut-across", axis_, "across the axis"), draw_slices()})
+        surface_ = surface_field(mesh_, place_, values_);
+        name(surface_);
+        cut("cut-along", axis_.cross(outward_), "along the axis");
+        cut("cut-across", axis_, "across the axis");
+        // One scale, the surface's: that of a cut through the strongest contact would leave the rest of the part dark.
+        render::WidestRange range;
+        range.take_in(surface_.values);
+        span_ = range.span(component_.has_sign);
+        for (const auto& problems : {draw_part(), draw_cuts(), draw_slices()})
             if (problems)
                 return *problems;
         if (const auto written = png_.finish(); !written)
@@ -91,15 +101,13 @@ private:
     /// Where von Mises' stress is largest on the surface, and which way is outwards there, across the axis.
     void find_worst_node() {
         double most = -1;
-        const Vector3d base = recorded_.specimen().place.base;
         for (const solid::Facet& facet : mesh_.facets)
             for (const int node : facet.corners)
                 if (const double here = fem::von_mises(study_.worst.stress.segment<6>(6 * node)); here > most) {
                     most = here;
                     worst_ = mesh_.nodes[static_cast<std::size_t>(node)];
                 }
-        const Vector3d middle = bounds_.center();
-        Vector3d arm = worst_ - (std::holds_alternative<solid::MeshFile>(recorded_.specimen().part) ? middle : base);
+        Vector3d arm = worst_ - base_;
         arm -= axis_.dot(arm) * axis_;
         outward_ = arm.norm() > 0 ? Vector3d(arm.normalized()) : axis_.unitOrthogonal();
     }
@@ -115,8 +123,13 @@ private:
         return std::nullopt;
     }
 
-    [[nodiscard]] std::string time() const {
-        return fmt::format("t = {:.4f} s", study_.cases[study_.worst.index].time);
+    [[nodiscard]] const Case& worst_case() const { return study_.cases[study_.worst.index]; }
+    [[nodiscard]] std::string time() const { return fmt::format("t = {:.4f} s", worst_case().time); }
+    /// A mean is of the time before the one that stands in the picture.
+    [[nodiscard]] std::string titled(const std::string& words) const {
+        return worst_case().window > 0
+                   ? fmt::format("Mean load of the {:.3g} ms before t: {}", 1e3 * worst_case().window, words)
+                   : words;
     }
 
     void name(render::Field& field) const {
@@ -126,8 +139,6 @@ private:
     }
 
     Failure draw_part() {
-        render::Field field = surface_field(mesh_, place_, values_);
-        name(field);
         scene::Render settings = settings_;
         settings.projection = "perspective";
         const Vector3d up = Vector3d::UnitY();
@@ -135,55 +146,77 @@ private:
         from = (from - up.dot(from) * up).normalized() * std::cos(lifted) + up * std::sin(lifted);
         look_at(settings, place_.rotation * bounds_.center() + place_.translation, from,
                 room * bounds_.diagonal().norm());
-        render::FieldLook look{.title = recorded_.scene.title + ": stress on " + recorded_.name(), .note = time()};
+        const std::string part = "stress on " + recorded_.name();
+        render::FieldLook look{.title = worst_case().window > 0 ? titled(part) : recorded_.scene.title + ": " + part,
+                               .note = time(),
+                               .span = span_};
         look.part = recorded_.wall;
         look.veil = options_.veil;
-        return paint("part", settings, std::move(field), look, frame_ ? &*frame_ : nullptr);
+        return paint("part", settings, std::move(surface_), look, frame_ ? &*frame_ : nullptr);
     }
 
-    Failure draw_cut(const std::string& file, const Vector3d& normal, const std::string& how) {
+    void cut(const std::string& file, const Vector3d& normal, const std::string& how) {
         // A little towards the middle, where the worst node is the part's last.
         const Vector3d through = worst_ + 1e-3 * (bounds_.center() - worst_);
         const solid::Section section = solid::section_of(mesh_, through, normal);
         if (section.triangles.empty())
-            return std::nullopt; // a part that bends back from there
-        render::Field field = section_field(mesh_, section, place_, values_);
-        name(field);
-        Eigen::AlignedBox3d box;
-        for (const Vector3d& point : field.points)
-            box.extend(point);
-        scene::Render settings = settings_;
-        settings.projection = "orthographic";
-        look_at(settings, box.center(), place_.rotation * normal, 1.1 * box.diagonal().norm());
-        const render::FieldLook look{
-            .title = fmt::format("{}, stress in a cut {} through the worst node", recorded_.name(), how),
-            .note = time(),
-            .lit = false};
-        return paint(file, settings, std::move(field), look, nullptr);
+            return; // a part that bends back from there
+        cuts_.push_back({file, how, normal, section_field(mesh_, section, place_, values_)});
+        name(cuts_.back().field);
     }
 
-    Failure draw_slices() {
-        for (const fem::Slice& slice : study_.slices) {
-            const Eigen::VectorXd normal = fem::components_on(slice, mesh_, study_.worst.stress).row(0);
-            render::Field field = unrolled_field(mesh_, slice, recorded_.specimen().place.base, axis_, outward_,
-                                                 std::vector<double>(normal.data(), normal.data() + normal.size()));
-            field.label = "normal";
+    Failure draw_cuts() {
+        for (Cut& cut : cuts_) {
+            Eigen::AlignedBox3d box;
+            for (const Vector3d& point : cut.field.points)
+                box.extend(point);
             scene::Render settings = settings_;
-            settings.camera = "side";
             settings.projection = "orthographic";
-            settings.view.reset();
-            const double depth = 1e3 * slice.depth; // mm
-            const render::FieldLook look{.title = fmt::format("{}, normal stress {:.4g} mm beneath '{}', rolled out",
-                                                              recorded_.name(), depth, slice.side),
+            look_at(settings, box.center(), place_.rotation * cut.normal, 1.1 * box.diagonal().norm());
+            const render::FieldLook look{.title = titled(fmt::format("{}, stress in a cut {} through the worst node",
+                                                                     recorded_.name(), cut.how)),
                                          .note = time(),
-                                         .caption = "to the right: around the part, anticlockwise; up: along its axis",
-                                         .lit = false,
-                                         .axes = false};
-            if (auto failure = paint(fmt::format("slice-{}-{:.4g}mm", slice.side, depth), settings, std::move(field),
-                                     look, nullptr))
+                                         .span = span_,
+                                         .lit = false};
+            if (auto failure = paint(cut.file, settings, std::move(cut.field), look, nullptr))
                 return failure;
         }
         return std::nullopt;
+    }
+
+    Failure draw_slices() {
+        std::vector<render::Field> fields;
+        render::WidestRange range;
+        for (const fem::Slice& slice : study_.slices) {
+            const Eigen::VectorXd normal = fem::components_on(slice, mesh_, study_.worst.stress).row(0);
+            fields.push_back(unrolled_field(mesh_, slice, base_, outward_,
+                                            std::vector<double>(normal.data(), normal.data() + normal.size())));
+            fields.back().label = "normal";
+            range.take_in(fields.back().values);
+        }
+        for (std::size_t s = 0; s < fields.size(); ++s)
+            if (auto failure = draw_slice(study_.slices[s], std::move(fields[s]), range.span(true)))
+                return failure;
+        return std::nullopt;
+    }
+
+    Failure draw_slice(const fem::Slice& slice, render::Field field, const render::Span& span) {
+        scene::Render settings = settings_;
+        settings.camera = "side";
+        settings.projection = "orthographic";
+        settings.view.reset();
+        const double depth = 1e3 * slice.depth; // mm
+        const bool end = slice.beneath_end(axis_);
+        const render::FieldLook look{
+            .title = titled(fmt::format("{}, normal stress {:.4g} mm beneath '{}'{}", recorded_.name(), depth,
+                                        slice.side, end ? "" : ", rolled out")),
+            .note = time(),
+            .caption =
+                end ? "the end, seen from outside" : "to the right: around the part, anticlockwise; up: along its axis",
+            .span = span,
+            .lit = false,
+            .axes = false};
+        return paint(fmt::format("slice-{}-{:.4g}mm", slice.side, depth), settings, std::move(field), look, nullptr);
     }
 
     const Recorded& recorded_;
@@ -193,9 +226,17 @@ private:
     fs::path folder_;
     scene::Render settings_;
     Eigen::AlignedBox3d bounds_; // of the part, in its own frame
-    Vector3d axis_, worst_, outward_;
+    Vector3d axis_, base_, worst_, outward_;
     fem::Component component_;
     std::vector<double> values_;
+    struct Cut {
+        std::string file, how;
+        Vector3d normal;
+        render::Field field;
+    };
+    render::Field surface_;
+    std::vector<Cut> cuts_;
+    render::Span span_; // of the part and its cuts, Pa
     std::int64_t frame_number_ = 0;
     std::optional<observe::Frame> frame_;
     observe::WallPlace place_;

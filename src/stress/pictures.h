@@ -18,8 +18,9 @@ struct PictureOptions {
 /// Pictures of the case with the largest von Mises stress, as PNG files with the scene's size, background and colours:
 /// part.png, the part among the media where their frame was kept, seen from outside of the worst node; cut-along.png
 /// and cut-across.png, the part cut through that node, along its axis and across it; and for each slice
-/// slice-SIDE-DEPTHmm.png, its normal stress with the side rolled out flat. Returns the files. Problems: no such
-/// component; those of render::paint_field; the system's.
+/// slice-SIDE-DEPTHmm.png, its normal stress with the side rolled out flat. Part and cuts have the scale of the
+/// surface, slices another one. Returns the files. Problems: no such component; those of render::paint_field; the
+/// system's.
 Result<std::vector<std::filesystem::path>> draw_pictures(const Recorded& recorded, const Study& study,
                                                          const PictureOptions& options,
                                                          const std::filesystem::path& folder);

@@ -10,6 +10,7 @@
 #include "solid/inp.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace tumble::stress {
@@ -29,6 +30,14 @@ Eigen::Vector3d extent_of(const solid::HexMesh& mesh) {
     for (const Eigen::Vector3d& node : mesh.nodes)
         box.extend(node);
     return box.sizes();
+}
+
+/// Whether instants are missing at the end of the run, by the longest time between two of them.
+bool ends_early(const run::PartLoads& loads, const scene::Scene& scene) {
+    double every = 0; // s
+    for (std::size_t k = 1; k < loads.instants.size(); ++k)
+        every = std::max(every, loads.instants[k].time - loads.instants[k - 1].time);
+    return every > 0 && scene.duration - loads.instants.back().time > every + 2 * scene.time_step;
 }
 
 } // namespace
@@ -88,6 +97,7 @@ Result<Recorded> read_recorded(const fs::path& folder, const std::string& part) 
     if (!loads)
         return loads.problems();
     recorded->loads = std::move(*loads);
+    recorded->loads.stopped = ends_early(recorded->loads, recorded->scene);
     if (std::error_code ignored; fs::exists(observe::layout_path(folder / "frames"), ignored))
         recorded->frames = folder / "frames";
     return recorded;

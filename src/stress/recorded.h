@@ -30,7 +30,8 @@ bool holds_loads(const std::filesystem::path& folder);
 
 /// scene.toml, part.txt with the specimen's name and the files of run::write_loads. Problems: the system's.
 Result<Done> write_recorded(const Recorded& recorded, const std::filesystem::path& folder);
-/// The same read again; `part` is the specimen that part.txt names, or empty. Problems: files that are missing or
+/// The same read again, loads.stopped where the run ended an instant or more before its time; `part` is the specimen
+/// that part.txt names, or empty. Problems: files that are missing or
 /// damaged, loads on another part.
 Result<Recorded> read_recorded(const std::filesystem::path& folder, const std::string& part);
 

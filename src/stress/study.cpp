@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <limits>
 
 namespace tumble::stress {
@@ -22,6 +23,7 @@ using Eigen::Vector3d;
 constexpr std::size_t cases_at_once = 128; // bounds memory, whatever the run's length
 // From this share of the smallest sphere on the part gives way as a contact does; the media did not see it move.
 constexpr double visible_deflection = 0.01;
+constexpr double untold = std::numeric_limits<double>::quiet_NaN();
 
 double seconds_since(std::chrono::steady_clock::time_point begun) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
@@ -41,56 +43,82 @@ std::vector<std::string> outward_sides(const scene::SpecimenShape& specimen) {
     return {"side"};
 }
 
-/// What is solved as one case.
+/// What is solved as one case; `window`: as Case.
 struct CaseLoad {
-    double time = 0; // s
+    double time = 0, window = 0; // s
     const std::vector<observe::WallPush>& pushes;
 };
 std::vector<CaseLoad> case_loads(const run::PartLoads& loads, bool means) {
     std::vector<CaseLoad> cases;
     if (means)
         for (const run::MeanLoad& mean : loads.means)
-            cases.push_back({mean.time, mean.pushes});
+            cases.push_back({mean.time, mean.window, mean.pushes});
     else
         for (const run::LoadInstant& instant : loads.instants)
-            cases.push_back({instant.time, instant.pushes});
+            cases.push_back({instant.time, 0, instant.pushes});
     return cases;
 }
 
-/// Patches and facets beneath them, weighed with the contacts' forces.
-void measure_patches(const std::vector<CaseLoad>& cases, const solid::HexMesh& mesh, double times, Study& study) {
+/// Patches, facets beneath them and sides that they are on, weighed with the contacts' forces.
+void measure_patches(const std::vector<CaseLoad>& cases, const run::FacetFinder& finder, double times, Study& study) {
+    const solid::HexMesh& mesh = finder.mesh();
+    std::vector<double*> side_of(mesh.facets.size()); // its share
+    for (const auto& [side, facets] : mesh.facet_sets)
+        for (const int facet : facets)
+            side_of[static_cast<std::size_t>(facet)] = &study.pressed[side];
     double weight = 0;
     for (const CaseLoad& load : cases)
         for (const observe::WallPush& push : load.pushes) {
+            const int facet = finder.facet_of(push);
             const double force = push.force.norm();
             weight += force;
             study.patch += force * times * push.patch;
-            study.facet += force * std::sqrt(mesh.area_of(push.triangle / 2).norm());
+            study.facet += force * std::sqrt(mesh.area_of(facet).norm());
+            if (double* share = side_of[static_cast<std::size_t>(facet)])
+                *share += force;
         }
-    if (weight > 0) {
-        study.patch /= weight;
-        study.facet /= weight;
-    }
+    if (!(weight > 0))
+        return;
+    study.patch /= weight;
+    study.facet /= weight;
+    for (auto& [side, share] : study.pressed)
+        share /= weight;
 }
 
-/// What an instant's contacts say of a case by themselves.
-/// `surface`: m2, of the part.
-void look_at(const run::LoadInstant& instant, const solid::HexMesh& mesh, double surface, Case& now) {
+/// What an instant's contacts say of a case by themselves. `surface`: m2, of the part.
+void look_at(const run::LoadInstant& instant, const run::FacetFinder& finder, double surface, Case& now) {
+    const solid::HexMesh& mesh = finder.mesh();
     now.contacts = static_cast<int>(instant.pushes.size());
     for (const observe::WallPush& push : instant.pushes) {
-        const int facet = push.triangle / 2;
-        const Strongest here{push.body, facet, push.foot, push.pressing(), push.shearing().norm()};
+        const solid::Facet& facet = mesh.facets[static_cast<std::size_t>(finder.facet_of(push))];
+        const Strongest here{push.body,       mesh.hex_numbers[static_cast<std::size_t>(facet.hex)],
+                             facet.face + 1,  push.foot,
+                             push.pressing(), push.shearing().norm()};
         if (!now.strongest ||
             std::hypot(here.normal, here.shear) > std::hypot(now.strongest->normal, now.strongest->shear))
             now.strongest = here;
     }
-    for (const auto& [facet, sum] : run::facet_loads(instant.pushes)) {
+    for (const auto& [facet, sum] : run::facet_loads(instant.pushes, finder)) {
         const double area = mesh.area_of(facet).norm();
         now.facet_normal = std::max(now.facet_normal, sum.pressing / area);
         now.facet_shear = std::max(now.facet_shear, sum.shearing.norm() / area);
         now.surface_normal += sum.pressing / surface;
         now.surface_shear += sum.shearing.norm() / surface;
     }
+}
+
+void find_worst_node(const solid::HexMesh& mesh, Study& study) {
+    std::size_t worst = 0;
+    double most = -1; // Pa
+    for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
+        const double here = fem::von_mises(study.worst.stress.segment<6>(6 * static_cast<Index>(node)));
+        if (here > most) {
+            most = here;
+            worst = node;
+        }
+    }
+    study.worst_node = mesh.node_numbers[worst];
+    study.worst_place = mesh.nodes[worst];
 }
 
 class Solver {
@@ -169,6 +197,19 @@ private:
 
 } // namespace
 
+std::string settings_of(const scene::SpecimenShape& specimen, const StudyOptions& options) {
+    const std::vector<std::string> sides = options.sides.empty() ? outward_sides(specimen) : options.sides;
+    std::vector<double> depths; // mm
+    for (const double depth : options.depths)
+        depths.push_back(1e3 * depth);
+    return fmt::format("loads = {}\nelement = {}\nhexahedra = {}\nsides = {}\ndepths_mm = {:.9g}\nlower = {:.9g}\n"
+                       "edge_mm = {:.9g}\npatch = {:.9g}\n",
+                       options.means ? "means" : "instants",
+                       options.formulation == fem::Formulation::standard ? "standard" : "incompatible",
+                       specimen.mesh->hexes.size(), fmt::join(sides, ", "), fmt::join(depths, ", "),
+                       options.counting.lower, 1e3 * options.counting.edge, options.patch);
+}
+
 Result<std::vector<fem::Slice>> slices_of(const scene::SpecimenShape& specimen, const StudyOptions& options) {
     std::vector<fem::Slice> slices;
     const solid::Locator locator(*specimen.mesh);
@@ -213,6 +254,7 @@ Result<std::vector<Eigen::Matrix3Xd>> nodal_cases(const scene::SpecimenShape& sp
 Result<Study> study(const scene::Scene& scene, const scene::SpecimenShape& specimen, const run::PartLoads& loads,
                     const StudyOptions& options) {
     Study study;
+    study.settings = settings_of(specimen, options);
     const auto begun = std::chrono::steady_clock::now();
     Crew crew(options.threads);
     Solver solver(specimen, options, crew);
@@ -228,15 +270,19 @@ Result<Study> study(const scene::Scene& scene, const scene::SpecimenShape& speci
     for (std::size_t f = 0; f < specimen.mesh->facets.size(); ++f)
         surface += specimen.mesh->area_of(static_cast<int>(f)).norm();
     const std::vector<CaseLoad> cases = case_loads(loads, options.means);
+    const run::FacetFinder finder(*specimen.mesh);
     for (std::size_t c = 0; c < cases.size(); ++c) {
         Case now;
         now.time = cases[c].time;
+        now.window = cases[c].window;
         now.force = (*forces)[c].rowwise().sum();
-        if (!options.means)
-            look_at(loads.instants[c], *specimen.mesh, surface, now);
+        if (options.means)
+            now.facet_normal = now.facet_shear = now.surface_normal = now.surface_shear = untold;
+        else
+            look_at(loads.instants[c], finder, surface, now);
         study.cases.push_back(std::move(now));
     }
-    measure_patches(cases, *specimen.mesh, options.patch, study);
+    measure_patches(cases, finder, options.patch, study);
     study.impacts = observe::impacts_of(loads.touches);
     study.load_s = seconds_since(loading);
 
@@ -244,6 +290,7 @@ Result<Study> study(const scene::Scene& scene, const scene::SpecimenShape& speci
     if (const auto problem = solver.solve(*forces, study))
         return *problem;
     study.solve_s = seconds_since(solving);
+    find_worst_node(*specimen.mesh, study);
 
     const auto most = std::max_element(study.cases.begin(), study.cases.end(),
                                        [](const Case& a, const Case& b) { return a.deflection < b.deflection; });

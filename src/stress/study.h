@@ -9,6 +9,7 @@
 #include "scene/scene.h"
 
 #include <Eigen/Core>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,7 +20,7 @@ namespace tumble::stress {
 struct StudyOptions {
     fem::Formulation formulation = fem::Formulation::incompatible;
     std::vector<double> depths{0.0005, 0.001, 0.0015}; // m, of the slices; the thesis'
-    std::vector<std::string> sides;                    // facet sets; empty: all along the axis that face outwards
+    std::vector<std::string> sides{};                  // facet sets; empty: all along the axis that face outwards
     bool means = false;                                // solve the means over the windows, else the instants
     double patch = 1; // radius of the circles in which bodies touch, times that of the run; 0: forces act at points
     fem::Counting counting{.trivial = 500, .edge = 0.003};
@@ -29,20 +30,23 @@ struct StudyOptions {
 /// The contact with the largest force at an instant.
 struct Strongest {
     std::int64_t body = 0;
-    int facet = 0;
+    int element = 0;                                // its number
+    int face = 0;                                   // of the element, CalculiX' number
     Eigen::Vector3d foot = Eigen::Vector3d::Zero(); // m
-    double normal = 0;                              // N
-    double shear = 0;                               // N
+    double normal = 0;                              // N, along the contact's own normal
+    double shear = 0;                               // N, across it
 };
 
+/// Of a mean, what only an instant's contacts tell is NaN: facet_normal to surface_shear.
 struct Case {
-    double time = 0; // s
-    int contacts = 0;
-    std::optional<Strongest> strongest;                      // of instants
+    double time = 0;                                         // s
+    double window = 0;                                       // s, of a mean, that ends at `time`; 0: an instant
+    int contacts = 0;                                        // of an instant
+    std::optional<Strongest> strongest;                      // the same
     Eigen::Vector3d force = Eigen::Vector3d::Zero();         // N, on the part
     Eigen::Vector3d support_force = Eigen::Vector3d::Zero(); // N, what its supports bear
-    double facet_normal = 0;                                 // Pa, largest of all facets: force over area
-    double facet_shear = 0;                                  // Pa, the same
+    double facet_normal = 0;   // Pa, largest of all facets: force over area, by the facet's own normal
+    double facet_shear = 0;    // Pa, the same
     double surface_normal = 0; // Pa, mean over the part's whole surface: what presses over all its area
     double surface_shear = 0;  // Pa, the same of what shears, facet by facet
     double deflection = 0;     // m, the largest of all nodes
@@ -59,9 +63,13 @@ struct Field {
 };
 
 struct Study {
+    std::string settings; // settings_of what was solved
     std::vector<fem::Slice> slices;
     std::vector<Case> cases;
-    Field worst;      // the case with the largest von Mises stress
+    Field worst;                                           // the case with the largest von Mises stress
+    int worst_node = 0;                                    // where it is, of all nodes: its number
+    Eigen::Vector3d worst_place = Eigen::Vector3d::Zero(); // m
+    std::map<std::string, double> pressed; // by side of the part: its share of all contacts' forces, as sizes
     double patch = 0; // m, mean radius of the circles in which bodies touch, as the forces weigh it; 0: none
     double facet = 0; // m, mean width of the facets beneath them, the root of their area, as the forces weigh it
     std::size_t nodes = 0, hexes = 0, unknowns = 0;
@@ -73,6 +81,9 @@ struct Study {
     observe::Impacts impacts;     // of the run's touches
     std::vector<std::string> warnings;
 };
+
+/// What is solved and how, a line each: "element = standard".
+std::string settings_of(const scene::SpecimenShape& specimen, const StudyOptions& options);
 
 /// Where stresses are looked at. Problems: those of fem::slice_of, a side that the part has not or a depth that it does
 /// not reach.

@@ -1,8 +1,10 @@
 #include "base/table.h"
+#include "base/text.h"
 #include "fem/vtu.h"
 #include "observe/whole_file.h"
 #include "stress/study_sheet.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <limits>
 
@@ -11,13 +13,16 @@ namespace tumble::stress {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* settings_file = "study.txt";
+
 using Row = std::vector<double>;
 
 void add(Row& row, const Eigen::Vector3d& vector) {
     row.insert(row.end(), vector.data(), vector.data() + 3);
 }
 
-std::string cases_csv(const Study& study, const solid::HexMesh& mesh) {
+std::string cases_csv(const Study& study) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     const std::vector<std::string> heads{"time_s",
                                          "contacts",
@@ -44,14 +49,13 @@ std::string cases_csv(const Study& study, const solid::HexMesh& mesh) {
                                          "unbalance"};
     std::string text = csv_line(heads);
     for (const Case& now : study.cases) {
-        Row row{now.time, static_cast<double>(now.contacts)};
+        Row row{now.time, now.window > 0 ? none : static_cast<double>(now.contacts)};
         add(row, now.force);
         add(row, now.support_force);
         if (now.strongest) {
             const Strongest& most = *now.strongest;
-            const int hex = mesh.facets[static_cast<std::size_t>(most.facet)].hex;
             row.push_back(static_cast<double>(most.body));
-            row.push_back(mesh.hex_numbers[static_cast<std::size_t>(hex)]);
+            row.push_back(most.element);
             add(row, most.foot);
             row.push_back(most.normal);
             row.push_back(most.shear);
@@ -97,11 +101,12 @@ std::string slices_csv(const Study& study) {
 } // namespace
 
 Result<std::vector<fs::path>> write_study(const Study& study, const scene::SpecimenShape& specimen,
-                                          const fs::path& folder) {
+                                          const run::PartLoads& loads, const fs::path& folder) {
     const solid::HexMesh& mesh = *specimen.mesh;
     std::vector<fs::path> files;
     for (const auto& [name, text] :
-         {std::pair{"cases.csv", cases_csv(study, mesh)}, std::pair{"slices.csv", slices_csv(study)},
+         {std::pair{settings_file, study.settings}, std::pair{"cases.csv", cases_csv(study)},
+          std::pair{"slices.csv", slices_csv(study)}, std::pair{"facets.csv", run::facets_csv(loads, mesh)},
           std::pair{"worst.vtu", fem::part_vtu(mesh, study.worst.load, study.worst.displacement, study.worst.stress,
                                                study.cases[study.worst.index].time)}}) {
         files.push_back(folder / name);
@@ -109,6 +114,23 @@ Result<std::vector<fs::path>> write_study(const Study& study, const scene::Speci
             return written.problems();
     }
     return files;
+}
+
+std::string kept_settings(const fs::path& folder) {
+    const Result<std::string> text = observe::read_whole(folder / settings_file);
+    return text ? *text : "";
+}
+
+std::string what_differs(const std::string& kept, const std::string& settings) {
+    const auto before = split(kept, '\n'), now = split(settings, '\n');
+    std::string words;
+    for (std::size_t line = 0; line < std::max(before.size(), now.size()); ++line) {
+        const std::string_view was = line < before.size() ? before[line] : "", is = line < now.size() ? now[line] : "";
+        if (was != is)
+            words += fmt::format("{}{}, now {}", words.empty() ? "" : "; ", was.empty() ? "nothing" : was,
+                                 is.substr(is.find('=') == std::string_view::npos ? 0 : is.find('=') + 2));
+    }
+    return words;
 }
 
 } // namespace tumble::stress

@@ -1,11 +1,15 @@
 #include "stress/study_sheet.h"
 
 #include "base/text.h"
+#include "stress/study_figures.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <limits>
+#include <numbers>
+#include <set>
 
 namespace tumble::stress {
 
@@ -37,10 +41,6 @@ template <class Value> Mean over_cases(const Study& study, std::size_t slice, Va
         if (const double here = value(now.slices[slice]); std::isfinite(here))
             values.push_back(here);
     return values.empty() ? Mean{std::numeric_limits<double>::quiet_NaN(), 0} : mean_of(values);
-}
-
-std::string depth_name(const Slice& slice) {
-    return fmt::format("{:.4g} mm", 1e3 * slice.depth);
 }
 
 /// "side.0.5" for facts.
@@ -91,6 +91,7 @@ sheet::Grid signs(const Study& study, sheet::Sheet& sheet) {
                       {"mean compression", "Pa"},
                       {"mean tension", "Pa"},
                       {"compressive", "%", 3},
+                      {"of cases"},
                       {"points in compression", "", 3},
                       {"in tension", "", 3}}};
     for (std::size_t s = 0; s < study.slices.size(); ++s) {
@@ -101,6 +102,9 @@ sheet::Grid signs(const Study& study, sheet::Sheet& sheet) {
                              mean([](const SliceFigures& f) { return f.tension; }),
                              mean([](const SliceFigures& f) { return f.mean_compression; }),
                              mean([](const SliceFigures& f) { return f.mean_tension; }), 100 * share,
+                             static_cast<double>(std::count_if(
+                                 study.cases.begin(), study.cases.end(),
+                                 [&](const Case& now) { return std::isfinite(now.slices[s].compressive_share()); })),
                              mean([](const SliceFigures& f) { return static_cast<double>(f.compressed); }),
                              mean([](const SliceFigures& f) { return static_cast<double>(f.stretched); })});
         sheet.fact(key_of(slice, "compressive_share"), share);
@@ -128,21 +132,6 @@ sheet::Grid edges(const Study& study, sheet::Sheet& sheet) {
     return grid;
 }
 
-/// The touches of the body that pressed hardest, as the thesis' figures 7.20 to 7.23.
-sheet::Figure impact_over_time(const observe::Impacts& impacts) {
-    sheet::Figure figure{"impact",
-                         fmt::format("Touches of body {}, that pressed hardest", impacts.hardest.front().body),
-                         {"time", "s"},
-                         {"largest force", "N"}};
-    sheet::Curve normal{"normal", sheet::Style::points}, shear{"shear", sheet::Style::points};
-    for (const observe::Touching& touch : impacts.hardest) {
-        normal.add(touch.begin, touch.peak_normal);
-        shear.add(touch.begin, touch.peak_shear);
-    }
-    figure.curves = {std::move(normal), std::move(shear)};
-    return figure;
-}
-
 void tell_impacts(const observe::Impacts& impacts, sheet::Sheet& sheet) {
     if (impacts.touches == 0)
         return;
@@ -164,91 +153,63 @@ void tell_impacts(const observe::Impacts& impacts, sheet::Sheet& sheet) {
     sheet.fact("sliding_normal", impacts.sliding_normal, "N");
     sheet.fact("normal_impulse", impacts.normal_impulse, "N s");
     sheet.fact("shear_impulse", impacts.shear_impulse, "N s");
-    if (!impacts.hardest.empty())
-        sheet.parts.emplace_back(impact_over_time(impacts));
+    // Folders of before the peaks' times were kept have none.
+    if (!impacts.hardest.empty() && std::isfinite(impacts.hardest.front().peak_normal_time))
+        sheet.parts.emplace_back(impact_figure(impacts));
 }
 
-sheet::Figure over_time(const Study& study) {
-    sheet::Figure figure{
-        "normal-stress", "Largest normal stress of each slice", {"time", "s"}, {"normal stress", "kPa"}};
-    for (std::size_t s = 0; s < study.slices.size(); ++s) {
-        sheet::Curve curve{fmt::format("{}, {}", study.slices[s].side, depth_name(study.slices[s]))};
-        for (const Case& now : study.cases)
-            curve.add(now.time, 1e-3 * now.slices[s].normal);
-        figure.curves.push_back(std::move(curve));
-    }
-    return figure;
+// Force over a facet's area is within so much of the mean pressure on the patch: no warning.
+constexpr double about_a_patch = 2;
+
+/// What force over a facet's area makes of the pressure where bodies touch.
+void warn_of_facets(const Study& study, sheet::Sheet& sheet) {
+    if (!(study.patch > 0 && study.facet > 0))
+        return;
+    const double patch = std::numbers::pi * study.patch * study.patch, facet = study.facet * study.facet; // m2
+    sheet.fact("facet_areas_a_patch", patch / facet);
+    if (patch > about_a_patch * facet)
+        sheet.say(fmt::format("Warning: facets are narrower than the circles in which bodies touch, each of which has "
+                              "{0:.3g} times a facet's area, but all of a contact's force counts on one facet: force "
+                              "over area, here and in facets.csv, is {0:.3g} times a circle's mean pressure.",
+                              patch / facet));
+    else if (facet > about_a_patch * patch)
+        sheet.say(fmt::format("Warning: facets have {0:.3g} times the area of the circles in which bodies touch: force "
+                              "over area, here and in facets.csv, is {0:.3g} times less than a circle's mean pressure.",
+                              facet / patch));
 }
 
-sheet::Figure loads_over_time(const Study& study) {
-    sheet::Figure figure{"loads", "Force of the media on the part", {"time", "s"}, {"force", "N"}};
-    for (const auto& [axis, label] : {std::pair{0, "x"}, std::pair{1, "y"}, std::pair{2, "z"}}) {
-        sheet::Curve curve{label};
-        for (const Case& now : study.cases)
-            curve.add(now.time, now.force[axis]);
-        figure.curves.push_back(std::move(curve));
-    }
-    return figure;
-}
-
-/// As the thesis' figures 7.15 and 7.19 show them.
-sheet::Figure average_over_time(const Study& study) {
-    sheet::Figure figure{
-        "surface-average", "Mean stresses of the part's surface", {"time", "s"}, {"force over all area", "kPa"}};
-    sheet::Curve normal{"normal"}, shear{"shear"}, both{"magnitude"};
-    for (const Case& now : study.cases) {
-        normal.add(now.time, 1e-3 * now.surface_normal);
-        shear.add(now.time, 1e-3 * now.surface_shear);
-        both.add(now.time, 1e-3 * std::hypot(now.surface_normal, now.surface_shear));
-    }
-    figure.curves = {std::move(normal), std::move(shear), std::move(both)};
-    return figure;
-}
-
-sheet::Figure surface_over_time(const Study& study) {
-    sheet::Figure figure{
-        "surface-stress", "Largest stresses of a facet, and inside the part", {"time", "s"}, {"stress", "kPa"}};
-    for (const auto& [member, label] : {std::pair{&Case::facet_normal, "normal, force over area"},
-                                        std::pair{&Case::facet_shear, "shear, force over area"},
-                                        std::pair{&Case::von_mises, "von Mises, of all nodes"}}) {
-        sheet::Curve curve{label};
-        for (const Case& now : study.cases)
-            curve.add(now.time, 1e-3 * now.*member);
-        figure.curves.push_back(std::move(curve));
-    }
-    return figure;
-}
-
+/// Means over all instants, those at which nothing touches among them.
 void tell_contacts(const Study& study, sheet::Sheet& sheet) {
     std::vector<double> normal, shear, contacts, facet_normal, facet_shear, surface_normal, surface_shear;
-    int normal_above = 0;
+    int touched = 0, normal_above = 0;
     for (const Case& now : study.cases) {
         contacts.push_back(now.contacts);
         facet_normal.push_back(now.facet_normal);
         facet_shear.push_back(now.facet_shear);
         surface_normal.push_back(now.surface_normal);
         surface_shear.push_back(now.surface_shear);
-        if (!now.strongest)
-            continue;
-        normal.push_back(now.strongest->normal);
-        shear.push_back(now.strongest->shear);
-        normal_above += now.facet_normal > now.facet_shear ? 1 : 0;
+        normal.push_back(now.strongest ? now.strongest->normal : 0);
+        shear.push_back(now.strongest ? now.strongest->shear : 0);
+        touched += now.strongest ? 1 : 0;
+        normal_above += now.strongest && now.facet_normal > now.facet_shear ? 1 : 0;
     }
-    if (normal.empty())
+    if (touched == 0)
         return;
     sheet.say(fmt::format(
-        "At an instant {:.3g} places touch. The strongest of them presses with {} and shears with {}, in the mean of "
-        "the "
-        "instants; spread over their facets that is {} and {} at most, and in {} of {} instants the largest normal "
-        "stress of a facet is above its largest shear stress.",
-        mean_of(contacts).value, format_si(mean_of(normal).value, "N", 3), format_si(mean_of(shear).value, "N", 3),
-        format_si(mean_of(facet_normal).value, "Pa", 3), format_si(mean_of(facet_shear).value, "Pa", 3), normal_above,
-        normal.size()));
+        "Something touches the part at {} of {} instants; in the mean of all of them {:.3g} places do. The strongest "
+        "presses with {} and shears with {} in that mean; spread over their facets that is {} and {} at most, along "
+        "and across the facet's normal. At {} of the {} instants with contacts the largest normal stress of a facet is "
+        "above its largest shear stress.",
+        touched, study.cases.size(), mean_of(contacts).value, format_si(mean_of(normal).value, "N", 3),
+        format_si(mean_of(shear).value, "N", 3), format_si(mean_of(facet_normal).value, "Pa", 3),
+        format_si(mean_of(facet_shear).value, "Pa", 3), normal_above, touched));
     sheet.fact("contacts", mean_of(contacts).value);
+    sheet.fact("touched_instants", touched);
     sheet.fact("facet_normal", mean_of(facet_normal).value, "Pa");
     sheet.fact("facet_shear", mean_of(facet_shear).value, "Pa");
     sheet.fact("surface_normal", mean_of(surface_normal).value, "Pa");
     sheet.fact("surface_shear", mean_of(surface_shear).value, "Pa");
+    warn_of_facets(study, sheet);
 }
 
 double largest(const Study& study, double Case::*member) {
@@ -276,6 +237,54 @@ void tell_patches(const Study& study, sheet::Sheet& sheet) {
               "mesh's. `--remesh` with more of them tells."));
 }
 
+std::string in_mm(const Eigen::Vector3d& place) {
+    return fmt::format("({:.5g}, {:.5g}, {:.5g}) mm", 1e3 * place.x(), 1e3 * place.y(), 1e3 * place.z());
+}
+
+/// The worst case, where it is and what touches then.
+void tell_worst(const Study& study, sheet::Sheet& sheet) {
+    const Case& worst = study.cases[study.worst.index];
+    const std::string when =
+        worst.window > 0 ? fmt::format("in the mean of the {:.3g} ms before {:.6g} s", 1e3 * worst.window, worst.time)
+                         : fmt::format("at {:.6g} s", worst.time);
+    std::string touch;
+    if (worst.strongest)
+        touch = fmt::format(" The strongest contact of that instant is body {}'s, on face {} of element {} at {}: it "
+                            "presses with {} and shears with {}.",
+                            worst.strongest->body, worst.strongest->face, worst.strongest->element,
+                            in_mm(worst.strongest->foot), format_si(worst.strongest->normal, "N", 3),
+                            format_si(worst.strongest->shear, "N", 3));
+    sheet.say(fmt::format("The largest von Mises stress of all is {}, {}, at node {}, {}.{} The largest deflection of "
+                          "all is {}.",
+                          format_si(worst.von_mises, "Pa", 3), when, study.worst_node, in_mm(study.worst_place), touch,
+                          format_si(largest(study, &Case::deflection), "m", 3)));
+    sheet.fact("worst_time", worst.time, "s");
+    sheet.fact("worst_node", study.worst_node);
+    sheet.fact("worst_x", study.worst_place.x(), "m");
+    sheet.fact("worst_y", study.worst_place.y(), "m");
+    sheet.fact("worst_z", study.worst_place.z(), "m");
+}
+
+constexpr double most_of_it = 0.5; // of the contacts' force, on a side that no slice lies beneath
+
+/// Beneath which sides slices lie, and whether the media press there.
+void tell_sides(const Study& study, sheet::Sheet& sheet) {
+    std::set<std::string> sides;
+    for (const Slice& slice : study.slices)
+        sides.insert(slice.side);
+    double there = 0;
+    std::string hint;
+    for (const auto& [side, share] : study.pressed) {
+        there += sides.contains(side) ? share : 0;
+        if (!sides.contains(side) && share > most_of_it)
+            hint = fmt::format(" Most of it, {:.3g} %, acts on '{}': `--side {}` looks beneath that.", 100 * share,
+                               side, side);
+    }
+    sheet.say(fmt::format("Slices lie beneath '{}', where {:.3g} % of the contacts' force acts.{}",
+                          fmt::join(sides, "', '"), 100 * there, hint));
+    sheet.fact("force_on_sliced_sides", there);
+}
+
 } // namespace
 
 sheet::Sheet sheet_of(const Study& study, const StudyOptions& options) {
@@ -299,33 +308,35 @@ sheet::Sheet sheet_of(const Study& study, const StudyOptions& options) {
     sheet.fact("prepare", study.prepare_s, "s");
     sheet.fact("load", study.load_s, "s");
     sheet.fact("solve", study.solve_s, "s");
-    tell_contacts(study, sheet);
+    tell_worst(study, sheet);
+    if (!options.means)
+        tell_contacts(study, sheet);
     tell_patches(study, sheet);
     tell_impacts(study.impacts, sheet);
     sheet.head("Decay with depth (the thesis' table 7.3)");
-    sheet.say(fmt::format("Means over the cases of the largest stress of each slice{}, with the standard error of "
+    tell_sides(study, sheet);
+    sheet.say(fmt::format("Means over all {} cases of the largest stress of each slice{}, with the standard error of "
                           "independent cases.",
+                          study.cases.size(),
                           options.counting.lower < 1
                               ? fmt::format(", of the lowest {:.3g} of the part's length", options.counting.lower)
                               : ""));
     sheet.parts.emplace_back(decay(study, sheet));
     sheet.head("Compression and tension (tables 7.4 and 7.5)");
-    sheet.say(
-        fmt::format("Means over the cases; normal stresses within {:.4g} Pa are left out, and `compressive` is the "
-                    "share of the mean compression in both means.",
-                    options.counting.trivial));
+    sheet.say(fmt::format(
+        "Means over all {} cases; normal stresses within {:.4g} Pa are left out, and a case without any has "
+        "0. `compressive` is the share of the mean compression in both means, averaged over the cases that "
+        "have either; how many stands beside it.",
+        study.cases.size(), options.counting.trivial));
     sheet.parts.emplace_back(signs(study, sheet));
     sheet.head("Near the edges and elsewhere");
     sheet.say(
-        fmt::format("Means over the cases of the normal stress' size, over the area of a slice within {:.3g} mm of "
+        fmt::format("Means over all {} cases of the normal stress' size, over the area of a slice within {:.3g} mm of "
                     "where its side ends, and over the rest.",
-                    1e3 * options.counting.edge));
+                    study.cases.size(), 1e3 * options.counting.edge));
     sheet.parts.emplace_back(edges(study, sheet));
-    sheet.parts.emplace_back(over_time(study));
-    if (!options.means) // what touches is known of instants
-        for (sheet::Figure figure : {average_over_time(study), surface_over_time(study)})
-            sheet.parts.emplace_back(std::move(figure));
-    sheet.parts.emplace_back(loads_over_time(study));
+    for (sheet::Figure& figure : time_figures(study, options.means))
+        sheet.parts.emplace_back(std::move(figure));
     return sheet;
 }
 

@@ -186,14 +186,14 @@ TEST_CASE("check says masses, steps and margins as theory has them, and refuses 
     const double rayleigh = M_PI * 0.01 * std::sqrt(2500 / 4e7) / (0.1631 * 0.25 + 0.8766);
     CHECK(json["time_step"]["rayleigh_s"].get<double>() == about(rayleigh));
     CHECK_FALSE(std::filesystem::exists(folder.path / "out"));
-    CHECK(json["assumed_step_s"] == 1e-6);
+    CHECK(json["assumed_step_s"] == 5e-7);
     const std::string words = tumble_in(folder, {"check", "ball.toml"}).out;
-    CHECK(contains(words, "body-steps/s and 1 us a step at least"));
+    CHECK(contains(words, "body-steps/s and 500 ns a step at least"));
     CHECK(contains(words, "Rayleigh time"));
-    CHECK(contains(words, "less than 1 s on one core")); // 50,000 steps of a microsecond, 552 rows and frames
-    // A step costs a microsecond however few the bodies: 60 s of 1e-5 s are 6 million.
+    CHECK(contains(words, "less than 1 s on one core")); // 50,000 steps of half a microsecond, 552 rows and frames
+    // A step costs half a microsecond however few the bodies: 60 s of 1e-5 s are 6 million.
     const std::vector<std::string> longer{"check", "ball.toml", "--duration", "60", "--json"};
-    CHECK(nlohmann::json::parse(tumble_in(folder, longer).out)["hours_on_one_core"] > 6.0 / 3600);
+    CHECK(nlohmann::json::parse(tumble_in(folder, longer).out)["hours_on_one_core"] > 3.0 / 3600);
     const Outcome unstable = tumble_in(folder, {"check", "ball.toml", "--set", "time_step_s=1e-3"});
     CHECK(unstable.code == 2);
     CHECK(contains(unstable.err, "stable limit"));

@@ -120,6 +120,41 @@ TEST_CASE("Ctrl-C in stress is told beside the stresses of what was run, and wha
     CHECK(contains(stopped.err,
                    "warning: stopped early; these are the stresses up to there. The same command with --resume"));
     CHECK(fs::exists(folder.path / "loads/cases.csv"));
+    const Outcome again = tumble_in(folder, {"stress", "loads", "--out", "again", "--quiet"});
+    CHECK_MESSAGE(again.code == 0, again.err);
+    CHECK_MESSAGE(contains(again.err, "warning: the run in loads was stopped at"), again.err);
+    CHECK_MESSAGE(contains(again.err, "`tumble stress SCENE --out loads --resume` goes on"), again.err);
+}
+
+TEST_CASE("stress says what it replaces, and replaces with --force alone what was solved otherwise") {
+    const Folder folder;
+    put(folder.path / "ball.toml", ball_on_prism);
+    const Outcome first = tumble_in(folder, {"stress", "ball.toml", "--every", "0.1", "--out", "ball"});
+    REQUIRE_MESSAGE(first.code == 0, first.err);
+    CHECK_FALSE(contains(first.err, "replaces"));
+    CHECK_FALSE(contains(first.err, "was stopped"));
+    const std::string kept = content_of(folder.path / "ball/cases.csv");
+    const Outcome same = tumble_in(folder, {"stress", "ball"});
+    CHECK_MESSAGE(same.code == 0, same.err);
+    CHECK_MESSAGE(contains(same.err, "replaces the stresses in ball: solved again with the same settings"), same.err);
+    CHECK_FALSE(contains(same.err, "was stopped"));
+    CHECK(content_of(folder.path / "ball/cases.csv") == kept);
+
+    const Outcome other = tumble_in(folder, {"stress", "ball", "--element", "standard"});
+    CHECK(other.code == 2);
+    CHECK_MESSAGE(contains(other.err, "solved otherwise: element = incompatible, now standard"), other.err);
+    CHECK_MESSAGE(contains(other.err, "--out DIR keeps both; --force replaces them"), other.err);
+    CHECK(content_of(folder.path / "ball/cases.csv") == kept);
+    const Outcome forced = tumble_in(folder, {"stress", "ball", "--element", "standard", "--force"});
+    CHECK_MESSAGE(forced.code == 0, forced.err);
+    CHECK_MESSAGE(contains(forced.err, "replaces the stresses in ball: element = incompatible, now standard"),
+                  forced.err);
+    CHECK(content_of(folder.path / "ball/cases.csv") != kept);
+
+    fs::remove(folder.path / "ball/study.txt");
+    const Outcome older = tumble_in(folder, {"stress", "ball", "--element", "standard"});
+    CHECK(older.code == 2);
+    CHECK_MESSAGE(contains(older.err, "solved before settings were kept"), older.err);
 }
 
 TEST_CASE("stress refuses scenes without a specimen, folders without loads, and changes to what was run") {

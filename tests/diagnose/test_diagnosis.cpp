@@ -286,6 +286,11 @@ TEST_CASE("a unit that cannot be and a sigma that the readings contradict are to
         "times what the simulation does: millimetres or milliseconds read as SI?"));
     CHECK(refused.problems()[0].fix == "correct the unit in the head of the column");
 
+    Measurement short_way = Laboratory{}.measurement(); // a tenth of what was foretold is no slip of any unit of length
+    for (double& value : short_way.records[0].channels[0].value)
+        value /= 9.81;
+    CHECK(diagnose::diagnose({floor_and_ball, "ball.toml"}, short_way, closed_form));
+
     Measurement sure = Laboratory{}.measurement(); // ten times as sure of itself as it may be
     for (Record& record : sure.records)
         record.channels[0].sigma /= 10;

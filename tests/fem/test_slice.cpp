@@ -59,10 +59,45 @@ TEST_CASE("slices lie beneath every node of a side, as deep as asked, and look o
     CHECK(area == about(12 * 2 * 0.015 * std::sin(std::acos(-1.0) / 12) * 0.1, 1e-9));
     CHECK(slice_of(mesh, locator, "front", Vector3d::UnitY(), 0.001).problems().at(0).fix ==
           "it has base, bore, side, top");
-    CHECK(slice_of(mesh, locator, "top", Vector3d::UnitY(), 0.001).problems().at(0).what.find("across the axis") !=
-          std::string::npos);
+    solid::HexMesh mixed = mesh;
+    mixed.facet_sets["skin"] = mesh.facet_sets.at("side");
+    mixed.facet_sets["skin"].push_back(mesh.facet_sets.at("top").front());
+    CHECK(slice_of(mixed, locator, "skin", Vector3d::UnitY(), 0.001)
+              .problems()
+              .at(0)
+              .what.starts_with("side 'skin' lies across the axis at element"));
     CHECK(slice_of(mesh, locator, "side", Vector3d::UnitY(), 0.012).problems().at(0).what.find("the part ends") !=
           std::string::npos);
+}
+
+TEST_CASE("a slice beneath an end lies straight below it, with two directions across the axis") {
+    const solid::HexMesh mesh = tube();
+    const solid::Locator locator(mesh);
+    const auto top = slice_of(mesh, locator, "top", Vector3d::UnitY(), 0.002);
+    REQUIRE_MESSAGE(top, to_string(top.problems()));
+    CHECK(top->points.size() == 12 * 6); // five rings of hexahedra
+    CHECK(top->beneath_end(Vector3d::UnitY()));
+    double area = 0;
+    for (const SlicePoint& point : top->points) {
+        CHECK(point.place.y() == about(0.098, 1e-12));
+        CHECK((point.directions.normal - Vector3d::UnitY()).norm() < 1e-12);
+        CHECK((point.directions.contour - Vector3d::UnitX()).norm() < 1e-12);
+        CHECK((point.directions.along + Vector3d::UnitZ()).norm() < 1e-12);
+        area += point.area;
+    }
+    // Twelve-sided, outside and in: 12 / 2 sin(30 degrees) (R^2 - r^2).
+    CHECK(area == about(3 * (0.015 * 0.015 - 0.005 * 0.005), 1e-9));
+    // A column under its own 100 kPa: that is what presses on the slice, and nothing shears.
+    const auto parts = components_on(*top, mesh, stresses(mesh, [](const Vector3d&) {
+        Stress stress = Stress::Zero();
+        stress[1] = -1e5;
+        return stress;
+    }));
+    CHECK((parts.row(0).array() + 1e5).abs().maxCoeff() < 1e-6);
+    CHECK(parts.bottomRows<2>().cwiseAbs().maxCoeff() < 1e-6);
+    const auto base = slice_of(mesh, locator, "base", Vector3d::UnitY(), 0.002);
+    REQUIRE(base);
+    CHECK((base->points[0].directions.contour + Vector3d::UnitX()).norm() < 1e-12); // from below, x lies to the left
 }
 
 TEST_CASE("a linear stress field is found exactly at the slice's points, in its three directions") {

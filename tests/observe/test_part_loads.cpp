@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <doctest/doctest.h>
+#include <utility>
 
 namespace test_part_loads {
 
@@ -58,6 +59,19 @@ TEST_CASE("a body's touches are told apart: first the impact, then what follows 
     CHECK(fresh.number == 1);
     CHECK(fresh.since == about(24 * dt, 1e-12));
     CHECK(fresh.triangle == 3);
+}
+
+TEST_CASE("a touch knows when it pressed hardest, and when it sheared hardest") {
+    // Normal forces 2, 5, 3 and 1 N, shear forces 0.5, 0.6, 0.9 and 0.1 N, a millisecond apart from 7 ms on.
+    TouchHistory history(1e-3, 0.01);
+    int step = 7;
+    for (const auto& [normal, shear] : std::vector<std::pair<double, double>>{{2, 0.5}, {5, 0.6}, {3, 0.9}, {1, 0.1}})
+        history.take(1e-3 * step++, {push(4, normal, shear)});
+    const std::vector<Touching> touches = history.touches();
+    REQUIRE(touches.size() == 1);
+    CHECK(touches[0].begin == about(7e-3));
+    CHECK(touches[0].peak_normal_time == about(8e-3));
+    CHECK(touches[0].peak_shear_time == about(9e-3));
 }
 
 } // namespace test_part_loads

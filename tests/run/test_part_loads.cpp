@@ -1,4 +1,5 @@
 #include "about.h"
+#include "base/text.h"
 #include "folder.h"
 #include "specimens.h"
 
@@ -63,6 +64,64 @@ TEST_CASE("a ball at rest loads its part with its weight, at an instant and in t
     CHECK(loads.touches[0].approach == about(std::sqrt(2 * 9.81 * 0.0002), 0.01));
     CHECK(loads.touches[0].number == 1);
     CHECK(loads.bulk.rows() == 6);
+}
+
+TEST_CASE("a ball that rests across an edge presses and shears a facet alike, and what facets bear is its weight") {
+    // Gravity lies along the square's diagonal and the ball on the upright edge between +x and +z. Its contact's normal
+    // is 45 degrees off either facet's: of its weight W the facet that is touched bears W / sqrt(2) along its own
+    // normal and as much across it, though the contact shears with nothing.
+    const scene::Scene scene =
+        loaded({{"gravity_m_s2=[-6.9367175, 0, -6.9367175]"}, {"fill.0.position_m=[0.011177, 0.0225, 0.011177]"}});
+    const solid::HexMesh& mesh = *specimen_of(scene).mesh;
+    const run::PartLoads loads = recorded(scene, {.every = 0.3});
+    const Vector3d weight = -test::weight_of_ball / std::sqrt(2.0) * Vector3d(1, 0, 1);
+    Vector3d sum = Vector3d::Zero();
+    double pressing = 0;
+    const auto facets = run::facet_loads(loads.instants.back().pushes, run::FacetFinder(mesh));
+    for (const auto& [facet, load] : facets) {
+        const Vector3d normal = mesh.area_of(facet).normalized();
+        CHECK(load.shearing.norm() == about(load.pressing, 1e-3));
+        CHECK(std::abs(load.shearing.dot(normal)) < 1e-12);
+        pressing += load.pressing;
+        sum += load.shearing - load.pressing * normal;
+    }
+    CHECK(pressing == about(test::weight_of_ball / std::sqrt(2.0), 1e-3));
+    CHECK((sum - weight).norm() < 1e-3 * test::weight_of_ball);
+    for (const observe::WallPush& push : loads.instants.back().pushes)
+        CHECK(push.shearing().norm() < 1e-3 * push.pressing());
+    const std::string csv = run::facets_csv(loads, mesh);
+    CHECK(std::count(csv.begin(), csv.end(), '\n') == 1 + static_cast<std::ptrdiff_t>(facets.size()));
+}
+
+TEST_CASE("a contact at an edge counts for the facet that faces the body, whichever triangle it was found on") {
+    // At the upper edge of +x, 20 degrees above the horizon: with F along its normal it presses +x with F cos 20 and
+    // shears it with F sin 20, though it was found on a triangle of the upper end. On a face it stays where it is.
+    const scene::Scene scene = loaded();
+    const solid::HexMesh& mesh = *specimen_of(scene).mesh;
+    const run::FacetFinder finder(mesh);
+    const double lean = std::acos(-1.0) / 9;
+    const auto triangle_beneath = [&](const char* side, const Vector3d& foot) {
+        const auto& facets = mesh.facet_sets.at(side);
+        return 2 * *std::min_element(facets.begin(), facets.end(), [&](int one, int other) {
+                   return (mesh.centre_of(one) - foot).norm() < (mesh.centre_of(other) - foot).norm();
+               });
+    };
+    observe::WallPush push;
+    push.foot = Vector3d(0.0075, 0.05, 0.0005);
+    push.normal = Vector3d(std::cos(lean), std::sin(lean), 0);
+    push.force = -2 * push.normal;
+    for (const char* found_on : {"top", "+x"}) {
+        CAPTURE(found_on);
+        push.triangle = triangle_beneath(found_on, push.foot);
+        const auto facets = run::facet_loads({push}, finder);
+        REQUIRE(facets.size() == 1);
+        CHECK(mesh.area_of(facets.begin()->first).normalized().x() == about(1, 1e-12));
+        CHECK(facets.begin()->second.pressing == about(2 * std::cos(lean), 1e-12));
+        CHECK((facets.begin()->second.shearing - Vector3d(0, -2 * std::sin(lean), 0)).norm() < 1e-12);
+    }
+    push.normal = Vector3d::UnitY();
+    push.triangle = triangle_beneath("top", push.foot);
+    CHECK(finder.facet_of(push) == push.triangle / 2);
 }
 
 TEST_CASE("all momentum that gravity brings in a window leaves through the part") {
@@ -137,11 +196,28 @@ TEST_CASE("loads are written and read back to the same bits") {
     CHECK(read.peak_shear == wrote.peak_shear);
     CHECK(read.normal_impulse == wrote.normal_impulse);
     CHECK(read.shear_impulse == wrote.shear_impulse);
+    CHECK(read.peak_normal_time == wrote.peak_normal_time);
+    CHECK(read.peak_shear_time == wrote.peak_shear_time);
+    CHECK(wrote.peak_normal_time >= wrote.begin);
+    CHECK(wrote.peak_normal_time < wrote.begin + wrote.duration);
     const auto element_of = [&](const observe::Touching& touch) {
         return specimen_of(scene).mesh->facets[static_cast<std::size_t>(touch.triangle / 2)].hex;
     };
     CHECK(element_of(read) == element_of(wrote));
     CHECK(loads.instants[0].time >= 0.002 - 1.01e-5); // forces are those at a step's start
+
+    SUBCASE("touches of before their peaks' times were kept have none") {
+        const std::string whole = test::content_of(folder.path / "touches.csv");
+        std::string cut;
+        for (const std::string_view line : split(whole, '\n'))
+            if (!line.empty())
+                cut += std::string(line.substr(0, line.rfind(',', line.rfind(',') - 1))) + "\n";
+        test::put(folder.path / "touches.csv", cut);
+        const auto older = run::read_loads(folder.path, specimen_of(scene));
+        REQUIRE_MESSAGE(older, to_string(older.problems()));
+        CHECK(older->touches.back().shear_impulse == wrote.shear_impulse);
+        CHECK(std::isnan(older->touches.back().peak_normal_time));
+    }
 
     SUBCASE("loads of another part are refused at their line") {
         const scene::Scene other = loaded({{"wall.part.along=1"}, {"wall.part.middle_cells=1"}});
@@ -159,6 +235,19 @@ TEST_CASE("a scene without a specimen, and a body that was put inside one, are s
     const auto refused = run::record_loads(inside, 0, {.every = 0.01}, silent);
     REQUIRE_FALSE(refused);
     CHECK(refused.problems()[0].what == "body 0 lies inside 'part' at 0.01 s");
+    // What a part of 50 mm is that was written as 50 m, in a domain of 0.3 m.
+    const auto vast = loaded({{"wall.part.length_m=50"},
+                              {"wall.part.side_m=15"},
+                              {"wall.part.corner_m=4.8"},
+                              {"duration_s=1e-4"},
+                              {"fill.0.position_m=[0.09, 0.19, 0.09]"}});
+    struct Heard : run::RunListener {
+        std::string warnings;
+        void warned(const std::string& sentence) override { warnings += sentence; }
+    } heard;
+    (void)run::record_loads(vast, 0, {}, heard);
+    CHECK_MESSAGE(heard.warnings.find("wall 'part' is 50 m large, 167 times the domain") != std::string::npos,
+                  heard.warnings);
     const auto periodic = loaded({{"domain.periodic=[\"x\"]"}});
     CHECK(run::record_loads(periodic, 0, {}, silent).problems().at(0).key == "domain.periodic");
     CHECK(*run::find_specimen(scene, "") == 0);

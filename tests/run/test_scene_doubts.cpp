@@ -1,6 +1,9 @@
+#include "folder.h"
 #include "run/scene_check.h"
 #include "run/scene_doubts.h"
 #include "run/scenes.h"
+#include "solid/generate.h"
+#include "solid/inp.h"
 
 namespace test_scene_doubts {
 
@@ -53,6 +56,21 @@ TEST_CASE("a cylinder in millimetres is doubted by its size") {
     CHECK(doubts({"wall.floor={name=\"floor\", shape=\"cylinder\", base_m=[0, -60, 0], length_m=120, radius_m=60, "
                   "material=\"glass\"}"})
               .find("wall 'floor' is 120 m large, 171 times the domain") != std::string::npos);
+}
+
+TEST_CASE("a specimen in millimetres is doubted by its size, and one from a file told of its scale") {
+    const Folder folder;
+    const solid::HexMesh part = *solid::mesh_of(
+        solid::Prism{.length = 50, .side = 15, .corner = 5, .corner_cells = 1, .middle_cells = 1, .along = 2}, {});
+    put(folder.path / "part.inp", solid::to_inp(part, {2e11, 0.3, "C3D8", {"base"}}, {}));
+    const auto with = [&](const std::string& scale) {
+        return doubts({"wall.floor={name=\"floor\", shape=\"hexahedra\", inp=\"" + (folder.path / "part.inp").string() +
+                       "\", axis=[0, 1, 0], held_set=\"base\", material=\"glass\"" + scale + "}"});
+    };
+    CHECK(with(", scale=0.001").empty());
+    const std::string vast = with("");
+    CHECK(vast.find("wall 'floor' is 50 m large, 71.4 times the domain") != std::string::npos);
+    CHECK(vast.find("a mesh file in millimetres wants scale = 0.001") != std::string::npos);
 }
 
 TEST_CASE("a disc that does not fit into its bowl is doubted, one with a gap of millimetres is not") {

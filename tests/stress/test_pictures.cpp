@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <numbers>
 
 namespace test_pictures {
@@ -32,6 +34,32 @@ double area(const render::Field& field) {
         sum += 0.5 * (at(1) - at(0)).cross(at(2) - at(0)).norm();
     }
     return sum;
+}
+
+/// An upright bar of 20 x 50 x 20 mm, 8 x 5 x 8 hexahedra, those columns that are `in`; facets by where they look.
+solid::HexMesh bar_of(const std::function<bool(int, int)>& in) {
+    constexpr int cells = 8, layers = 5;
+    constexpr double cell = 0.0025, layer = 0.01; // m
+    solid::HexMesh mesh;
+    std::map<std::array<int, 3>, int> numbers;
+    const auto node = [&](int i, int j, int k) {
+        const auto [found, fresh] = numbers.try_emplace({i, j, k}, static_cast<int>(mesh.nodes.size()));
+        if (fresh)
+            mesh.nodes.emplace_back(cell * i, layer * j, cell * k);
+        return found->second;
+    };
+    for (int i = 0; i < cells; ++i)
+        for (int k = 0; k < cells; ++k)
+            for (int j = 0; j < layers && in(i, k); ++j)
+                mesh.hexes.push_back({node(i, j, k), node(i, j, k + 1), node(i + 1, j, k + 1), node(i + 1, j, k),
+                                      node(i, j + 1, k), node(i, j + 1, k + 1), node(i + 1, j + 1, k + 1),
+                                      node(i + 1, j + 1, k)});
+    solid::HexMesh whole = *solid::finished(std::move(mesh));
+    for (int f = 0; f < static_cast<int>(whole.facets.size()); ++f) {
+        const double up = whole.area_of(f).normalized().y();
+        whole.facet_sets[up > 0.9 ? "top" : up < -0.9 ? "base" : "side"].push_back(f);
+    }
+    return whole;
 }
 
 std::vector<double> zeros(const fem::Slice& slice) {
@@ -67,7 +95,7 @@ TEST_CASE("a slice all round a cylinder is rolled out to its circumference, whic
     const auto slice = fem::slice_of(mesh, locator, "side", place.axis, 0.001);
     REQUIRE_MESSAGE(slice, to_string(slice.problems()));
     for (const Vector3d& ahead : {Vector3d(1, 0, 0), Vector3d(0, 1, 1), Vector3d(-0.3, 0.1, 2)}) {
-        const render::Field field = unrolled_field(mesh, *slice, place.base, place.axis, ahead, zeros(*slice));
+        const render::Field field = unrolled_field(mesh, *slice, place.base, ahead, zeros(*slice));
         const double round = 2 * std::numbers::pi * 0.014;
         CHECK(extent(field).x() == about(round, 1e-9));
         CHECK(extent(field).y() == about(0.1, 1e-9));
@@ -83,10 +111,77 @@ TEST_CASE("a slice beneath a flat side keeps its shape") {
     const solid::HexMesh mesh = *solid::mesh_of(part, {});
     const auto slice = fem::slice_of(mesh, solid::Locator(mesh), "+x", Vector3d::UnitY(), 0.001);
     REQUIRE(slice);
-    const render::Field field =
-        unrolled_field(mesh, *slice, Vector3d::Zero(), Vector3d::UnitY(), Vector3d::UnitX(), zeros(*slice));
+    const render::Field field = unrolled_field(mesh, *slice, Vector3d::Zero(), Vector3d::UnitX(), zeros(*slice));
     CHECK(extent(field).x() == about(0.015, 1e-12));
     CHECK(area(field) == about(0.0015, 1e-12));
+}
+
+TEST_CASE("a side with corners is rolled out to its perimeter, facet beside facet, wherever the axis stands") {
+    // A square of 20 mm has 80 mm about it. Without one of its quarters, an L of three squares of 10 mm, it has as
+    // much: eight sides of such a square, two of them about an inner corner.
+    for (const bool whole : {true, false}) {
+        const solid::HexMesh mesh = bar_of([&](int i, int k) { return whole || i < 4 || k < 4; });
+        const auto slice = fem::slice_of(mesh, solid::Locator(mesh), "side", Vector3d::UnitY(), 0.001);
+        REQUIRE_MESSAGE(slice, to_string(slice.problems()));
+        const std::vector<int>& side = mesh.facet_sets.at("side");
+        for (const Vector3d& base : {Vector3d(0.01, 0, 0.01), Vector3d(0.003, 0, 0.004), Vector3d(0.1, 0, -0.3)})
+            for (const Vector3d& ahead : {Vector3d(1, 0, 0), Vector3d(1, 0, 1), Vector3d(-0.3, 0, 0.7)}) {
+                CAPTURE(whole);
+                CAPTURE(base.x());
+                CAPTURE(ahead.x());
+                const render::Field field = unrolled_field(mesh, *slice, base, ahead, zeros(*slice));
+                CHECK(extent(field).x() == about(0.08, 1e-9));
+                CHECK(extent(field).y() == about(0.05, 1e-9));
+                CHECK(field.points.size() == (32 + 1) * 6); // the nodes of the cut twice
+                REQUIRE(field.triangles.size() == 2 * side.size());
+                for (std::size_t f = 0; f < side.size(); ++f) {
+                    render::Field one = field;
+                    one.triangles = {field.triangles[2 * f], field.triangles[2 * f + 1]};
+                    CHECK(area(one) == about(mesh.area_of(side[f]).norm(), 1e-9));
+                }
+            }
+    }
+}
+
+TEST_CASE("a side in pieces, outside and bore, lies piece beside piece") {
+    const solid::BoredCylinder part{.length = 0.1,
+                                    .radius = 0.015,
+                                    .bore_radius = 0.005,
+                                    .shell = 0.0015,
+                                    .around = 36,
+                                    .along = 4,
+                                    .shell_rings = 3,
+                                    .inner_rings = 2};
+    solid::HexMesh mesh = *solid::mesh_of(part, {});
+    std::vector<int>& all = mesh.facet_sets["all"];
+    for (const char* side : {"side", "bore"})
+        all.insert(all.end(), mesh.facet_sets.at(side).begin(), mesh.facet_sets.at(side).end());
+    const auto slice = fem::slice_of(mesh, solid::Locator(mesh), "all", Vector3d::UnitY(), 0.0005);
+    REQUIRE_MESSAGE(slice, to_string(slice.problems()));
+    const render::Field field = unrolled_field(mesh, *slice, Vector3d::Zero(), Vector3d::UnitX(), zeros(*slice));
+    // Polygons of 36 sides, and a tenth of the first between them.
+    const double chord = 2 * std::sin(std::numbers::pi / 36);
+    CHECK(extent(field).x() == about(36 * chord * (0.015 * 1.1 + 0.005), 1e-9));
+    CHECK(area(field) == about(36 * chord * (0.015 + 0.005) * 0.1, 1e-9));
+}
+
+TEST_CASE("a slice beneath an end is its outline, seen from outside") {
+    const solid::Prism part{
+        .length = 0.1, .side = 0.015, .corner = 0.004, .corner_cells = 2, .middle_cells = 2, .along = 5};
+    const solid::HexMesh mesh = *solid::mesh_of(part, {});
+    const auto slice = fem::slice_of(mesh, solid::Locator(mesh), "top", Vector3d::UnitY(), 0.001);
+    REQUIRE_MESSAGE(slice, to_string(slice.problems()));
+    std::vector<double> values;
+    for (const fem::SlicePoint& point : slice->points)
+        values.push_back(2 * point.place.x() - 3 * point.place.z());
+    const render::Field field = unrolled_field(mesh, *slice, Vector3d::Zero(), Vector3d::UnitX(), values);
+    CHECK((extent(field) - Eigen::Vector2d(0.015, 0.015)).norm() < 1e-12);
+    // x to the right, z towards who looks down: across the middle of the field, values are 2 x + 3 y but for a number.
+    const Vector3d first = field.points[0];
+    for (std::size_t p = 0; p < field.points.size(); ++p) {
+        const Vector3d off = field.points[p] - first;
+        CHECK(std::abs(field.values[p] - field.values[0] - 2 * off.x() - 3 * off.y()) < 1e-12);
+    }
 }
 
 TEST_CASE("the same contacts on another mesh load the part and its support alike") {

@@ -1,4 +1,6 @@
 #include "about.h"
+#include "base/text.h"
+#include "fem/cauchy.h"
 #include "folder.h"
 #include "run/specimens.h"
 #include "sheet/show.h"
@@ -8,7 +10,9 @@
 #include "stress/study_sheet.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace test_study {
 
@@ -50,6 +54,27 @@ Study studied(const scene::Scene& scene, const run::PartLoads& loads, const Stud
     auto study = stress::study(scene, specimen_of(scene), loads, options);
     REQUIRE_MESSAGE(study, to_string(study.problems()));
     return std::move(*study);
+}
+
+const sheet::Figure& figure_of(const sheet::Sheet& sheet, const std::string& name) {
+    for (const sheet::Figure* figure : sheet.figures())
+        if (figure->name == name)
+            return *figure;
+    FAIL("no figure " << name);
+    return *sheet.figures().at(0);
+}
+
+/// The sheet as text, in one line.
+std::string said(const Study& study, const StudyOptions& options = {}) {
+    std::string text = sheet::to_text("", sheet_of(study, options));
+    std::string line;
+    for (const std::string_view word : split_words(text))
+        line += std::string(line.empty() ? "" : " ") + std::string(word);
+    return line;
+}
+
+bool has(const std::string& text, const std::string& words) {
+    return text.find(words) != std::string::npos;
 }
 
 } // namespace
@@ -192,6 +217,131 @@ TEST_CASE("the mean of what lies still is its instant: spread over the same patc
     CHECK(mean.slices[0].tension == about(instant.slices[0].tension, 0.02));
 }
 
+TEST_CASE("the worst case is named with its instant, node and contact, and what slices do not lie beneath") {
+    // The ball lies at x = 3 mm, z = 2 mm of the upper end, of which the facet is 2.4 x 1.35 mm large.
+    const scene::Scene scene = loaded();
+    const run::PartLoads loads = test::recorded(scene, {.every = 0.1});
+    const Study study = studied(scene, loads, {.depths = {0.001}, .sides = {"+x"}});
+    const Case& worst = study.cases[study.worst.index];
+    const auto node = static_cast<std::size_t>(study.worst_node - 1);
+    CHECK(study.worst_place == specimen_of(scene).mesh->nodes[node]);
+    CHECK(worst.von_mises == fem::von_mises(study.worst.stress.segment<6>(6 * static_cast<Eigen::Index>(node))));
+    REQUIRE(worst.strongest);
+    const solid::HexMesh& mesh = *specimen_of(scene).mesh;
+    const auto named = std::find_if(mesh.facets.begin(), mesh.facets.end(), [&](const solid::Facet& facet) {
+        return mesh.hex_numbers[static_cast<std::size_t>(facet.hex)] == worst.strongest->element &&
+               facet.face + 1 == worst.strongest->face;
+    });
+    REQUIRE(named != mesh.facets.end());
+    const Vector3d off = mesh.centre_of(static_cast<int>(named - mesh.facets.begin())) - Vector3d(0.003, 0.05, 0.002);
+    CHECK(std::abs(off.x()) < 0.0012);
+    CHECK(std::abs(off.y()) < 1e-12);
+    CHECK(std::abs(off.z()) < 0.000675);
+    const std::string text = said(study);
+    CHECK(has(text, fmt::format("at {:.6g} s, at node {}, (", worst.time, study.worst_node)));
+    CHECK(has(text, fmt::format("body 0's, on face {} of element {} at (3, 50, 2) mm", worst.strongest->face,
+                                worst.strongest->element)));
+    CHECK(has(text, "Slices lie beneath '+x', where 0 % of the contacts' force acts. Most of it, 100 %, acts on 'top': "
+                    "`--side top` looks beneath that."));
+
+    // Beneath the end that it lies on: compression, and the most of it beneath the ball.
+    const Study beneath = studied(scene, loads, {.depths = {0.001}, .sides = {"top"}});
+    CHECK(beneath.pressed.at("top") == about(1));
+    CHECK_FALSE(has(said(beneath), "`--side"));
+    const fem::SliceFigures& figures = beneath.cases.back().slices[0];
+    CHECK(figures.normal < 0);
+    const Vector3d place = beneath.slices[0].points[static_cast<std::size_t>(figures.worst_point)].place;
+    CHECK(place.y() == about(0.049, 1e-9));
+    CHECK((place - Vector3d(0.003, 0.049, 0.002)).norm() < 0.0024);
+}
+
+TEST_CASE("means are over all instants, and how many of them have contacts is said") {
+    const scene::Scene scene = loaded();
+    run::PartLoads loads = squeezed(specimen_of(scene), 1e6, 1);
+    const auto contacts = static_cast<double>(loads.instants[0].pushes.size());
+    loads.instants.push_back({0.1, {}});
+    const StudyOptions options{.depths = {0.001}, .sides = {"+x"}};
+    const Study study = studied(scene, loads, options);
+    const sheet::Sheet sheet = sheet_of(study, options);
+    CHECK(sheet.fact("contacts") == contacts / 2);
+    CHECK(sheet.fact("touched_instants") == 1);
+    CHECK(sheet.fact("facet_normal") == about(0.5e6)); // 1 MPa on every facet, and nothing
+    const std::string text = said(study, options);
+    CHECK(has(text, fmt::format("touches the part at 1 of 2 instants; in the mean of all of them {:.3g} places do",
+                                contacts / 2)));
+    CHECK(has(text, "At 1 of the 1 instants with contacts the largest normal stress"));
+    CHECK(has(text, "Means over all 2 cases of the largest stress of each slice"));
+}
+
+TEST_CASE("force over a facet's area is warned about where facets and patches differ, with the number") {
+    const scene::Scene scene = loaded();
+    const auto with_patches = [&](double patch) {
+        run::PartLoads loads = squeezed(specimen_of(scene), 1e6, 1);
+        for (observe::WallPush& push : loads.instants[0].pushes)
+            push.patch = patch;
+        return studied(scene, loads, {.depths = {0.001}, .sides = {"+x"}});
+    };
+    // Facets are 5 mm long, and 2.4 mm wide on 9.6 of a side's 15 mm, else 1.35 mm; equal pressure weighs them by area.
+    const double width = 0.64 * std::sqrt(5 * 2.4) + 0.36 * std::sqrt(5 * 1.35); // mm
+    // Of 9.9 mm2; a circle of 4 mm radius has 50 mm2, one of 1.6 mm 8 mm2, one of 0.3 mm 0.28 mm2.
+    const std::string wide = said(with_patches(0.004)), alike = said(with_patches(0.0016)),
+                      narrow = said(with_patches(0.0003));
+    CHECK(has(wide, "Warning: facets are narrower than the circles"));
+    CHECK_FALSE(has(alike, "Warning: facets"));
+    CHECK(has(narrow, fmt::format("Warning: facets have {:.3g} times the area of the circles",
+                                  width * width / (std::acos(-1.0) * 0.09))));
+    const Study study = with_patches(0.004);
+    CHECK(sheet_of(study, {}).fact("facet_areas_a_patch") == about(std::acos(-1.0) * 16 / (width * width), 1e-6));
+}
+
+TEST_CASE("of twelve slices the shallowest of each side are drawn, of three all") {
+    const scene::Scene scene = loaded();
+    const run::PartLoads loads = squeezed(specimen_of(scene), 1e6, 1);
+    const auto labels = [&](const Study& study) {
+        std::vector<std::string> found;
+        const sheet::Sheet sheet = sheet_of(study, {});
+        for (const sheet::Curve& curve : figure_of(sheet, "normal-stress").curves)
+            found.push_back(curve.label);
+        return found;
+    };
+    CHECK(labels(studied(scene, loads)) ==
+          std::vector<std::string>{"-x, 0.5 mm", "+x, 0.5 mm", "-z, 0.5 mm", "+z, 0.5 mm"});
+    CHECK(labels(studied(scene, loads, {.sides = {"+x"}})) ==
+          std::vector<std::string>{"+x, 0.5 mm", "+x, 1 mm", "+x, 1.5 mm"});
+}
+
+TEST_CASE("touches are drawn at their peaks, and not at all where the peaks' times were not kept") {
+    const scene::Scene scene = loaded();
+    run::PartLoads loads = squeezed(specimen_of(scene), 1e6, 1);
+    observe::Touching touch;
+    touch.begin = 0.1;
+    touch.duration = 0.02;
+    touch.peak_normal = 5;
+    touch.peak_shear = 1;
+    touch.peak_normal_time = 0.108;
+    touch.peak_shear_time = 0.113;
+    loads.touches = {touch};
+    const sheet::Sheet sheet = sheet_of(studied(scene, loads), {});
+    const auto& curves = figure_of(sheet, "impact").curves;
+    CHECK(curves[0].x == std::vector<double>{0.108});
+    CHECK(curves[1].x == std::vector<double>{0.113});
+    loads.touches[0].peak_normal_time = std::numeric_limits<double>::quiet_NaN();
+    const sheet::Sheet older = sheet_of(studied(scene, loads), {});
+    for (const sheet::Figure* figure : older.figures())
+        CHECK(figure->name != "impact");
+}
+
+TEST_CASE("settings of two studies are told apart line by line") {
+    const scene::Scene scene = loaded();
+    const std::string one = settings_of(specimen_of(scene), {}),
+                      other =
+                          settings_of(specimen_of(scene),
+                                      {.formulation = fem::Formulation::standard, .depths = {0.00025}, .means = true});
+    CHECK(what_differs(one, one).empty());
+    CHECK(what_differs(one, other) == "loads = instants, now means; element = incompatible, now standard; depths_mm = "
+                                      "0.5, 1, 1.5, now 0.25");
+}
+
 TEST_CASE("threads change no bit of what is laid on and solved") {
     const scene::Scene scene = loaded();
     run::PartLoads loads = squeezed(specimen_of(scene), 1e6, 3);
@@ -214,12 +364,25 @@ TEST_CASE("the means are solved as well, and what is written can be read") {
     const Study study = studied(scene, loads, {.depths = {0.001}, .sides = {"-z"}, .means = true});
     REQUIRE(study.cases.size() == 3);
     CHECK(study.cases[2].force.y() == about(-test::weight_of_ball, 1e-4));
-    const auto files = write_study(study, specimen_of(scene), folder.path);
+    const auto files = write_study(study, specimen_of(scene), loads, folder.path);
     REQUIRE(files);
-    CHECK(files->size() == 3);
+    CHECK(files->size() == 5);
     const auto cases = test::content_of(folder.path / "cases.csv"),
                slices = test::content_of(folder.path / "slices.csv");
     CHECK(std::count(cases.begin(), cases.end(), '\n') == 4);
+    // What contacts alone tell is not known of a mean: their number, the strongest, and stresses of facets.
+    const auto heads = split(split(cases, '\n')[0], ','), last = split(split(cases, '\n')[3], ',');
+    REQUIRE(heads.size() == last.size());
+    for (std::size_t k = 0; k < heads.size(); ++k) {
+        const bool of_contacts = heads[k] == "contacts" || heads[k].starts_with("strongest") ||
+                                 heads[k].starts_with("facet") || heads[k].starts_with("surface");
+        CHECK_MESSAGE((last[k] == "nan") == of_contacts, std::string(heads[k]));
+    }
+    CHECK(study.cases[2].window == about(0.1, 1e-9));
+    const sheet::Sheet sheet = sheet_of(study, {.means = true});
+    CHECK(figure_of(sheet, "loads").title == "Force of the media on the part: mean loads of 100 ms");
+    CHECK(sheet::to_text("", sheet).find("in the mean of the 100 ms before") != std::string::npos);
+    CHECK(kept_settings(folder.path) == study.settings);
     CHECK(std::count(slices.begin(), slices.end(), '\n') == 4);
     CHECK(slices.find(",-z,0.001,") != std::string::npos);
     CHECK(stress::study(scene, specimen_of(scene), {}, {}).problems().at(0).what == "there is no load case");

@@ -85,6 +85,7 @@ std::vector<Cause> of_the_contact() {
          .hi = 1,
          .typical = 1e-3,
          .in_beds = 0.01,
+         .beds = true, // of single bodies where it is asked for: their bounces hardly part it from adhesion
          .name = "surfaces that stick: slow impacts do not come back",
          .look = "zero in the first fall; every impact loses the same energy besides, so the slow ones lose the most, "
                  "and below v_stick all; whatever the mass",

@@ -152,8 +152,9 @@ void check_named(const Diagnosis& diagnosis, const std::string& id, double ampli
 } // namespace
 
 TEST_CASE("surfaces that stick are named, beside a restitution that falls with speed") {
-    const Diagnosis diagnosis = diagnosed(
-        filmed({.e = 0.79, .stick = 0.3}, false, {"restitution", "gravity", "clock", "sensor scale", "filter"}));
+    const Diagnosis diagnosis =
+        diagnosed(filmed({.e = 0.79, .stick = 0.3}, false,
+                         {"rest.velocity", "rest.cutoff", "gravity", "clock", "sensor scale", "filter"}));
     check_named(diagnosis, "rest.cutoff", 0.3);
     REQUIRE(diagnosis.extended);
     CHECK(diagnosis.extended->pair(0, 0).sticking_speed == about(std::sqrt(0.3), 0.05));

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Makes docs/thrown-away-phase.md and its pictures from the diagnosis of scenes/measured/trough:
+"""Makes docs/thrown-away-phase.md from the diagnoses of scenes/measured/trough:
 
     docs/thrown_away_phase.py build/release/tumble
 
@@ -13,14 +13,10 @@ import re
 import statistics
 import subprocess
 import sys
-import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 CASE = ROOT / "scenes/measured/trough"
 SEEDS = 3
-STYLE = ("<style>text{font-family:'DejaVu Sans',Verdana,sans-serif;fill:#222}.t{font-size:11px}.a{font-size:12px}"
-         ".h{font-size:13px;font-weight:bold}.grid{stroke:#e4e4e4}.level{stroke:#444}.dash{stroke-dasharray:4 3}"
-         "</style><rect width='100%' height='100%' fill='white'/>")
 SHOWN = [("", "0", "as the scene has it: in phase"), ("exc.phase", "90", "sideways a quarter period ahead"),
          ("exc.phase", "-90", "sideways a quarter period behind"),
          ("exc.sideways", "0.75", "in phase, sideways 2.1 times as wide"),
@@ -36,7 +32,7 @@ TEXT = """# The phase that was thrown away
 
 A. Lopez Marrero (LJMU 2020, chapter 5) measured how a vibratory trough shakes, took from the spectra an upright harmonic of 1.949 mm and one across of 0.404 mm at
 25 Hz, and gave both to his simulation. The phase between them was not kept, and what came out wrong was put down to the software's algorithm. In the laboratory the load then ran to one slope and circulated;
-in the simulation it did neither. This page asks what a diagnosis makes of that. Everything on it is made by one command:
+in the simulation it did neither. This page asks what a diagnosis makes of that. Everything on it but its pictures, which are of the [gallery](gallery.md), is made by one command:
 
 ```sh
 docs/thrown_away_phase.py build/release/tumble
@@ -68,8 +64,8 @@ Rocking is {ROCKING} now, barely beyond the 3 nats that a name needs: one more n
 ±: standard error of the mean, of four runs measured and {SEEDS} simulated. The last column was run with seeds of its own at the fitted value; so large a difference from what the table foretold has
 p = {P_CONFIRMED}. What the phase leaves of the misfit has p = {P_LEFT}.
 
-![Circulation of the half load: measured, in phase, and with the cause named](pictures/thrown-away-phase-circulation-half.svg)
-![Slope of the quarter load: measured, in phase, and with the cause named](pictures/thrown-away-phase-slope-quarter.svg)
+![Circulation of the half load: measured, in phase, and with the cause named](gallery/thrown-away-phase-circulation-half.svg)
+![Slope of the quarter load: measured, in phase, and with the cause named](gallery/thrown-away-phase-slope-quarter.svg)
 
 ## What each cause does
 
@@ -101,21 +97,10 @@ are 1.9 mm between the two, as much as the whole upright amplitude. A tilt: a sp
 amplitudes, and with cones, this has not been run. The laboratory is the solver itself. Signs and orders of magnitude are what such a plane can give."""
 
 
-def diagnose(tumble, measurement, folder):
-    told = subprocess.run([tumble, "diagnose", CASE / "trough.toml", "--data", CASE / measurement, "--json", "--quiet", "--seeds", str(SEEDS), "--old-runs",
-                           "--report", folder], check=True, capture_output=True, text=True)
-    return json.loads(told.stdout), (pathlib.Path(folder) / "diagnosis.html").read_text(encoding="utf-8")
-
-
-def pictures(page):
-    """Two of the page's plots, as files of their own."""
-    for svg in re.findall(r"<svg.*?</svg>", page, re.S):
-        title = re.search(r"<title>(.*?)</title>", svg)
-        axis = re.findall(r'class="a"[^>]*>([^<]*)<', svg)
-        for measure, load in (("circulation", "half"), ("surface slope", "quarter")):
-            if title and axis and axis[0].startswith(measure) and title.group(1).startswith(load):
-                name = f"thrown-away-phase-{measure.split()[-1]}-{load}.svg"
-                (ROOT / "docs/pictures" / name).write_text(svg.replace("<title>", STYLE + "<title>", 1) + "\n", encoding="utf-8")
+def diagnose(tumble, measurement):
+    told = subprocess.run([tumble, "diagnose", CASE / "trough.toml", "--data", CASE / measurement, "--json", "--quiet", "--seeds", str(SEEDS), "--old-runs"],
+                          check=True, capture_output=True, text=True)
+    return json.loads(told.stdout)
 
 
 def mean_and_scatter(values):
@@ -185,10 +170,7 @@ def filled(text, runs):
 
 
 def main():
-    with tempfile.TemporaryDirectory() as folder:
-        first, _ = diagnose(sys.argv[1], "measurement.toml", folder)
-        found, page = diagnose(sys.argv[1], "measurement-2.toml", folder)
-    pictures(page)
+    first, found = (diagnose(sys.argv[1], measurement) for measurement in ("measurement.toml", "measurement-2.toml"))
     runs = response()
     text = filled(TEXT.replace("{CONCLUSIONS}", CONCLUSIONS), runs)
     seeds = len(runs["quarter load", "", "0"])

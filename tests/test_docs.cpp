@@ -123,17 +123,6 @@ std::set<std::string> first_words_of(const std::string& arguments) {
     return words;
 }
 
-/// Pictures that docs/gallery.md says the gallery cannot make, each in a row with the command that does.
-std::set<std::string> pictures_with_commands() {
-    std::set<std::string> names;
-    const std::regex row(R"(\| \[([^\]]+)\]\(pictures/[^)]+\) \|.*`[^`]+`.*)");
-    std::smatch match;
-    for (const std::string& line : read_page(root / "docs" / "gallery.md").prose)
-        if (std::regex_match(line, match, row))
-            names.insert(match[1]);
-    return names;
-}
-
 /// Exit code of `build/release/tumble ...`, run as the program under test from a folder, its output thrown away.
 int exit_code_of(const std::string& arguments, const fs::path& folder = root) {
     const std::string command =
@@ -172,27 +161,22 @@ TEST_CASE("every link in README and docs leads somewhere") {
         }
 }
 
-TEST_CASE(
-    "what README and docs show is made by the gallery, by its lesson, or by a command that docs/gallery.md names") {
-    const std::set<std::string> gallery = first_words_of("gallery --list"), others = pictures_with_commands();
+TEST_CASE("what README and docs show is made by the gallery, or by its lesson") {
+    const std::set<std::string> gallery = first_words_of("gallery --list");
     std::set<fs::path> shown;
     for (const fs::path& page : pages())
         for (const fs::path& picture : pictures_of(page)) {
             const fs::path folder = picture.parent_path();
             const std::string name = picture.filename();
             const bool of_lesson = folder == fs::path("docs/lessons") / page.stem();
-            CHECK_MESSAGE((of_lesson || (folder == "docs/gallery" && gallery.contains(name)) ||
-                           (folder == "docs/pictures" && others.contains(name))),
+            CHECK_MESSAGE((of_lesson || (folder == "docs/gallery" && gallery.contains(name))),
                           page.string() << " shows " << picture.string());
             shown.insert(picture);
         }
     for (const std::string& name : gallery)
         CHECK_MESSAGE(shown.contains(fs::path("docs/gallery") / name), "no page shows docs/gallery/" << name);
-    for (const std::string& name : others)
-        CHECK_MESSAGE(shown.contains(fs::path("docs/pictures") / name), "no page shows docs/pictures/" << name);
-    for (const char* folder : {"docs/gallery", "docs/pictures"})
-        for (const auto& entry : fs::directory_iterator(root / folder))
-            CHECK_MESSAGE(shown.contains(entry.path().lexically_relative(root)), "nobody shows " << entry.path());
+    for (const auto& entry : fs::directory_iterator(root / "docs/gallery"))
+        CHECK_MESSAGE(shown.contains(entry.path().lexically_relative(root)), "nobody shows " << entry.path());
 }
 
 TEST_CASE("docs/index.md leads to every page of docs, to lessons by their own index") {

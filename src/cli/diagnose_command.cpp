@@ -11,6 +11,7 @@
 #include "observe/whole_file.h"
 #include "report/diagnosis_json.h"
 #include "report/diagnosis_page.h"
+#include "report/diagnosis_pictures.h"
 #include "run/record.h"
 #include "run/run_report.h"
 #include "scene/read_file.h"
@@ -36,6 +37,7 @@ struct DiagnoseArguments {
     int seeds = 4;
     int threads = 1;
     bool plan = false;
+    bool pictures = false;
     bool old_runs = false;
     bool dry = false;
     bool quiet = false;
@@ -148,6 +150,9 @@ Problems leave_files(const DiagnoseArguments& arguments, const diagnose::Diagnos
         leave(arguments.report / "diagnosis.json", report::to_json(diagnosis, run::version()).dump(2) + "\n");
         leave(arguments.report / "diagnosis.html", report::page_of(diagnosis, run::version()));
         leave(arguments.report / "residuals.csv", report::residuals_csv(diagnosis));
+        for (const report::PictureFile& picture :
+             arguments.pictures ? report::pictures_of(diagnosis) : std::vector<report::PictureFile>{})
+            leave(arguments.report / picture.name, picture.svg);
     }
     if (!arguments.extended.empty() && diagnosis.extended)
         leave(arguments.extended, scene::to_toml(*diagnosis.extended));
@@ -159,6 +164,10 @@ Problems leave_files(const DiagnoseArguments& arguments, const diagnose::Diagnos
 }
 
 int diagnose_it(const DiagnoseArguments& arguments) {
+    if (arguments.pictures && arguments.report.empty())
+        return refuse({{.what = "--pictures go beside the report, and none is asked for",
+                        .fix = "write --report DIR, or leave --pictures away"}},
+                      arguments.json, wrong);
     const auto text = scene::read_file(arguments.scene.file, scene::largest_scene);
     if (!text)
         return refuse(text.problems(), arguments.json, wrong);
@@ -217,6 +226,8 @@ void add_diagnose_command(CLI::App& program, Action& action) {
     command->add_option("--report", arguments->report, "Folder for diagnosis.html, diagnosis.json and residuals.csv")
         ->type_name("DIR")
         ->check(refuse_no_place);
+    command->add_flag("--pictures", arguments->pictures,
+                      "Of --report: the residuals, or the plot of each number of a bed, as SVG files too");
     command->add_option("--write-extended", arguments->extended, "Scene file to write, with the named cause in it")
         ->type_name("FILE")
         ->check(refuse_no_place);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <map>
 
 namespace tumble::cli {
 
@@ -13,6 +12,13 @@ Words run_of(const std::string& scene, const Words& sets) {
     Words words{"run", "{scenes}/" + scene, "--out", "{folder}"};
     for (const std::string& set : sets)
         words.insert(words.end(), {"--set", set});
+    return words;
+}
+
+/// With each plot of its page as a file.
+Words diagnosis_of(const std::string& scene, const std::string& data, const Words& flags) {
+    Words words{"diagnose", "{scenes}/" + scene, "--data", "{scenes}/" + data, "--report", "{folder}", "--pictures"};
+    words.insert(words.end(), flags.begin(), flags.end());
     return words;
 }
 
@@ -51,6 +57,10 @@ const std::vector<GalleryRun>& gallery_runs() {
           "wall.specimen.base_m=[0.0875,0.04,0]", "--set", "render.width_px=800", "--set", "render.height_px=450",
           "--from", "0.8", "--pictures", "--threads", "2"},
          3},
+        {"case", diagnosis_of("lane.toml", "measured/cases/1/measurement.toml", {})},
+        {"phase", diagnosis_of("measured/trough/trough.toml", "measured/trough/measurement-2.toml",
+                               {"--seeds", "3", "--old-runs"})},
+        {"bowl-full", run_of("bowl.toml", {}), 108},
     };
     return runs;
 }
@@ -133,6 +143,32 @@ const std::vector<GalleryPicture>& gallery_pictures() {
          "{folder}/reduction.png"},
         {"stress-part.png", "a specimen among media, coloured by stress", {}, "{specimen}/part.png"},
         {"stress-slice.png", "the stress beneath its side", {}, "{specimen}/slice-side-0.5mm.png"},
+        {"diagnosis-case.svg", "residuals of four throws, before and after", {}, "{case}/residuals.svg"},
+        {"thrown-away-phase-circulation-half.svg",
+         "circulation, measured and simulated",
+         {},
+         "{phase}/half-load-circulation.svg"},
+        {"thrown-away-phase-slope-quarter.svg",
+         "slope, measured and simulated",
+         {},
+         "{phase}/quarter-load-surface-slope.svg"},
+        {"view.png",
+         "the view of a simulation at work",
+         {"view", "{scenes}/trough-quick.toml", "--picture", "{file}", "--time", ":0.96", "--threads", "2"},
+         "{file}",
+         1},
+        {"bowl-sections.png", "six sections through the full bowl",
+         strip_of("bowl-full",
+                  {"--sections=0,0.027,0.054,0.081,0.108,0.135", "--cut", "--camera=side",
+                   "--set=render.projection=orthographic", "--color=vy", "--range=-0.5,0.5", "--size=1120x640"})},
+        {"bowl-flow.png",
+         "mean flow in the full bowl",
+         {"flow", "{bowl-full}", "--time", "1.7:", "--radius", "0.1665", "--heights", "0,0.16", "--rings", "10",
+          "--layers", "8", "--picture", "{file}"}},
+        {"view-run.png",
+         "the view of a run that is over",
+         {"view", "{bowl-full}", "--picture", "{file}", "--time", "3.3:4.5", "--tab", "Look", "--trails=sensor",
+          "--size=1200x675"}},
     };
     return pictures;
 }
@@ -146,16 +182,16 @@ std::vector<const GalleryRun*> runs_of(const GalleryPicture& picture) {
     return found;
 }
 
-int minutes_of(const GalleryPicture& picture) {
-    int minutes = 0;
+int minutes_of(const GalleryPicture& picture, const GivenRuns& given) {
+    int minutes = picture.minutes;
     for (const GalleryRun* run : runs_of(picture))
-        minutes += run->minutes;
+        minutes += given.contains(run->name) ? 0 : run->minutes;
     return minutes;
 }
 
 std::string filled_in(const std::string& text, const GalleryPlaces& places) {
-    const std::map<std::string, std::filesystem::path> known{
-        {"scenes", places.scenes}, {"file", places.file}, {"folder", places.folder}};
+    GivenRuns known = places.given;
+    known.insert({{"scenes", places.scenes}, {"file", places.file}, {"folder", places.folder}});
     std::string filled;
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t open = std::min(text.find('{', at), text.size());

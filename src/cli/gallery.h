@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct GalleryPicture {
     std::string shows;            // in a few words
     Words words;                  // of the command that draws it; none: a run does
     std::string taken = "{file}"; // where the picture lies then
+    int minutes = 0;              // of the command, on two idle cores; 0: less than one
 };
 
 const std::vector<GalleryRun>& gallery_runs();
@@ -31,12 +33,16 @@ const std::vector<GalleryPicture>& gallery_pictures();
 /// The runs that a picture is made from, in the order of the table.
 std::vector<const GalleryRun*> runs_of(const GalleryPicture& picture);
 
-/// On two idle cores, of its runs; 0: less than one.
-int minutes_of(const GalleryPicture& picture);
+/// Folders of runs that are there already, by the runs' names.
+using GivenRuns = std::map<std::string, std::filesystem::path>;
 
-/// What stands in the place of the braces; {NAME} is `runs / NAME`.
+/// On two idle cores, with its runs that are not given; 0: less than one.
+int minutes_of(const GalleryPicture& picture, const GivenRuns& given = {});
+
+/// What stands in the place of the braces; {NAME} is `runs / NAME`, or the folder that is given for it.
 struct GalleryPlaces {
     std::filesystem::path scenes, runs, file, folder;
+    GivenRuns given{};
 };
 std::string filled_in(const std::string& text, const GalleryPlaces& places);
 Words filled_in(const Words& words, const GalleryPlaces& places);

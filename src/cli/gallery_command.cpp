@@ -18,14 +18,39 @@ struct GalleryArguments {
     std::filesystem::path out;
     std::filesystem::path scenes = "scenes";
     std::vector<std::string> only;
+    std::vector<std::string> runs; // "NAME=DIR"
     bool quick = false;
     bool list = false;
     bool json = false;
 };
 
-std::string minutes_in_words(const GalleryPicture& picture) {
-    const int minutes = minutes_of(picture);
-    return minutes == 0 ? "" : fmt::format("{} min", minutes);
+std::string minutes_in_words(int minutes) {
+    return minutes == 0 ? "" : minutes < 100 ? fmt::format("{} min", minutes) : fmt::format("{:.1f} h", minutes / 60.0);
+}
+
+Result<GivenRuns> read_runs(const std::vector<std::string>& words) {
+    GivenRuns given;
+    Problems problems;
+    std::vector<std::string> names;
+    for (const GalleryRun& run : gallery_runs())
+        names.push_back(run.name);
+    for (const std::string& word : words) {
+        const std::size_t equals = word.find('=');
+        const std::string name = word.substr(0, equals);
+        const std::filesystem::path folder = equals == std::string::npos ? "" : word.substr(equals + 1);
+        if (folder.empty() || std::find(names.begin(), names.end(), name) == names.end())
+            problems.push_back({.what = fmt::format("--run {} names no run of the gallery and its folder", word),
+                                .fix = fmt::format("write --run NAME=DIR with one of {}", fmt::join(names, ", "))});
+        else if (!std::filesystem::is_directory(folder))
+            problems.push_back({.file = folder.string(),
+                                .what = fmt::format("is no folder that the run {} has filled", name),
+                                .fix = "leave --run away, and it is run anew; `tumble gallery --list` says how"});
+        else
+            given[name] = folder;
+    }
+    if (!problems.empty())
+        return problems;
+    return given;
 }
 
 /// What is made, and by which commands; as somebody would type them.
@@ -39,7 +64,7 @@ int list_pictures(bool json) {
                          {"minutes", minutes_of(picture)},
                          {"commands", recipe.commands},
                          {"result", recipe.result}});
-        rows.push_back({picture.file, picture.shows, minutes_in_words(picture), recipe.commands.back()});
+        rows.push_back({picture.file, picture.shows, minutes_in_words(minutes_of(picture)), recipe.commands.back()});
     }
     if (json)
         say_json(items);
@@ -48,7 +73,7 @@ int list_pictures(bool json) {
     return fine;
 }
 
-Result<std::vector<const GalleryPicture*>> wanted(const GalleryArguments& arguments) {
+Result<std::vector<const GalleryPicture*>> wanted(const GalleryArguments& arguments, const GivenRuns& given) {
     std::vector<const GalleryPicture*> found;
     Problems problems;
     const auto& all = gallery_pictures();
@@ -63,17 +88,17 @@ Result<std::vector<const GalleryPicture*>> wanted(const GalleryArguments& argume
     if (!problems.empty())
         return problems;
     for (const GalleryPicture& picture : all)
-        if (arguments.only.empty() && !(arguments.quick && minutes_of(picture) > 0))
+        if (arguments.only.empty() && !(arguments.quick && minutes_of(picture, given) > 0))
             found.push_back(&picture);
     return found;
 }
 
 /// Said before the wait.
-void tell_what_takes_minutes(const std::vector<const GalleryPicture*>& pictures) {
+void tell_what_takes_minutes(const std::vector<const GalleryPicture*>& pictures, const GivenRuns& given) {
     std::vector<std::string> slow;
     for (const GalleryPicture* picture : pictures)
-        if (minutes_of(*picture) > 0)
-            slow.push_back(fmt::format("{} ({})", picture->file, minutes_in_words(*picture)));
+        if (const int minutes = minutes_of(*picture, given); minutes > 0)
+            slow.push_back(fmt::format("{} ({})", picture->file, minutes_in_words(minutes)));
     if (!slow.empty())
         note(fmt::format("these take minutes on two cores, and --quick leaves them out: {}", fmt::join(slow, ", ")));
 }
@@ -81,7 +106,10 @@ void tell_what_takes_minutes(const std::vector<const GalleryPicture*>& pictures)
 int make_gallery(const GalleryArguments& arguments) {
     if (arguments.list)
         return list_pictures(arguments.json);
-    const auto pictures = wanted(arguments);
+    const auto given = read_runs(arguments.runs);
+    if (!given)
+        return refuse(given.problems(), arguments.json, wrong);
+    const auto pictures = wanted(arguments, *given);
     if (!pictures)
         return refuse(pictures.problems(), arguments.json, wrong);
     if (arguments.out.empty())
@@ -94,8 +122,8 @@ int make_gallery(const GalleryArguments& arguments) {
                         .fix = "start where the scenes are, or write --scenes DIR"}},
                       arguments.json, wrong);
     watch_for_stop();
-    tell_what_takes_minutes(*pictures);
-    return Workshop(arguments.out, arguments.scenes).make(*pictures);
+    tell_what_takes_minutes(*pictures, *given);
+    return Workshop(arguments.out, arguments.scenes, *given).make(*pictures);
 }
 
 } // namespace
@@ -104,15 +132,19 @@ void add_gallery_command(CLI::App& program, Action& action) {
     CLI::App* command = program.add_subcommand(
         "gallery",
         "Example: tumble gallery --out docs/gallery\n\n"
-        "Makes the pictures that README and docs show, but for those that docs/gallery.md names, from shipped\n"
-        "scenes. Says what it does; a picture that fails does not keep the others from being made, and one call\n"
-        "goes on where another was stopped or killed.");
+        "Makes all pictures that README and docs show, but for those of lessons, from shipped scenes, what takes\n"
+        "long last. Says what it does; a picture that fails does not keep the others from being made, and one\n"
+        "call goes on where another was stopped or killed.");
     const auto arguments = std::make_shared<GalleryArguments>();
     CLI::Option* only = command->add_option("PICTURE,--only", arguments->only, "Only these, such as strip.png");
     command->add_option("--out", arguments->out, "Where they go; what has their names is replaced")
         ->type_name("DIR")
         ->check(refuse_no_place);
     command->add_option("--scenes", arguments->scenes, "Folder of the scenes")->type_name("DIR");
+    command
+        ->add_option("--run", arguments->runs,
+                     "A run of the table that is there already, such as bowl-full=out/bowl; others are run")
+        ->type_name("NAME=DIR");
     command->add_flag("--quick", arguments->quick, "Leave out what takes minutes")->excludes(only);
     command->add_flag("--list", arguments->list, "Only say which there are, and the commands that make them");
     command->add_flag("--json", arguments->json, "Print the list as JSON");

@@ -54,8 +54,8 @@ int announce(const std::string& what, const Words& words) {
 
 } // namespace
 
-Workshop::Workshop(fs::path out, fs::path scenes)
-    : out_(std::move(out)), scenes_(std::move(scenes)), runs_(out_ / ".runs") {}
+Workshop::Workshop(fs::path out, fs::path scenes, GivenRuns given)
+    : out_(std::move(out)), scenes_(std::move(scenes)), runs_(out_ / ".runs"), given_(std::move(given)) {}
 
 int Workshop::make(const std::vector<const GalleryPicture*>& pictures) {
     if (const auto made = make_folder(runs_); !made)
@@ -90,6 +90,8 @@ void Workshop::clear_out_other_programs() {
 }
 
 Workshop::End Workshop::have_run(const GalleryRun& run) {
+    if (given_.contains(run.name))
+        return End::done;
     if (const auto had = runs_had_.find(run.name); had != runs_had_.end())
         return had->second;
     const fs::path folder = runs_ / run.name, over = runs_ / (run.name + ".over");
@@ -126,7 +128,7 @@ Workshop::End Workshop::make(const GalleryPicture& picture) {
         refuse(made.problems(), false, failed);
         return End::failed;
     }
-    const GalleryPlaces places{scenes_, runs_, place / picture.file, place / "folder"};
+    const GalleryPlaces places{scenes_, runs_, place / picture.file, place / "folder", given_};
     if (!picture.words.empty()) {
         const int code = announce(picture.file, filled_in(picture.words, places));
         if (code != fine)

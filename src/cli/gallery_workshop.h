@@ -2,7 +2,6 @@
 
 #include "cli/gallery.h"
 
-#include <functional>
 #include <map>
 
 namespace tumble::cli {
@@ -12,7 +11,8 @@ namespace tumble::cli {
 /// whole.
 class Workshop {
 public:
-    Workshop(std::filesystem::path out, std::filesystem::path scenes);
+    /// Runs that are given are taken as they are.
+    Workshop(std::filesystem::path out, std::filesystem::path scenes, GivenRuns given = {});
 
     /// Each that can be made; one that fails does not keep the others. Returns an exit code: fine, failed, or that of
     /// the signal that stopped it.
@@ -27,6 +27,7 @@ private:
     bool keep(const std::filesystem::path& made, const std::string& file);
 
     std::filesystem::path out_, scenes_, runs_;
+    GivenRuns given_;
     std::map<std::string, End> runs_had_;
 };
 

@@ -98,7 +98,7 @@ void add_render_settings(CLI::App& command, SceneArguments& arguments) {
     add("--clip-hi", "X,Y,Z", "1,1,1 --clip-lo 0,-1,-1", "Highest corner of it, m", list("render.clip_hi_m"));
     command.add_flag_callback(
         "--cut", [&sets] { sets.emplace_back("render.clip_cuts=true"); },
-        "The section, or --sections, cut bodies open instead of leaving out whole ones");
+        "The section, or --sections, cut bodies and walls open instead of leaving out whole bodies");
     add("--color", "QUANTITY", "speed", "What colours the bodies: " + words_of("color"), word("render.color"));
     add("--range", "LO,HI", "0,0.5", "Values at the ends of the colour scale, SI", list("render.range"));
     add("--colormap", "NAME", "viridis", "Colour scale: " + words_of("colormap"), word("render.colormap"));

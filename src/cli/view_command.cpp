@@ -5,10 +5,14 @@
 #include "cli/render_settings.h"
 #include "cli/scene_arguments.h"
 #include "cli/stop_flag.h"
+#include "cli/time_range.h"
+#include "observe/whole_file.h"
+#include "render/png_writer.h"
 #include "run/run_folder.h"
 #include "view/live_source.h"
 #include "view/opener.h"
 #include "view/recorded_source.h"
+#include "view/still.h"
 #include "view/viewer.h"
 
 #include <cstdlib>
@@ -26,6 +30,10 @@ struct ViewArguments {
     SceneArguments scene;
     std::filesystem::path out = "out/view";
     view::ViewerOptions viewer;
+    std::filesystem::path picture; // of what a browser would show, in its place; empty: none
+    std::string time;              // that it shows
+    std::string tab;
+    bool force = false;
     int threads = 1;
     bool no_open = false;
     bool quiet = false;
@@ -85,7 +93,39 @@ Result<Watched> open_watched(ViewArguments& arguments, const std::shared_ptr<vie
     return Watched{std::move(*text), std::move(*scene), std::move(*source), std::move(plots)};
 }
 
+/// What is wrong with the flags of a picture, before anything is opened.
+Problems refuse_picture(const ViewArguments& arguments) {
+    if (arguments.picture.empty() && !(arguments.time.empty() && arguments.tab.empty()))
+        return {{.what = "--time and --tab say what a picture shows, and none is asked for",
+                 .fix = "add --picture F.png, or leave them away: in the browser hands choose"}};
+    if (!arguments.force && !arguments.picture.empty())
+        if (const auto problem = refuse_to_overwrite({arguments.picture}))
+            return {*problem};
+    return {};
+}
+
+int keep_picture(const ViewArguments& arguments, view::Studio& studio, const scene::Scene& scene) {
+    view::StillWishes wishes{.step = scene.step(), .every = scene.render.every, .tab = arguments.tab};
+    if (const auto problem = read_time_range(arguments.time, wishes.from, wishes.to))
+        return refuse({*problem}, arguments.json, wrong);
+    const auto picture = view::take_still(studio, wishes, &watch_for_stop());
+    if (stop_wanted(&watch_for_stop()))
+        return stop_code();
+    if (!picture)
+        return refuse(picture.problems(), arguments.json, failed);
+    const std::vector<std::uint8_t> bytes = render::encode_png(*picture);
+    if (const auto kept = observe::write_whole(arguments.picture, std::string(bytes.begin(), bytes.end())); !kept)
+        return refuse(kept.problems(), arguments.json, failed);
+    if (arguments.json)
+        say_json(nlohmann::ordered_json{{"picture", arguments.picture.string()}});
+    else if (!arguments.quiet)
+        say(arguments.picture.string());
+    return fine;
+}
+
 int view_it(ViewArguments& arguments) {
+    if (const Problems problems = refuse_picture(arguments); !problems.empty())
+        return refuse(problems, arguments.json, wrong);
     const auto bell = std::make_shared<view::Bell>();
     auto watched = open_watched(arguments, bell);
     if (!watched)
@@ -95,6 +135,8 @@ int view_it(ViewArguments& arguments) {
                                      std::move(watched->plots), options);
     if (!studio)
         return refuse(studio.problems(), arguments.json, wrong);
+    if (!arguments.picture.empty())
+        return keep_picture(arguments, **studio, watched->scene);
     const auto tell_link = [&arguments](const std::string& link) {
         if (arguments.json)
             say(nlohmann::ordered_json{{"link", link}}.dump());
@@ -134,6 +176,19 @@ void add_view_command(CLI::App& program, Action& action) {
     command->add_option("--out", arguments->out, "Folder for pictures, films and scenes that are kept")
         ->type_name("DIR")
         ->check(refuse_no_place);
+    command
+        ->add_option("--picture", arguments->picture,
+                     "Only draw what a browser would show, panel and all, into this file; opens no port")
+        ->type_name("F.png")
+        ->check(ends_in({".png"}));
+    command
+        ->add_option("--time", arguments->time,
+                     "Of --picture: the time that it shows, B, and the one from which what it shows is seen, A; s")
+        ->type_name("A:B");
+    command->add_option("--tab", arguments->tab, "Of --picture: the tab of the panel")
+        ->type_name("T")
+        ->check(one_of({"Plots", "Change", "Look", "Keep"}));
+    command->add_flag("--force", arguments->force, "Of --picture: replace what is there");
     add_render_settings(*command, arguments->scene);
     arguments->scene.add_sets_to(*command);
     command->add_flag("--quiet", arguments->quiet, "Nothing but the link");

@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
+#include <limits>
 #include <numbers>
 #include <utility>
 
 namespace tumble::render {
+
+// Width over height of the narrowest area that eyes are chosen for: what the scene has of a window of 1280 x 720 beside
+// the view's panel.
+constexpr double usual_shape = 1.2;
 
 using Eigen::Matrix3d;
 using Eigen::Vector2d;
@@ -132,6 +137,26 @@ static void fit(Camera& camera, const Eigen::AlignedBox3d& box, const Area& area
     camera.eye = camera.target + camera.axes.row(2).transpose() * distance;
 }
 
+/// The largest scale at which no corner of the box lies beyond the left or right margin; 0 where one does not lie
+/// before the eye.
+static double scale_across(const Camera& camera, const Eigen::AlignedBox3d& box, const Area& area) {
+    const double half_width = 0.5 * area.width() * (1 - 2 * camera_margin);
+    double scale = std::numeric_limits<double>::infinity();
+    for (const Vector3d& corner : corners_of(box)) {
+        const Vector3d v = camera.to_view(corner);
+        const double depth = camera.perspective ? std::max(-v.z(), 0.0) : 1;
+        scale = std::min(scale, half_width * depth / std::max(std::abs(v.x()), 1e-12));
+    }
+    return scale;
+}
+
+/// A camera that goes around must not breathe: it has one scale, whatever the box needs from where it is.
+static void open_wider(Camera& camera, const Eigen::AlignedBox3d& box, const Area& area, bool turning) {
+    const double least = camera.scale * area.width() / (usual_shape * area.height());
+    const double wanted = turning ? least : std::max(least, scale_across(camera, box, area));
+    camera.scale = std::min(camera.scale, wanted);
+}
+
 static Result<Vector3d> direction_of(const scene::Render& settings) {
     if (settings.camera == "front") {
         return Vector3d(Vector3d::UnitX());
@@ -159,8 +184,8 @@ static Result<Vector3d> direction_of(const scene::Render& settings) {
     return Vector3d(1.0, -0.55, -0.75);
 }
 
-Result<Camera> make_camera(const scene::Render& settings, const Eigen::AlignedBox3d& box, const Area& area,
-                           double time) {
+Result<Camera> make_camera(const scene::Render& settings, const Eigen::AlignedBox3d& box, const Area& area, double time,
+                           bool held) {
     const auto direction = direction_of(settings);
     if (!direction) {
         return direction.problems();
@@ -189,6 +214,9 @@ Result<Camera> make_camera(const scene::Render& settings, const Eigen::AlignedBo
         camera.scale = 0.5 * area.height() / std::tan(0.5 * field_of_view);
         if (!camera.perspective) {
             camera.scale /= (settings.target - settings.eye).norm();
+        }
+        if (!held) {
+            open_wider(camera, box, area, turns);
         }
     } else {
         fit(camera, box, area, field_of_view, turns);

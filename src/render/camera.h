@@ -66,10 +66,11 @@ constexpr double camera_margin = 0.03;
 /// The camera that settings ask for. front looks along +x (y up, z to the right), side along -z (y up, x to the right),
 /// top along -y (x to the right, z downwards); they fit `box` (m) into `area` with a small margin. free takes eye,
 /// target and field of view (of the area's height), target in the area's middle; without eye and target it looks at the
-/// box from the front, right and above. Where settings have it turn, it is the one of that time (s), and what it fits
-/// fits from all around, at one scale. Problems name an unknown camera or projection and a free camera without
-/// direction.
+/// box from the front, right and above. In an area narrower than 6:5 a free camera with an eye opens wider, as far as
+/// the box needs it and one of 6:5 would show of it, unless it is `held` by a hand that chose what is seen. Where
+/// settings have it turn, it is the one of that time (s), and what it fits fits from all around, at one scale. Problems
+/// name an unknown camera or projection and a free camera without direction.
 Result<Camera> make_camera(const scene::Render& settings, const Eigen::AlignedBox3d& box, const Area& area,
-                           double time = 0);
+                           double time = 0, bool held = false);
 
 } // namespace tumble::render

@@ -1,5 +1,6 @@
 #include "render/composition.h"
 
+#include "render/clip.h"
 #include "render/disc_list.h"
 #include "render/mark_key.h"
 #include "render/paper.h"
@@ -66,12 +67,12 @@ OverlayContent Composition::expected_content(const Camera& seen) const {
 
 /// Settles panels and camera for what has been fitted.
 void Composition::arrange() {
-    const auto look = [&](const Area& area) { return *make_camera(settings, box(), area); };
+    const auto look = [&](const Area& area) { return *make_camera(settings, box(), area, 0, held); };
     const auto zoom = [&](const Area& area) {
         const Camera tried = look(area);
         return tried.pixels_per_metre(tried.target);
     };
-    const int rows = key_rows(settings.marks);
+    const int rows = key_rows(settings, *layout);
     if (settings.paper) {
         const auto readable = [&](Layout tried) {
             leave_out_title(tried);
@@ -113,15 +114,15 @@ Result<Done> Composition::restyle(const scene::Render& shown) {
         style.range = found->range; // else what an automatic range has seen goes on to count
     }
     const bool was_plain = style.plain();
-    const int rows = key_rows(settings.marks);
+    const int rows = key_rows(settings, *layout);
     style.quantity = found->quantity;
     style.map = found->map;
     settings = std::move(wanted);
     mark_maker.restyle(settings.marks);
-    if (key_rows(settings.marks) != rows || style.plain() != was_plain) {
+    if (key_rows(settings, *layout) != rows || style.plain() != was_plain) {
         arranged = false; // their key takes or leaves room
     } else if (arranged) {
-        camera = *make_camera(settings, box(), arrangement.scene);
+        camera = *make_camera(settings, box(), arrangement.scene, 0, held);
     }
     return Done{};
 }
@@ -162,7 +163,7 @@ std::vector<std::uint32_t> Composition::colors_of(const observe::Frame& frame, L
 std::vector<std::uint32_t> Composition::take_in(const observe::Frame& frame, Legend& legend) {
     settle_for(frame);
     if (settings.turn_deg_s != 0) {
-        camera = *make_camera(settings, box(), arrangement.scene, frame.time);
+        camera = *make_camera(settings, box(), arrangement.scene, frame.time, held);
     }
     enclose(frame);
     mark_maker.take_in(frame, mark_view());
@@ -182,11 +183,7 @@ OverlayContent Composition::content(const observe::Frame& frame, const PlotLine&
 }
 
 MarkView Composition::mark_view() const {
-    MarkView view{camera, arrangement.window, arrangement.unit, style.theme, {}};
-    if (settings.clip && layout->dimension == 3) {
-        view.clip.emplace(settings.clip->lo, settings.clip->hi);
-    }
-    return view;
+    return {camera, arrangement.window, arrangement.unit, style.theme, clip_of(settings, *layout), settings.clip_cuts};
 }
 
 double Composition::disc_line() const {

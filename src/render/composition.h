@@ -29,6 +29,7 @@ struct Composition {
 
     Eigen::AlignedBox3d fitted;
     bool arranged = false;
+    bool held = false; // the camera, by a hand
     Layout arrangement;
     Camera camera;
     Span span; // of the colours, SI

@@ -27,9 +27,10 @@ static std::string find_font() {
 }
 
 static ScreenPen::Fonts load_fonts(ImFontAtlas& atlas, double unit) {
-    // Latin, Greek, dashes and quotes, raised digits, arrows and the minus sign.
-    static constexpr std::array<ImWchar, 15> letters{0x20,   0xff,   0x370,  0x3ff,  0x2010, 0x2027, 0x2070, 0x208e,
-                                                     0x2190, 0x2193, 0x2212, 0x2212, 0x2248, 0x2248, 0};
+    // Latin, Greek, dashes and quotes, raised digits, arrows, the minus sign, about, at most and at least.
+    static constexpr std::array<ImWchar, 17> letters{0x20,   0xff,   0x370,  0x3ff,  0x2010, 0x2027,
+                                                     0x2070, 0x208e, 0x2190, 0x2193, 0x2212, 0x2212,
+                                                     0x2248, 0x2248, 0x2264, 0x2265, 0};
     const std::string file = find_font();
     const auto load = [&](double size) {
         ImFontConfig config;

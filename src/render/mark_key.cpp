@@ -1,5 +1,6 @@
 #include "render/mark_key.h"
 
+#include "render/clip.h"
 #include "render/ticks.h"
 
 #include <algorithm>
@@ -18,7 +19,8 @@ constexpr double least_legend = 64; // in a column, for the colours above the ke
 
 int MarkKey::rows() const {
     const int of_trails = static_cast<int>(trails.size()) + (more_trails > 0 ? 1 : 0);
-    return (arrow ? (arrow->mean ? 2 : 1) : 0) + (chain ? 1 : 0) + (of_trails > 0 ? of_trails + 1 : 0);
+    return (arrow ? (arrow->mean ? 2 : 1) : 0) + (chain ? 1 : 0) + (of_trails > 0 ? of_trails + 1 : 0) +
+           static_cast<int>(clip.size());
 }
 
 void MarkKey::join(const MarkKey& other) {
@@ -32,6 +34,12 @@ int key_rows(const scene::Marks& marks) {
     const Camera camera{};
     const Theme theme{};
     return maker.key({}, {camera, {}, 1, theme, {}}).rows();
+}
+
+int key_rows(const scene::Render& settings, const observe::FrameLayout& layout) {
+    const auto clip = clip_of(settings, layout);
+    const std::size_t rows = clip ? clip_words(*clip, settings.clip_cuts, layout).size() : 0;
+    return key_rows(settings.marks) + static_cast<int>(rows);
 }
 
 double key_height(int rows) {
@@ -126,10 +134,14 @@ void draw_key(Pen& pen, const Area& area, const MarkKey& key, const Theme& theme
     if (shown.since) {
         rows.push_back({fmt::format("since t = {:.4g} s", *shown.since)});
     }
+    for (const std::string& words : shown.clip) {
+        rows.push_back({words});
+    }
     if (rows.size() > fit) {
         pen.note_crowded(rows[fit].words, static_cast<double>(fit) / static_cast<double>(rows.size()));
         rows.resize(fit);
     }
+    const bool any_sample = std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.sample != nullptr; });
     const double line = pen.height(Lettering::small);
     double y = area.top + 0.5 * key_row * u;
     for (const Row& row : rows) {
@@ -137,7 +149,7 @@ void draw_key(Pen& pen, const Area& area, const MarkKey& key, const Theme& theme
             row.sample(y);
         }
         // Without a sample in line with the others' words where it fits so.
-        const double beside = right + key_gap * u;
+        const double beside = any_sample ? right + key_gap * u : area.left;
         const bool wide = !row.sample && beside + pen.width(row.words, Lettering::small) > area.right;
         const double left = wide ? area.left : beside;
         const double room = area.right - left;

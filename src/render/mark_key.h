@@ -15,7 +15,8 @@ double key_height(int rows);
 void take_key(Layout& layout, int rows, bool with_legend);
 
 /// What the lines over the bodies mean, a row each: an arrow with its speed, and the time of the mean where it is one;
-/// a wedge that grows to the thickness of a force; trails by name, as many as fit, how many more, and since when.
+/// a wedge that grows to the thickness of a force; trails by name, as many as fit, how many more, and since when; where
+/// a clip cuts.
 void draw_key(Pen& pen, const Area& area, const MarkKey& key, const Theme& theme);
 
 } // namespace tumble::render

@@ -1,5 +1,7 @@
 #include "render/marks.h"
 
+#include "render/clip.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -484,6 +486,9 @@ MarkKey MarkMaker::key(const observe::FrameLayout& layout, const MarkView& view)
         const auto named = [&](const observe::FrameShape& shape) { return shape.name == wanted_.trails[t]; };
         const bool name = std::any_of(layout.shapes.begin(), layout.shapes.end(), named);
         key.trails.push_back({(name ? "" : "body ") + wanted_.trails[t], trail_color(t)});
+    }
+    if (view.clip) {
+        key.clip = clip_words(*view.clip, view.clip_cuts, layout);
     }
     return key;
 }

@@ -39,9 +39,10 @@ struct MarkKey {
     };
     std::optional<Arrow> arrow;
     std::optional<Chain> chain;
-    std::vector<Trail> trails;   // those with a row of their own
-    int more_trails = 0;         // beside them
-    std::optional<double> since; // s, where the first of all trails begins
+    std::vector<Trail> trails;     // those with a row of their own
+    int more_trails = 0;           // beside them
+    std::optional<double> since;   // s, where the first of all trails begins
+    std::vector<std::string> clip; // where bodies are left out or cut open, a row each
 
     /// The mean has a second row for its time, trails together one for theirs.
     [[nodiscard]] int rows() const;
@@ -49,8 +50,9 @@ struct MarkKey {
     void join(const MarkKey& other);
 };
 
-/// Rows of the key of such marks.
+/// Rows of the key of such marks, and of that of pictures with their marks and their clip.
 int key_rows(const scene::Marks& marks);
+int key_rows(const scene::Render& settings, const observe::FrameLayout& layout);
 
 /// How one picture looks at them.
 struct MarkView {
@@ -59,6 +61,7 @@ struct MarkView {
     double unit = 1; // pixels, render/layout.h
     const Theme& theme;
     std::optional<Eigen::AlignedBox3d> clip; // m, bodies whose centres lie outside have no marks
+    bool clip_cuts = false;                  // and bodies are cut open there
 };
 
 /// Arrows at most of this density, and the grid of the mean field: units between them.

@@ -1,5 +1,6 @@
 #include "render/painter.h"
 
+#include "render/clip.h"
 #include "render/composition.h"
 #include "render/draw_crew.h"
 #include "render/drawers.h"
@@ -135,6 +136,10 @@ Result<Done> Painter::restyle(const scene::Render& settings) {
     return inside_->restyle(settings);
 }
 
+void Painter::hold_camera(bool on) {
+    inside_->held = on;
+}
+
 void Painter::fit(const AlignedBox3d& box) {
     inside_->fit(box);
 }
@@ -162,10 +167,7 @@ void Painter::Inside::draw_bodies(const observe::Frame& frame, const std::vector
 }
 
 void Painter::Inside::draw_spheres(const observe::Frame& frame, const std::vector<std::uint32_t>& colors) {
-    std::optional<AlignedBox3d> clip;
-    if (settings.clip) {
-        clip.emplace(settings.clip->lo, settings.clip->hi);
-    }
+    const std::optional<AlignedBox3d> clip = clip_of(settings, *layout);
     SphereLook look{arrangement.window, style.theme.rim, options.lighting, options.skip_hidden};
     if (settings.clip_cuts) {
         look.cut = clip;
@@ -235,6 +237,7 @@ Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
     keep_to_window(canvas, in.arrangement.window);
     in.draw_bodies(frame, colors);
     in.clock.lap("bodies");
+    in.drawers->walls.cut_to(in.settings.clip_cuts ? clip_of(in.settings, *in.layout) : std::nullopt);
     in.drawers->walls.draw_opaque(frame, in.camera, canvas);
     glDisable(GL_SCISSOR_TEST); // shade needs its surroundings, and there is none where nothing has been drawn
     in.shade_crevices();

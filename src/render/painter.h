@@ -52,6 +52,9 @@ public:
     /// open() about camera and colours; nothing has changed then.
     Result<Done> restyle(const scene::Render& settings);
 
+    /// While a hand holds the camera a narrow picture shows what the hand chose, and no more (render/camera.h).
+    void hold_camera(bool on);
+
     /// From the next picture on, pictures are of that size (pixels); what counts on from the frames so far, trails and
     /// scales, stays. Problems: those of open() about the size; nothing has changed then.
     Result<Done> resize(int width, int height);

@@ -1,5 +1,6 @@
 #include "render/pair_painter.h"
 
+#include "render/clip.h"
 #include "render/mark_key.h"
 #include "render/paper.h"
 #include "render/quantity.h"
@@ -27,10 +28,10 @@ constexpr int least_width = 480;
 constexpr int least_height = 240;
 
 /// Side by side, or for wide scenes one above the other. Both halves are of one size. The legend stands between scale
-/// bar and time, or in a row of its own that is `above` units high.
-PairArrangement arrange(const scene::Render& settings, bool stacked, double above) {
+/// bar and time, or in a row of its own that is `above` units high. The key has `rows`.
+PairArrangement arrange(const scene::Render& settings, int rows, bool stacked, double above) {
     // Of the strip's height the legend's place has less than all: half a gap.
-    const double usual = std::max(strip_height, key_height(key_rows(settings.marks)) + 0.5 * pair_gap);
+    const double usual = std::max(strip_height, key_height(rows) + 0.5 * pair_gap);
     const double strip_units = above > 0 ? strip_height + above + pair_gap : usual;
     PairArrangement all;
     Layout& layout = all.lettering;
@@ -67,13 +68,14 @@ PairArrangement arrange(const scene::Render& settings, bool stacked, double abov
 
 /// Whichever shows a flat scene larger; scenes in space stand side by side.
 PairArrangement arrange(const scene::Render& settings, const observe::FrameLayout& layout, double above) {
-    const PairArrangement beside = arrange(settings, false, above);
+    const int rows = key_rows(settings, layout);
+    const PairArrangement beside = arrange(settings, rows, false, above);
     if (layout.dimension != 2)
         return beside;
     const Eigen::Vector3d size =
         settings.view ? settings.view->hi - settings.view->lo : layout.domain_hi - layout.domain_lo;
     const auto zoom = [&](const Area& area) { return std::min(area.width() / size.x(), area.height() / size.y()); };
-    const PairArrangement stacked = arrange(settings, true, above);
+    const PairArrangement stacked = arrange(settings, rows, true, above);
     return zoom(stacked.halves[0]) > zoom(beside.halves[0]) ? stacked : beside;
 }
 
@@ -81,9 +83,10 @@ PairArrangement arrange(const scene::Render& settings, const observe::FrameLayou
 PairArrangement choose_arrangement(const scene::Render& settings,
                                    const std::array<std::shared_ptr<const observe::FrameLayout>, 2>& layouts,
                                    const Quantity& quantity, const ColorMap& map, const Theme& theme) {
+    const int rows = key_rows(settings, *layouts[0]);
     const auto arranged = [&](double above) {
         PairArrangement tried = arrange(settings, *layouts[0], above);
-        take_key(tried.lettering, key_rows(settings.marks), !quantity.label.empty());
+        take_key(tried.lettering, rows, !quantity.label.empty());
         return tried;
     };
     PairArrangement usual = arranged(0);
@@ -99,11 +102,12 @@ PairArrangement choose_arrangement(const scene::Render& settings,
         const Camera camera = *make_camera(settings, box, {0, 0, half.width(), half.height()});
         OverlayContent content;
         content.legend = {quantity.label, quantity.unit, {(*settings.range)[0], (*settings.range)[1]}, map};
-        content.key = MarkMaker(settings.marks).key(seen, {camera, {}, 1, theme, {}});
+        content.key =
+            MarkMaker(settings.marks).key(seen, {camera, {}, 1, theme, clip_of(settings, seen), settings.clip_cuts});
         content.look_with(camera);
         return is_readable(content, tried.lettering, theme);
     };
-    const double high = std::max(strip_height, key_height(key_rows(settings.marks)));
+    const double high = std::max(strip_height, key_height(rows));
     if (!readable(usual))
         for (const double above : {high, high + 26}) // for a name in one line and in two
             if (PairArrangement tried = arranged(above); readable(tried))

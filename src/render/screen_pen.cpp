@@ -39,8 +39,10 @@ std::string ScreenPen::writable(const std::string& text) const {
     if (fonts_.complete) {
         return text;
     }
-    constexpr std::array<std::pair<const char*, const char*>, 13> plain{{{"\u2212", "-"},
+    constexpr std::array<std::pair<const char*, const char*>, 15> plain{{{"\u2212", "-"},
                                                                          {"\u2248", "~"},
+                                                                         {"\u2264", "<="},
+                                                                         {"\u2265", ">="},
                                                                          {"\u207b", "^-"},
                                                                          {"\u2070", "0"},
                                                                          {"\u00b9", "1"},

@@ -1,5 +1,6 @@
 #include "render/strip_painter.h"
 
+#include "render/clip.h"
 #include "render/letters.h"
 #include "render/mark_key.h"
 #include "render/paper.h"
@@ -43,19 +44,20 @@ double above_cells(const scene::Render& settings, const StripPlan& plan, double 
 }
 
 /// How the panels stand below the cells: all in one row, or the legend in a row of its own above the others, `legend`
-/// units high.
+/// units high; and how many rows the key has.
 struct PanelPlan {
+    int key = 0;
     bool rows = false;
     double legend = 0;
 };
 
 /// High enough for the key, pixels.
-double last_row(const scene::Render& settings, double unit) {
-    return std::max(strip_panels, key_height(key_rows(settings.marks))) * unit;
+double last_row(const PanelPlan& panels, double unit) {
+    return std::max(strip_panels, key_height(panels.key)) * unit;
 }
 
-double panel_height(const scene::Render& settings, const PanelPlan& panels, double unit) {
-    return last_row(settings, unit) + (panels.rows ? panels.legend + strip_gap : 0) * unit;
+double panel_height(const PanelPlan& panels, double unit) {
+    return last_row(panels, unit) + (panels.rows ? panels.legend + strip_gap : 0) * unit;
 }
 
 /// Pixels that the widest caption needs, as letters are wide in drawings; on the screen they are a little wider.
@@ -70,7 +72,7 @@ CellSize cell_size(const scene::Render& settings, const StripPlan& plan, const P
                    int columns) {
     const int rows = (plan.cells + columns - 1) / columns;
     const double gap = strip_gap * unit;
-    const double outside = 3 * gap + above_cells(settings, plan, unit) + panel_height(settings, panels, unit);
+    const double outside = 3 * gap + above_cells(settings, plan, unit) + panel_height(panels, unit);
     return {std::floor((settings.width - gap * (columns + 1)) / columns),
             std::floor((settings.height - outside) / rows - strip_words * unit)};
 }
@@ -141,14 +143,14 @@ StripArrangement arrange_strip(const scene::Render& settings, const Eigen::Align
         if (k % columns == columns - 1 || k == plan.cells - 1)
             y = std::round(y + cell.height + strip_words * unit);
     }
-    const double bottom = y + gap + panel_height(settings, panels, unit);
+    const double bottom = y + gap + panel_height(panels, unit);
     all.height = static_cast<int>(bottom + gap);
     layout.scale_bar = {gap, bottom - strip_panels * unit, gap + std::min(0.4 * w, 260 * unit), bottom};
     const double left = layout.scale_bar.right + 2 * gap;
     if (panels.rows) {
         layout.legend = {gap, y + gap, w - gap, y + gap + panels.legend * unit};
-        if (key_rows(settings.marks) > 0)
-            layout.key = {left, bottom - last_row(settings, unit), w - gap, bottom};
+        if (panels.key > 0)
+            layout.key = {left, bottom - last_row(panels, unit), w - gap, bottom};
     } else {
         layout.legend = {std::max(left, w - gap - strip_legend * unit), y + gap, w - gap, bottom};
     }
@@ -172,6 +174,7 @@ template <class Medium> struct StripPainterOf<Medium>::Inside {
     typename Medium::Sheet sheet;
     Legend legend;
     std::string note;
+    std::vector<std::string> clip; // of all cells; what else each of them is cut to stands under it
 
     std::vector<typename Medium::Work> drawn{};
     std::vector<std::string> words{};
@@ -195,8 +198,10 @@ Result<StripPainterOf<Medium>> StripPainterOf<Medium>::open(const scene::Render&
     const auto camera = make_camera(settings, box, {0, 0, 100, 100});
     if (!map || !camera)
         return (map ? camera.problems() : map.problems());
-    const int rows = key_rows(settings.marks);
+    const int rows = key_rows(settings, *layout);
     const Legend legend{quantity->label, quantity->unit, {(*settings.range)[0], (*settings.range)[1]}, *map};
+    const MarkKey key = MarkMaker(settings.marks)
+                            .key(*layout, {*camera, {}, 1, *theme, clip_of(settings, *layout), settings.clip_cuts});
     const auto arranged = [&](const PanelPlan& panels) {
         StripArrangement tried = arrange_strip(settings, box, plan, panels);
         take_key(tried.lettering, rows, !quantity->label.empty());
@@ -205,17 +210,17 @@ Result<StripPainterOf<Medium>> StripPainterOf<Medium>::open(const scene::Render&
     const auto readable = [&](const StripArrangement& tried) {
         OverlayContent content;
         content.legend = legend;
-        content.key = MarkMaker(settings.marks).key(*layout, {*camera, {}, 1, *theme, {}});
+        content.key = key;
         content.time = plan.note;
         for (std::size_t k = 0; k < std::min(plan.captions.size(), tried.cells.size()); ++k)
             content.captions.push_back({under(tried.cells[k], tried.lettering), plan.captions[k]});
         content.look_with(*make_camera(settings, box, {0, 0, tried.cells[0].width(), tried.cells[0].height()}));
         return is_readable(content, tried.lettering, *theme);
     };
-    StripArrangement arrangement = arranged({});
+    StripArrangement arrangement = arranged({.key = rows});
     if (settings.paper && !arrangement.cells.empty() && !readable(arrangement))
         for (const double height : {strip_panels, strip_panels + 26}) // for a name in one line and in two
-            if (StripArrangement tried = arranged({true, height}); !tried.cells.empty() && readable(tried)) {
+            if (StripArrangement tried = arranged({rows, true, height}); !tried.cells.empty() && readable(tried)) {
                 arrangement = std::move(tried);
                 break;
             }
@@ -237,7 +242,7 @@ Result<StripPainterOf<Medium>> StripPainterOf<Medium>::open(const scene::Render&
         return sheet.problems();
     return StripPainterOf(
         std::shared_ptr<Inside>(new Inside{of_cell, std::move(layout), *quantity, std::move(*artist),
-                                           std::move(arrangement), std::move(*sheet), legend, plan.note}));
+                                           std::move(arrangement), std::move(*sheet), legend, plan.note, key.clip}));
 }
 
 template <class Medium> void StripPainterOf<Medium>::foresee(const observe::Frame& frame) {
@@ -272,6 +277,7 @@ template <class Medium> typename Medium::Work StripPainterOf<Medium>::finish() {
     content.title = in.settings.paper ? "" : in.layout->title;
     content.legend = in.legend;
     content.key = in.key;
+    content.key.clip = in.clip;
     content.look_with(in.artist.camera());
     for (std::size_t k = 0; k < in.drawn.size(); ++k) {
         content.captions.push_back({under(in.arrangement.cells[k], in.arrangement.lettering), in.words[k]});

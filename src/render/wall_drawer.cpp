@@ -1,5 +1,7 @@
 #include "render/wall_drawer.h"
 
+#include "render/wall_cut.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -30,6 +32,8 @@ layout(location = 0) in vec3 place;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float opacity;
 uniform mat4 clip;
+uniform vec4 faces[6]; // of the box that is shown, view space, positive inside
+out float gl_ClipDistance[6];
 centroid out vec3 at;
 centroid out vec3 side;
 out float cover;
@@ -37,6 +41,7 @@ void main() {
     at = place;
     side = normal;
     cover = opacity;
+    for (int i = 0; i < 6; ++i) gl_ClipDistance[i] = dot(faces[i], vec4(place, 1.0));
     gl_Position = clip * vec4(place, 1.0);
 }
 )";
@@ -174,6 +179,14 @@ std::vector<WallDrawer::Stroke> WallDrawer::collect_edges(const observe::Frame& 
         const Matrix3d turn = camera.axes * place.rotation;
         const Vector3d origin = camera.to_view(place.translation);
         for (const WallSurface::Edge& edge : surfaces_[w].edges) {
+            std::optional shown(std::array{0.0, 1.0});
+            if (cut_) {
+                shown = shares_within(*cut_, {place.rotation * edge.ends[0] + place.translation,
+                                              place.rotation * edge.ends[1] + place.translation});
+            }
+            if (!shown) {
+                continue;
+            }
             const Vector3d from = origin + turn * edge.ends[0];
             const Vector3d to = origin + turn * edge.ends[1];
             const Vector3d to_eye = camera.perspective ? Vector3d(-from.normalized()) : Vector3d(Vector3d::UnitZ());
@@ -182,13 +195,60 @@ std::vector<WallDrawer::Stroke> WallDrawer::collect_edges(const observe::Frame& 
             // Seen exactly from its side a surface has no outline but its rims.
             const bool turns_away = one * other < 0 && std::max(std::abs(one), std::abs(other)) > 1e-3;
             if (edge.sharp || turns_away) {
-                strokes.push_back({from.cast<float>(), to.cast<float>(),
-                                   Eigen::Vector2d(edge.beyond[0], edge.beyond[1]).cast<float>()});
+                const auto at = [&](double share) {
+                    return Vector3f((share == 0 ? from : share == 1 ? to : from + share * (to - from)).cast<float>());
+                };
+                strokes.push_back(
+                    {at((*shown)[0]), at((*shown)[1]), Eigen::Vector2d(edge.beyond[0], edge.beyond[1]).cast<float>()});
             }
         }
     }
+    if (cut_) {
+        add_cut_lines(frame, camera, strokes);
+    }
     return strokes;
 }
+
+void WallDrawer::add_cut_lines(const observe::Frame& frame, const Camera& camera, std::vector<Stroke>& strokes) const {
+    for (std::size_t w = 0; w < surfaces_.size() && w < frame.walls.size(); ++w) {
+        if (opacities_[w] == 0) {
+            continue;
+        }
+        for (const Segment& line : cut_lines(surfaces_[w], frame.walls[w], *cut_)) {
+            strokes.push_back({camera.to_view(line[0]).cast<float>(), camera.to_view(line[1]).cast<float>(),
+                               Eigen::Vector2f::Constant(0.5F)});
+        }
+    }
+}
+
+/// The faces of a box as planes in view space, positive inside.
+static Eigen::Matrix<float, 4, 6> cutting_planes(const Eigen::AlignedBox3d& box, const Camera& camera) {
+    Eigen::Matrix<float, 4, 6> faces;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Vector3d way = camera.axes.col(axis);
+        const double eye = camera.eye[axis];
+        faces.col(2 * axis) << way.cast<float>(), static_cast<float>(eye - box.min()[axis]);
+        faces.col(2 * axis + 1) << -way.cast<float>(), static_cast<float>(box.max()[axis] - eye);
+    }
+    return faces;
+}
+
+/// While it lives the graphics library leaves out what lies beyond the faces.
+struct FacesOn {
+    bool on;
+    explicit FacesOn(bool wanted) : on(wanted) {
+        for (GLenum i = 0; on && i < 6; ++i) {
+            glEnable(GL_CLIP_DISTANCE0 + i);
+        }
+    }
+    FacesOn(const FacesOn&) = delete;
+    FacesOn& operator=(const FacesOn&) = delete;
+    ~FacesOn() {
+        for (GLenum i = 0; on && i < 6; ++i) {
+            glDisable(GL_CLIP_DISTANCE0 + i);
+        }
+    }
+};
 
 void WallDrawer::draw_surfaces(const std::vector<Corner>& corners, const Camera& camera, const Canvas& canvas) {
     const GLuint program = surface_program_.name();
@@ -199,6 +259,11 @@ void WallDrawer::draw_surfaces(const std::vector<Corner>& corners, const Camera&
     glUniform1i(glGetUniformLocation(program, "perspective"), camera.perspective ? 1 : 0);
     glUniform1f(glGetUniformLocation(program, "nearest"), static_cast<float>(camera.nearest));
     glUniform1f(glGetUniformLocation(program, "farthest"), static_cast<float>(camera.farthest));
+    if (cut_) {
+        const Eigen::Matrix<float, 4, 6> faces = cutting_planes(*cut_, camera);
+        glUniform4fv(glGetUniformLocation(program, "faces"), 6, faces.data());
+    }
+    const FacesOn cut(cut_.has_value());
     glEnable(GL_DEPTH_TEST);
     glBindVertexArray(surface_array_.name());
     upload(buffer_, corners.data(), corners.size() * sizeof(Corner));

@@ -36,6 +36,8 @@ std::string row_of(const BedNumber& one) {
     return row + fmt::format("<td class=\"n\">{:.2g}</td></tr>", one.scatter);
 }
 
+} // namespace
+
 std::string plot_of(const BedNumber& one) {
     std::vector<Interval> intervals{{"measured", "#444444", one.measured, two_sided_95 * one.measured_error},
                                     {"baseline", color_of(1), one.baseline, two_sided_95 * one.baseline_error}};
@@ -45,8 +47,6 @@ std::string plot_of(const BedNumber& one) {
     return svg_of(fmt::format("{}{}", one.condition, one.held_out ? ", held out" : ""), intervals,
                   observe::spelled_name(one.measure) + (unit.empty() ? "" : " [" + unit + "]"));
 }
-
-} // namespace
 
 std::string bed_section(const Diagnosis& diagnosis) {
     std::string plots, rows;

@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "diagnose/verdict.h"
 #include "report/bed_section.h"
+#include "report/residual_plots.h"
 #include "report/svg_plot.h"
 
 #include <algorithm>
@@ -24,88 +25,12 @@ h1{font-size:1.4em;margin:0 0 .2em}h2{font-size:1.1em;margin:2em 0 .4em;border-b
 .verdict b{letter-spacing:.04em}.small{font-size:.85em;color:#555}
 table{border-collapse:collapse;font-size:.85em}td,th{padding:.2em .6em;border:1px solid #ddd;text-align:left}
 td.n{text-align:right;font-variant-numeric:tabular-nums}th.r{writing-mode:vertical-rl;transform:rotate(180deg);padding:.6em .2em}
-svg{max-width:100%;height:auto}svg text{font-family:"DejaVu Sans",Verdana,sans-serif;fill:#222}
-.t{font-size:11px}.a{font-size:12px}.h{font-size:13px;font-weight:bold}.grid{stroke:#e4e4e4}.level{stroke:#444}
-.dash{stroke-dasharray:4 3}.band{fill:#dfe8ef}.plots{display:flex;flex-wrap:wrap;gap:12px}
+svg{max-width:100%;height:auto}.plots{display:flex;flex-wrap:wrap;gap:12px}
 )";
-
-struct Looks {
-    std::vector<std::string> conditions;
-    bool named = false; // in a legend, each once
-
-    /// For the first trace of a condition, before its index is asked for.
-    [[nodiscard]] std::string label(const std::string& condition) const {
-        const bool is_new = std::find(conditions.begin(), conditions.end(), condition) == conditions.end();
-        return named && is_new ? condition : "";
-    }
-
-    std::size_t index(const std::string& condition) {
-        for (std::size_t k = 0; k < conditions.size(); ++k)
-            if (conditions[k] == condition)
-                return k;
-        conditions.push_back(condition);
-        return conditions.size() - 1;
-    }
-};
-
-bool has_extension(const Diagnosis& diagnosis) {
-    return std::any_of(diagnosis.curves.begin(), diagnosis.curves.end(),
-                       [](const Curve& curve) { return !curve.extended.empty(); });
-}
 
 std::string axis_of(const Curve& curve) {
     return curve.unit.empty() ? curve.head
                               : fmt::format("{} [{}]", curve.head.substr(0, curve.head.rfind('_')), curve.unit);
-}
-
-Trace residual_trace(const Curve& curve, const std::vector<double>& model, const std::vector<double>& x, Looks& looks) {
-    Trace trace{
-        .label = looks.label(curve.condition), .x = x, .y = {}, .color = color_of(looks.index(curve.condition))};
-    for (std::size_t k = 0; k < x.size(); ++k)
-        trace.y.push_back(curve.left_out[k] ? std::nan("") : (curve.measured[k] - model[k]) / curve.sigma);
-    return trace;
-}
-
-std::vector<double> rates(const Curve& curve) {
-    std::vector<double> rate(curve.time.size(), std::nan(""));
-    for (std::size_t k = 1; k + 1 < curve.time.size(); ++k)
-        rate[k] = (curve.baseline[k + 1] - curve.baseline[k - 1]) / (curve.time[k + 1] - curve.time[k - 1]);
-    return rate;
-}
-
-const std::string over_time = "time [s]";
-
-/// Residuals in standard errors, of all records that show the same measure as the first.
-Plot residuals(const Diagnosis& diagnosis, const std::string& title, const std::string& against, bool extended,
-               bool with_legend = false) {
-    Plot plot{.title = title,
-              .x_label = against,
-              .y_label = "residual [standard errors]",
-              .traces = {},
-              .levels = {},
-              .band = std::array{-2.0, 2.0},
-              .y_range = {}};
-    Looks looks{.conditions = {}, .named = with_legend};
-    for (const Curve& curve : diagnosis.curves) {
-        if (curve.head != diagnosis.curves[0].head)
-            continue;
-        const std::vector<double>& model = extended && !curve.extended.empty() ? curve.extended : curve.baseline;
-        const std::vector<double> x = against == over_time           ? curve.time
-                                      : against.starts_with("speed") ? rates(curve)
-                                                                     : curve.baseline;
-        plot.traces.push_back(residual_trace(curve, model, x, looks));
-    }
-    plot.levels.push_back({0, "", false});
-    return plot;
-}
-
-double largest_residual(const Diagnosis& diagnosis) {
-    double most = 4;
-    for (const Curve& curve : diagnosis.curves)
-        for (std::size_t k = 0; k < curve.time.size(); ++k)
-            if (!curve.left_out[k])
-                most = std::max(most, std::abs(curve.measured[k] - curve.baseline[k]) / curve.sigma);
-    return most;
 }
 
 std::string measured_section(const Diagnosis& diagnosis) {
@@ -115,7 +40,7 @@ std::string measured_section(const Diagnosis& diagnosis) {
         if (curve.unit == "s") // a clock in the picture: a straight line
             continue;
         Plot plot{.title = curve.record,
-                  .x_label = over_time,
+                  .x_label = "time [s]",
                   .y_label = axis_of(curve),
                   .traces = {},
                   .levels = {},
@@ -142,16 +67,8 @@ std::string residual_section(const Diagnosis& diagnosis) {
     std::string out = "<h2>What the scene leaves unexplained</h2><p>Residual = measured less baseline, in standard "
                       "errors of a reading; 95 % of pure noise lies in the grey band. Colours are conditions; lone "
                       "outliers are not drawn.</p><div class=\"plots\">";
-    const std::string unit = diagnosis.curves.empty() ? "" : diagnosis.curves[0].unit;
-    out += svg_of(residuals(diagnosis, "against time", over_time, false, true));
-    out += svg_of(residuals(diagnosis, "against speed", fmt::format("speed [{}/s]", unit), false));
-    out += svg_of(residuals(diagnosis, "against the reading", fmt::format("reading [{}]", unit), false));
-    if (has_extension(diagnosis)) {
-        Plot after = residuals(diagnosis, "with the extended scene, against time", over_time, true);
-        const double most = largest_residual(diagnosis) * 1.05;
-        after.y_range = std::array{-most, most};
-        out += svg_of(after);
-    }
+    for (const std::string& plot : residual_plots(diagnosis))
+        out += plot;
     return out + "</div>";
 }
 
@@ -334,9 +251,9 @@ std::string page_of(const Diagnosis& diagnosis, const std::string& version) {
     const bool found = (outcome == Outcome::named && diagnosis.decision.sure) || outcome == Outcome::two_causes;
     const char* mood = outcome == Outcome::consistent ? "good" : found ? "" : "bad";
     std::string page = fmt::format(
-        "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>{}</title><style>{}</style></head>"
+        "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>{}</title><style>{}{}</style></head>"
         "<body><h1>{}</h1><div class=\"verdict {}\"><b>{}</b><p>{}</p><p>{}</p></div>",
-        escaped(diagnosis.title), style, escaped(diagnosis.title), mood, outcome_words(diagnosis),
+        escaped(diagnosis.title), style, plot_style, escaped(diagnosis.title), mood, outcome_words(diagnosis),
         with_sign(escaped(verdict_of(diagnosis))), with_sign(escaped(next_step(diagnosis))));
     page += diagnosis.beds.empty() ? measured_section(diagnosis) + residual_section(diagnosis) : bed_section(diagnosis);
     page += fingerprint_section(diagnosis) + library_section(diagnosis) + plan_section(diagnosis) +

@@ -32,9 +32,9 @@ std::string svg_of(const std::string& title, const std::vector<Interval>& interv
                                   width, floor + below, escaped(title));
     for (double step = tick_step(hi - lo), x = std::ceil(lo / step) * step; x <= hi; x += step)
         out += fmt::format("<line class=\"{0}\" x1=\"{1:.1f}\" x2=\"{1:.1f}\" y1=\"{2}\" y2=\"{3}\"/><text class=\"t\" "
-                           "x=\"{1:.1f}\" y=\"{4}\" text-anchor=\"middle\">{5:g}</text>",
+                           "x=\"{1:.1f}\" y=\"{4}\" text-anchor=\"middle\">{5}</text>",
                            std::abs(x) < step / 1000 ? "level" : "grid", px(x), above, floor, floor + 14,
-                           std::abs(x) < step / 1000 ? 0.0 : x);
+                           tick_word(x, step));
     for (std::size_t k = 0; k < intervals.size(); ++k) {
         const Interval& one = intervals[k];
         const int y = above + row * static_cast<int>(k) + row / 2;

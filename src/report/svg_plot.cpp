@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <fmt/format.h>
 #include <limits>
 
@@ -32,10 +33,6 @@ struct Range {
         hi += room * width;
     }
 };
-
-std::string tick_word(double value, double step) {
-    return fmt::format("{:g}", std::abs(value) < step / 1000 ? 0.0 : value);
-}
 
 class Canvas {
 public:
@@ -176,6 +173,52 @@ private:
 };
 
 } // namespace
+
+const std::string plot_style = R"(
+svg text{font-family:"DejaVu Sans",Verdana,sans-serif;fill:#222}.t{font-size:11px}.a{font-size:12px}
+.h{font-size:13px;font-weight:bold}.grid{stroke:#e4e4e4}.level{stroke:#444}.dash{stroke-dasharray:4 3}
+.band{fill:#dfe8ef}
+)";
+
+std::string tick_word(double value, double step) {
+    constexpr double least = 1e-4, most = 1e6; // beyond them numbers with all their digits are hard to read
+    const double size = std::abs(value);
+    if (size < step / 1000)
+        return "0";
+    const int digits = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+    const std::string word =
+        step >= least && size < most ? fmt::format("{:.{}f}", size, digits) : fmt::format("{:g}", size);
+    return (value < 0 ? "\u2212" : "") + word;
+}
+
+/// As an svg_of() begins.
+static std::array<int, 2> size_of(const std::string& plot) {
+    std::array<int, 2> size{};
+    if (std::sscanf(plot.c_str(), "<svg viewBox=\"0 0 %d %d\"", &size[0], &size[1]) != 2)
+        size = {};
+    return size;
+}
+
+std::string svg_file(const std::vector<std::string>& plots, int columns) {
+    constexpr int gap = 20, margin = 8; // px
+    std::string inside;
+    int wide = 0, high = 0, row = 0; // px; of the row that is filled
+    for (std::size_t k = 0; k < plots.size(); ++k) {
+        const int column = static_cast<int>(k) % columns;
+        const auto [width, height] = size_of(plots[k]);
+        if (column == 0 && k > 0)
+            high += row + gap, row = 0;
+        const int x = column * (width + gap);
+        inside += fmt::format("\n<svg x=\"{}\" y=\"{}\"{}", x, high, plots[k].substr(4));
+        wide = std::max(wide, x + width);
+        row = std::max(row, height);
+    }
+    high += row;
+    return fmt::format("<svg viewBox=\"-{4} -{4} {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" "
+                       "xmlns=\"http://www.w3.org/2000/svg\"><style>{2}</style>"
+                       "<rect x=\"-{4}\" y=\"-{4}\" width=\"{0}\" height=\"{1}\" fill=\"white\"/>{3}\n</svg>\n",
+                       wide + 2 * margin, high + 2 * margin, plot_style, inside, margin);
+}
 
 double tick_step(double width) {
     const double raw = width / 5;

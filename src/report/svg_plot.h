@@ -53,6 +53,15 @@ std::string svg_of(const std::vector<Bar>& bars, const std::vector<Mark>& marks,
 /// 1, 2 or 5 times a power of ten, so that a range of this width gets about five.
 double tick_step(double width);
 
+/// A tick's number with the digits that its step needs, and a true minus sign.
+std::string tick_word(double value, double step);
+
+/// How plots look: the style sheet of a page that holds them.
+extern const std::string plot_style;
+
+/// Plots as a file of its own on white, so many in a row.
+std::string svg_file(const std::vector<std::string>& plots, int columns);
+
 /// Text as HTML and SVG take it.
 std::string escaped(const std::string& text);
 

@@ -2,10 +2,10 @@
 
 #include "base/make_folder.h"
 #include "observe/frame_file.h"
+#include "render/clip.h"
 #include "render/painter.h"
 #include "render/panels.h"
 #include "render/png_writer.h"
-#include "render/ticks.h"
 #include "run/drawing_sink.h"
 #include "run/picture_files.h"
 #include "run/target.h"
@@ -99,8 +99,6 @@ Result<std::vector<Part>> sections(const Recording& recording, const StripOption
                        .fix = "choose another time with --time"};
     const auto [axis, upwards] = axis_of_view(settings);
     const double lo = reach.min()[axis], hi = reach.max()[axis];
-    const render::DisplayUnit unit =
-        render::display_unit("m", {std::min(lo, 0.0), std::max(std::abs(lo), std::abs(hi))});
     const auto cuts = cuts_between(upwards ? lo : hi, upwards ? hi : lo, options, "xyz"[axis]);
     if (!cuts)
         return cuts.problems();
@@ -109,10 +107,7 @@ Result<std::vector<Part>> sections(const Recording& recording, const StripOption
         scene::Box clip =
             settings.clip.value_or(scene::Box{Eigen::Vector3d::Constant(-1e4), Eigen::Vector3d::Constant(1e4)});
         (upwards ? clip.lo : clip.hi)[axis] = cut;
-        parts.push_back({last, clip,
-                         fmt::format("{} {} {}{:.3g} {}", "xyz"[axis], upwards ? "from" : "up to",
-                                     cut < 0 ? "\u2212" : "", std::abs(cut) * unit.factor, unit.unit),
-                         frame->time});
+        parts.push_back({last, clip, render::plane_words(axis, cut, upwards), frame->time});
     }
     return parts;
 }

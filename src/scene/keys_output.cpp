@@ -62,8 +62,8 @@ KeyTable render() {
             .in_3d(),
         vector("clip_hi_m", "m", from(-1e4, 1e4), "Highest corner of it.").in_3d(),
         flag("clip_cuts",
-             "The box, and sections, cut bodies open instead of leaving out whole ones: where a face cuts, a "
-             "body is flat and a little darker.")
+             "The box, and sections, cut bodies and walls open instead of leaving out whole bodies: where a face "
+             "cuts, a body is flat and a little darker, and a wall ends in a line.")
             .in_3d(),
         word("color", {"speed", "vx", "vy", "vz", "spin", "none"},
              "Quantity that colours the bodies; with none they are all alike and pale, for what is drawn over them.")

@@ -14,7 +14,7 @@ namespace tumble::view {
 
 namespace {
 
-constexpr double plot_height = 128;                  // units
+constexpr double least_plot = 172, most_plot = 260;  // units, high
 constexpr double least_speed = 1e-4, most_speed = 2; // s of the scene per s of watching
 constexpr double largest_scale = 1e6;                // m/s, N: what the scene's keys take
 
@@ -146,6 +146,11 @@ void show_colors(Desk& desk) {
     }
     mark(desk, "fixed range");
     tell_key(desk, "render.range");
+    if (desk.look.color != "none") {
+        ImGui::SameLine();
+        desk.wishes.fit_range |= button(desk, "fit range", "Fit range now");
+        tell_key(desk, "render.range");
+    }
     if (!desk.look.range)
         return;
     std::array<double, 2> ends = *desk.look.range;
@@ -171,7 +176,7 @@ void show_section(Desk& desk) {
     tell_key(desk, "render.clip_lo_m, render.clip_hi_m");
     if (!desk.look.clip)
         return;
-    desk.wishes.restyle |= ImGui::Checkbox("cut bodies open there", &desk.look.clip_cuts);
+    desk.wishes.restyle |= ImGui::Checkbox("cut bodies and walls there", &desk.look.clip_cuts);
     mark(desk, "cut");
     tell_key(desk, "render.clip_cuts");
     for (int axis = 0; axis < 3; ++axis) {
@@ -194,6 +199,12 @@ void show_section(Desk& desk) {
 void offer_to_save(Desk& desk) {
     if (button(desk, "save scene", "Save as scene"))
         desk.wishes.save_scene = true;
+    if (desk.saved.empty())
+        return;
+    ImGui::TextWrapped("%s", desk.saved.c_str());
+    mark(desk, "saved");
+    if (desk.saved_anew)
+        ImGui::SetScrollHereY(1);
 }
 
 void show_controls(Desk& desk) {
@@ -241,8 +252,10 @@ void show_controls(Desk& desk) {
 
 void show_plots(Desk& desk, const render::PanelCanvas& canvas, const render::Theme& theme) {
     render::ScreenPen pen(*ImGui::GetWindowDrawList(), canvas.fonts(), canvas.unit());
-    const double width = ImGui::GetContentRegionAvail().x;
-    const double height = plot_height * canvas.unit();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const double width = room.x, gap = ImGui::GetStyle().ItemSpacing.y;
+    const double share = room.y / std::max<double>(1, static_cast<double>(desk.plots.lines().size())) - gap;
+    const double height = std::clamp(share, least_plot * canvas.unit(), most_plot * canvas.unit());
     for (const render::PlotLine& line : desk.plots.lines()) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         ImGui::Dummy({static_cast<float>(width), static_cast<float>(height)});

@@ -17,6 +17,7 @@ namespace tumble::view {
 /// What a press in the panel asks for beyond what it changes itself.
 struct Wishes {
     bool restyle = false; // the look was changed
+    bool fit_range = false;
     bool picture = false; // PNG
     bool film = false;
     bool film_ends = false;
@@ -34,6 +35,8 @@ struct Desk {
     std::array<double, 2> range{}; // that the colours have now
     render::MarkKey key{};         // what the lines over the bodies mean now
     std::string notice;            // what was kept last
+    std::string saved;             // the scene's file, or why there is none
+    bool saved_anew = false;       // and nobody has seen it yet
     SourceState state;
     double now = 0; // s
 

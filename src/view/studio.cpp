@@ -1,6 +1,8 @@
 #include "view/studio.h"
 
 #include "observe/whole_file.h"
+#include "render/color_range.h"
+#include "render/quantity.h"
 #include "render/theme.h"
 #include "scene/to_toml.h"
 
@@ -229,7 +231,8 @@ bool Studio::is_stale() {
     const SourceState state = source_->state();
     const MomentPtr now = source_->newest();
     return resized_ || look_changed_ || (sketched_ && is_at_rest()) || hands_.any() || passes_left_ > 0 ||
-           (now && now->number != drawn_) || words_of(state) != told_ || notice_ != told_notice_;
+           (now && now->number != drawn_) || words_of(state) != told_ || notice_ != told_notice_ ||
+           saved_ != told_saved_;
 }
 
 void Studio::pass_panel() {
@@ -242,6 +245,8 @@ void Studio::pass_panel() {
               {painter_->range().lo, painter_->range().hi},
               painter_->mark_key(),
               notice_,
+              saved_,
+              saved_ != told_saved_,
               source_->state(),
               moment_->frame.time,
               {},
@@ -263,6 +268,8 @@ void Studio::grant(const Wishes& wishes) {
     look_changed_ |= wishes.restyle;
     if (!wishes.camera.empty())
         set_camera(wishes.camera);
+    if (wishes.fit_range)
+        fit_range();
     if (wishes.picture)
         keep_picture();
     if (wishes.save_scene)
@@ -300,6 +307,7 @@ void Studio::draw_scene() {
         moved_ = now;
     if (orbit_)
         orbit().write(look_);
+    painter_->hold_camera(orbit_.has_value());
     for (const Result<Done>& done : {painter_->restyle(look_), painter_->set_sketching(sketched_)})
         if (!done)
             notice_ = to_string(done.problems().front());
@@ -337,6 +345,7 @@ Result<Shown> Studio::draw() {
     if (is_new)
         pass_panel(); // with the range and the points of this picture
     told_notice_ = notice_;
+    told_saved_ = saved_;
     Shown shown{panel_shown_ ? beside_panel(panel_->paint()) : scene_picture_, describe()};
     return shown;
 }
@@ -385,22 +394,39 @@ void Studio::name_kept() {
     keeping_.clear();
 }
 
+/// The colours reach over what moves now, and stay so.
+void Studio::fit_range() {
+    const auto quantity = render::find_quantity(look_.color, layout_->dimension);
+    if (!quantity)
+        return;
+    const std::vector<double> values = render::values_of(*quantity, moment_->frame);
+    const render::Span now = render::ColorRange({}, quantity->has_sign).next(values);
+    look_.range = {now.lo, now.hi};
+    look_changed_ = true;
+}
+
+/// What was saved, or why not, stands in the panel beside the button.
 void Studio::save_scene() {
+    const Result<std::filesystem::path> file = write_scene();
+    saved_ = file ? file->string() : to_string(file.problems().front());
+    passes_left_ = settling_passes; // the panel scrolls to it
+}
+
+Result<std::filesystem::path> Studio::write_scene() {
     const std::vector<scene::Override> changes = controls_.changes();
     Result<scene::Scene> scene = text_.load(changes);
-    if (!scene) {
-        notice_ = to_string(scene.problems().front());
-        return;
-    }
+    if (!scene)
+        return scene.problems();
     scene->render = look_;
     scene->render.width = settings_.width;
     scene->render.height = settings_.height;
     scene->render.plot = settings_.plot;
     scene->claim = text_.claim_with(changes).value_or(scene->claim);
     scene->observe.contacts = scene->observe.contacts || look_.marks.chains; // without them no chain can be drawn
-    const std::filesystem::path file = free_name(".toml");
-    const auto written = observe::write_whole(file, scene::to_toml(*scene));
-    notice_ = written ? file.string() : to_string(written.problems().front());
+    std::filesystem::path file = free_name(".toml");
+    if (const auto written = observe::write_whole(file, scene::to_toml(*scene)); !written)
+        return written.problems();
+    return file;
 }
 
 static std::array<double, 3> mean_velocity(const observe::Frame& frame) {
@@ -430,6 +456,7 @@ std::string Studio::describe() const {
                               {"panel", panel_shown_},
                               {"trouble", state.trouble},
                               {"notice", notice_},
+                              {"saved", saved_},
                               {"filmed", state.filmed},
                               {"change_waits", state.change_waits},
                               {"values", values},

@@ -50,6 +50,7 @@ public:
 
     /// For a source whose time goes on between two pictures.
     [[nodiscard]] bool is_playing() { return source_->state().playing; }
+    [[nodiscard]] Source& source() { return *source_; }
 
 private:
     Studio(std::unique_ptr<Source> source, const SceneText& text, const scene::Scene& scene, Plots plots,
@@ -72,7 +73,9 @@ private:
     void begin_film();
     void keep_picture();
     void name_kept();
+    void fit_range();
     void save_scene();
+    Result<std::filesystem::path> write_scene();
     [[nodiscard]] std::filesystem::path free_name(const std::string& extension);
     [[nodiscard]] render::Picture beside_panel(render::Picture panel) const;
     [[nodiscard]] std::string describe() const;
@@ -116,6 +119,7 @@ private:
     int kept_ = 0;                     // number of the last file
     std::filesystem::path keeping_;    // the picture that is being written
     std::string notice_, told_notice_; // of what was kept; as it was last drawn
+    std::string saved_, told_saved_;   // the same of the scene
     std::string told_;                 // of the source when last drawn
     std::map<std::string, std::array<double, 4>> places_;
     std::string told_key_; // of the widget under the pointer

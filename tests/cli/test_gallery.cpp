@@ -33,6 +33,28 @@ TEST_CASE("a picture that a command leaves in a folder of its own is taken from 
         CHECK(fs::exists(folder.path / "pictures" / file));
 }
 
+TEST_CASE("a run that is there already is taken as it is, and costs no minutes") {
+    const Folder folder;
+    fs::create_directory(folder.path / "scenes");
+    put(folder.path / "disc.toml", lying_disc);
+    REQUIRE(tumble_in(folder, {"run", "disc.toml", "--out", "there", "--quiet"}).code == 0);
+    const auto before = content_of(folder.path / "there/run.json");
+    const Outcome made =
+        tumble_in(folder, {"gallery", "--out", "pictures", "--only", "arrows.png", "--run", "drum=there"});
+    CHECK_MESSAGE(made.code == 0, made.err);
+    CHECK(made.err.find("run drum") == std::string::npos);
+    CHECK(fs::exists(folder.path / "pictures/arrows.png"));
+    CHECK(content_of(folder.path / "there/run.json") == before);
+    for (const char* wrong : {"drum", "drum=", "drums=there"}) {
+        const Outcome refused = tumble_in(folder, {"gallery", "--out", "pictures", "--run", wrong});
+        CHECK(refused.code == 2);
+        CHECK(contains(refused.err, "write --run NAME=DIR with one of drum, "));
+    }
+    const Outcome missing = tumble_in(folder, {"gallery", "--out", "pictures", "--run", "bowl-full=nowhere"});
+    CHECK(missing.code == 2);
+    CHECK(contains(missing.err, "is no folder that the run bowl-full has filled"));
+}
+
 TEST_CASE("a gallery that is killed leaves whole pictures, and the same call goes on to the same bits") {
     const Folder folder;
     fs::create_directory(folder.path / "scenes");

@@ -77,4 +77,30 @@ TEST_CASE("a port in use, a port that is none, a scene or run that is not there:
     CHECK(contains(empty.err, "empty"));
 }
 
+TEST_CASE("view draws what a browser would show into a file, of a scene and of a run, and replaces none unasked") {
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(0.1));
+    const Outcome scene =
+        tumble_in(folder, {"view", "ball.toml", "--picture", "live.png", "--time", ":0.02", "--size", "1000x500"});
+    CHECK_MESSAGE(scene.code == 0, scene.err);
+    CHECK(scene.out == "live.png\n"); // and no link: no port was opened
+    CHECK(content_of(folder.path / "live.png").substr(1, 3) == "PNG");
+    REQUIRE(tumble_in(folder, {"run", "ball.toml", "--quiet"}).code == 0);
+    const std::vector<std::string> of_run{"view",   "out/ball", "--picture", "run.png", "--time",
+                                          "0:0.05", "--tab",    "Look",      "--size",  "1000x500"};
+    CHECK(tumble_in(folder, of_run).code == 0);
+    CHECK(content_of(folder.path / "run.png").substr(1, 3) == "PNG");
+    const Outcome again = tumble_in(folder, of_run);
+    CHECK(again.code == 2);
+    CHECK(contains(again.err, "run.png"));
+    std::vector<std::string> forced = of_run;
+    forced.emplace_back("--force");
+    CHECK(tumble_in(folder, forced).code == 0);
+    for (const std::vector<std::string>& wrong :
+         {std::vector<std::string>{"view", "ball.toml", "--time", ":0.02"}, {"view", "ball.toml", "--tab", "Look"}})
+        CHECK(contains(tumble_in(folder, wrong).err, "add --picture F.png"));
+    CHECK(tumble_in(folder, {"view", "ball.toml", "--picture", "live.jpg"}).code == 2);
+    CHECK(tumble_in(folder, {"view", "ball.toml", "--picture", "x.png", "--tab", "Lock"}).code == 2);
+}
+
 } // namespace test_view_command

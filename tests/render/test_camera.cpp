@@ -144,6 +144,33 @@ TEST_CASE("a free parallel camera shows at its target what a perspective one wit
     CHECK(camera->to_picture({0, 0, 1}).x() == about(400 - 40)); // right of -x looking is -z
 }
 
+/// The eye is 10 m before the target and its opening has a tangent of 1: the height's half of 200 pixels is 10 m. What
+/// an area of 6:5 would show is 12 m to either side, which 100 pixels have to hold: 8.33 pixels a metre.
+TEST_CASE("in a narrow picture a free camera opens wider, as far as the box needs it and no further than one of 6:5") {
+    const Area narrow{0, 0, 200, 400};
+    scene::Render settings;
+    settings.camera = "free";
+    settings.eye = {0, 0, 10};
+    settings.field_of_view_deg = 90;
+    const auto scale_for = [&](double half, const Area& into, bool held = false) {
+        const AlignedBox3d wide(Vector3d(-half, -1, -1), Vector3d(half, 1, 1));
+        return make_camera(settings, wide, into, 0, held)->scale;
+    };
+    const double least = 100.0 / 12;
+    CHECK(scale_for(2, narrow) == about(20)); // 40 of the half width of 100 pixels
+    CHECK(scale_for(8, narrow) == about(0.94 * 100 / 8));
+    CHECK(scale_for(100, narrow) == about(least));
+    CHECK(scale_for(100, narrow, true) == about(20)); // whoever holds it chose what is seen
+    CHECK(scale_for(100, {0, 0, 480, 400}) == about(20));
+    settings.turn_deg_s = 10;
+    CHECK(scale_for(2, narrow) == about(least)); // it must not breathe on its way
+    settings.turn_deg_s = 0;
+    settings.projection = "perspective"; // pixels a unit of the tangent; the nearest corners are 9 m away
+    CHECK(scale_for(2, narrow) == about(200));
+    CHECK(scale_for(8, narrow) == about(0.94 * 100 * 9 / 8));
+    CHECK(scale_for(100, narrow) == about(10 * least));
+}
+
 TEST_CASE("clip space and the picture agree, and the depth range holds the box") {
     for (const char* projection : {"orthographic", "perspective"}) {
         const Camera camera = camera_for("free", projection);

@@ -80,12 +80,19 @@ TEST_CASE("sections are taken at the places that are given, and a place that no 
     options.sections = true;
     options.redraw.settings.clip = scene::Box{{-0.1, 0, -0.1}, {0.1, 1, 0.1}};
     options.places = {-0.05, -0.01, 0.05};
+    options.redraw.settings.width = 300; // too small for the words that tell the places apart
+    options.redraw.settings.height = 180;
     REQUIRE(run::draw_strip(run, options, silent).ok());
     const auto picture = [&](int k) {
         return content_of(folder.path / "given" / ("section_" + std::to_string(k) + ".png"));
     };
     CHECK(picture(1) == picture(2)); // the ball is whole in both
     CHECK(picture(2) != picture(3));
+    options.redraw.settings.width = 640;
+    options.redraw.settings.height = 480;
+    options.out = folder.path / "with words";
+    REQUIRE(run::draw_strip(run, options, silent).ok());
+    CHECK(content_of(options.out / "section_1.png") != content_of(options.out / "section_2.png"));
     options.out = folder.path / "beyond";
     options.places = {0, 27};
     const Problems problems = run::draw_strip(run, options, silent).problems();

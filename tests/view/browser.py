@@ -12,6 +12,7 @@ import json
 import os
 import pathlib
 import shutil
+import signal
 import socket
 import subprocess
 import sys
@@ -95,6 +96,7 @@ class View:
             text=True,
             cwd=folder,
         )
+        self.killed = False
         self.link = self.next_link()
 
     def next_link(self):
@@ -110,7 +112,11 @@ class View:
         self.process.terminate()
         code = self.process.wait(timeout=MOST_WAIT_S)
         self.process.stdout.close()
-        assert code == 0, f"the view ended with {code}"
+        assert code == (-signal.SIGKILL if self.killed else 0), f"the view ended with {code}"
+
+    def kill(self):
+        self.killed = True
+        self.process.kill()
 
 
 class Page:
@@ -177,8 +183,10 @@ def opens_and_runs(page):
     assert state["title"] == "A shaken box" and state["step"] == 0, state
     assert page.driver.current_url.endswith("/"), "the token still stands in the address"
     assert "A shaken box" in page.driver.title
+    before = picture_of(page)
     page.click("play")
     page.wait("the simulation to run", lambda: page.state()["step"] > 0 and page.state()["playing"])
+    page.wait("another frame", lambda: picture_of(page) != before)
     page.press(Keys.SPACE)
     page.wait("a pause", lambda: not page.state()["playing"])
 
@@ -205,7 +213,7 @@ def moves_a_slider(page):
     gained = page.state()["mean_velocity"][0] - before["mean_velocity"][0]
     assert gained > 2e-3, gained
     page.click("save scene")
-    page.wait("a scene", lambda: page.state()["notice"].endswith(".toml"))
+    page.wait("a scene, named beside the button", lambda: page.state()["saved"].endswith(".toml") and "saved" in page.state()["places"])
 
 
 def draws_over_the_bodies(page):
@@ -218,6 +226,8 @@ def draws_over_the_bodies(page):
             page.click(box)
             page.wait("the choice", lambda: choice in page.state()["places"])
         page.click(choice)
+        if box:  # until the list has closed the places are those of before
+            page.wait("the list to close", lambda: choice not in page.state()["places"])
         page.wait("another picture", lambda: picture_of(page) != before)
 
 
@@ -235,6 +245,21 @@ def resizes(page):
     page.wait("a smaller picture", lambda: page.driver.execute_script("return document.getElementById('picture').width") < 800)
     page.driver.set_window_size(1280, 720)
     page.wait("a larger picture", lambda: page.driver.execute_script("return document.getElementById('picture').width") == 1280)
+
+
+def outlives_no_size(page):
+    """A window that is folded away says that it is 0 x 0: the picture keeps its size, and hands go on to be heard."""
+    size, step = page.size(), page.state()["step"]
+    page.driver.execute_script(
+        """window.sides = ['innerWidth', 'innerHeight'].map((side) => [side, Object.getOwnPropertyDescriptor(window, side)]);
+        for (const [side] of sides) Object.defineProperty(window, side, { configurable: true, get: () => 0 });
+        window.dispatchEvent(new Event('resize'));""")
+    page.press(".")
+    page.wait("one step", lambda: page.state()["step"] == step + 1)
+    assert page.size() == size, page.size()
+    page.driver.execute_script("for (const [side, kept] of sides) Object.defineProperty(window, side, kept); window.dispatchEvent(new Event('resize'));")
+    page.press(".")
+    page.wait("one more step, in the window's size", lambda: page.state()["step"] == step + 2 and page.size() == page.window())
 
 
 def obeys_keys(page):
@@ -436,6 +461,13 @@ def outlives_the_simulation(page):
     page.wait("the camera to move", lambda: page.state()["camera"]["eye"] != eye)
 
 
+def says_that_nobody_is_there(page, view):
+    """The program itself dies: the page says so, and what to do."""
+    view.kill()
+    page.wait("a word about it", lambda: "does not answer" in page.driver.find_element(By.ID, "notice").text)
+    assert "start it again and open its new link" in page.driver.find_element(By.ID, "notice").text
+
+
 def picture_of(page):
     return page.driver.execute_script("return document.getElementById('picture').toDataURL()")
 
@@ -571,7 +603,7 @@ def main():
             page = Page(driver)
             with View(program, "shaken.toml", folder) as view:
                 page.open(view.link)
-                for part in (opens_and_runs, drags_the_camera, obeys_keys, moves_a_slider, draws_over_the_bodies, films, resizes, fits_a_phone, rests_while_hidden, lets_go_of_keys):
+                for part in (opens_and_runs, drags_the_camera, obeys_keys, moves_a_slider, draws_over_the_bodies, films, resizes, outlives_no_size, fits_a_phone, rests_while_hidden, lets_go_of_keys):
                     part(page)
                     print(f"{part.__name__}: fine", flush=True)
                 shares(page, view, folder)
@@ -593,6 +625,8 @@ def main():
                 page.open(view.link)
                 outlives_the_simulation(page)
                 print("outlives_the_simulation: fine", flush=True)
+                says_that_nobody_is_there(page, view)
+                print("says_that_nobody_is_there: fine", flush=True)
             subprocess.run([program, "run", "shaken.toml", "--duration", "0.2", "--quiet"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
             with View(program, "out/shaken", folder) as view:
                 page.open(view.link)

@@ -214,7 +214,10 @@ TEST_CASE("a slider that is dragged changes the scene, and the changed scene is 
     CHECK(value == 1.5);
     opened.click("save scene");
     const std::filesystem::path saved = opened.folder.path / "shaken-001.toml";
-    CHECK(opened.state["notice"] == saved.string());
+    CHECK(opened.state["saved"] == saved.string());
+    const auto beside = opened.state["places"]["saved"].get<std::array<double, 4>>(); // in the tab of the button
+    CHECK(beside[1] > opened.state["places"]["save scene"][3].get<double>() - 1);
+    CHECK(beside[3] <= 500);
     const auto scene = scene::load_scene(saved);
     REQUIRE_MESSAGE(scene.ok(), to_string(scene.problems()));
     CHECK(scene->pair(0, 0).friction == value);
@@ -222,6 +225,40 @@ TEST_CASE("a slider that is dragged changes the scene, and the changed scene is 
     CHECK(scene->claim == "none yet: shaken.toml with pair.glass-glass.friction = 1.5");
     opened.click("as in the scene");
     CHECK(opened.state["values"][key] == 0.4);
+}
+
+TEST_CASE("a scene that cannot be saved says why, where it would have said its name") {
+    Opened opened(test::pouring);
+    const std::filesystem::path folder = opened.folder.path;
+    std::filesystem::remove_all(folder);
+    test::put(folder, "a file where the folder was");
+    opened.click("tab Change");
+    opened.click("save scene");
+    const std::string told = opened.state["saved"];
+    CHECK(told.find((folder / "shaken-001.toml").string()) != std::string::npos);
+    CHECK(told.find("Not a directory") != std::string::npos);
+    CHECK(opened.state["places"].contains("saved"));
+}
+
+/// All bodies move at 3 m/s: the next of 1, 2, 2.5, 5 above it is 5. At 30 m/s it is 50, once a hand asks again.
+TEST_CASE("the range of the colours is fitted to what moves now, and then stays") {
+    Opened opened(test::pouring, 1000, 700, true);
+    opened.stage->vx = 3;
+    opened.draw();
+    opened.click("tab Look");
+    CHECK(!opened.state["places"].contains("range"));
+    opened.click("fit range");
+    REQUIRE(opened.state["places"].contains("range"));
+    opened.click("tab Keep");
+    opened.click("film"); // its range is the one that holds now
+    const auto range = [&] { return opened.stage->films.back().range.value(); };
+    CHECK(range() == std::array{0.0, 5.0});
+    opened.stage->vx = 30;
+    opened.draw();
+    CHECK(range() == std::array{0.0, 5.0});
+    opened.click("tab Look");
+    opened.click("fit range");
+    CHECK(range() == std::array{0.0, 50.0});
 }
 
 TEST_CASE("colours, their range and a section are chosen in the panel and change the picture") {

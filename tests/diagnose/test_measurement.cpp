@@ -2,8 +2,10 @@
 #include "diagnose/measurement.h"
 #include "folder.h"
 
+#include <cmath>
 #include <doctest/doctest.h>
 #include <fmt/format.h>
+#include <set>
 
 namespace test_measurement {
 
@@ -155,8 +157,23 @@ TEST_CASE("each bad input has its answer: place, what is wrong, what to do") {
           "was at its limit: choose a larger range");
     CHECK(
         warning(whole, {3, 3, 2, 2, 1, 1, 2, 2, 3, 3, 1, 2, 3, 2, 1}) ==
-        "quantised: height_mm: only 3 different readings: coarse steps; record with more digits; a step adds a scatter "
-        "of step / sqrt(12)");
+        "quantised: height_mm: only 3 different readings, in steps of 0.001 m (ins.quant); record with more digits; a "
+        "step adds a scatter of step / sqrt(12), which the scatter found contains");
+    // A long fall has many levels; its steps are coarse all the same where they are above sigma, 1.5 mm.
+    std::vector<double> coarse, fine;
+    for (int k = 0; k < 200; ++k) {
+        coarse.push_back(10 * std::round((2000 - 0.05 * k * k) / 10));
+        fine.push_back(std::round(2000 - 0.05 * k * k));
+    }
+    const auto levels = std::set<double>(coarse.begin(), coarse.end()).size();
+    CHECK(levels > 50);
+    CHECK(warning(whole, coarse)
+              .starts_with("quantised: height_mm: only " + std::to_string(levels) +
+                           " different readings, in steps of 0.01 m (ins.quant)"));
+    const auto read = laboratory.load(whole, rows(fine));
+    REQUIRE(read);
+    for (const Problem& told : read->warnings)
+        CHECK(told.key != "quantised");
     CHECK(warning(replaced(whole, "sigma = 1.5\n", ""), falling) ==
           "sigma missing: height_mm: its scatter is not stated; give sigma; it is estimated from the residual instead");
 }

@@ -36,7 +36,7 @@ scene::Scene in_common(scene::NormalLaw normal, scene::TangentialLaw tangential)
     scene.pairs = {pair};
     // No contact pulls: the force of one that does ends with a jump, in one solver a step sooner than in the other, and
     // discs bear no friction while it pulls (docs/theory-2d.md).
-    scene.contact = {normal, tangential, true, false, 0, 0.05, {}};
+    scene.contact = {normal, tangential, true, false, 0, 0, 0.05, {}};
     scene::BodyTemplate ball;
     ball.name = "ball";
     ball.spheres = {{Vector3d::Zero(), radius}};

@@ -65,10 +65,12 @@ std::string restitution_words(const run::PairCheck& pair) {
     const contact::PairProperties& given = pair.given;
     if (given.damping_time > 0)
         return "dashpot of " + format_si(given.damping_time, "s", 3);
+    std::string words = fmt::format("{:.3g}", given.restitution);
     if (given.restitution_exponent > 0)
-        return fmt::format("{:.3g} at {:.3g} m/s, power -{:.3g}", given.restitution, given.restitution_speed,
-                           given.restitution_exponent);
-    return fmt::format("{:.3g}", given.restitution);
+        words += fmt::format(" at {:.3g} m/s, power -{:.3g}", given.restitution_speed, given.restitution_exponent);
+    if (pair.taken.sticking_speed > 0)
+        words += ", sticks below " + format_si(pair.taken.sticking_speed, "m/s", 3);
+    return words;
 }
 
 std::string friction_words(const run::PairCheck& pair) {
@@ -78,13 +80,17 @@ std::string friction_words(const run::PairCheck& pair) {
 }
 
 std::string rolling_words(const run::PairCheck& pair) {
+    const std::string viscous =
+        pair.taken.rolling_time > 0 ? "viscous " + format_si(pair.taken.rolling_time, "s", 3) : "";
+    const std::string also = viscous.empty() ? "" : ", " + viscous;
     switch (pair.taken.rolling) {
     case contact::RollingLaw::none:
-        return "none";
+        return viscous.empty() ? "none" : viscous;
     case contact::RollingLaw::cdt:
-        return fmt::format("cdt {:.3g}", pair.given.rolling_friction);
+        return fmt::format("cdt {:.3g}{}", pair.given.rolling_friction, also);
     case contact::RollingLaw::epsd:
-        return fmt::format("epsd {:.3g}, damping {:.3g}", pair.given.rolling_friction, pair.given.rolling_damping);
+        return fmt::format("epsd {:.3g}, damping {:.3g}{}", pair.given.rolling_friction, pair.given.rolling_damping,
+                           also);
     }
     return "";
 }

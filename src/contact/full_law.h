@@ -6,6 +6,7 @@
 #include "contact/law.h"
 #include "contact/rolling_cdt.h"
 #include "contact/rolling_epsd.h"
+#include "contact/rolling_viscous.h"
 #include "contact/sjkr.h"
 #include "contact/weakening_friction.h"
 
@@ -37,22 +38,29 @@ template <class Real> TUMBLE_INLINE Real impact_speed_of(const Further<Real>& ke
     return select(kept.impact_speed > Real(0.0), kept.impact_speed, first);
 }
 
-/// The rolling torque of the pair's law. `pressing` N, normal; `stiffness` N/m, normal force over overlap.
+/// The rolling torque of the pair's laws. `pressing` N, normal; `stiffness` N/m, normal force over overlap.
 template <class Real>
 TUMBLE_INLINE RollingPush<Real> rolling_push(const Touch<Real>& touch, const Turn<Real>& turn, Real pressing,
                                              Real stiffness, const PairConstants& pair, const Memory<Real>& memory,
                                              Real dt) {
     const Real limit = Real(pair.rolling_friction) * touch.radius * larger(pressing, -pressing);
+    RollingPush<Real> push{};
     if (pair.rolling == RollingLaw::epsd)
-        return Epsd::push(touch, turn, limit, stiffness, pair, memory, dt);
-    if (pair.rolling == RollingLaw::cdt)
-        return Cdt::push(touch, turn, limit, dt);
-    return {};
+        push = Epsd::push(touch, turn, limit, stiffness, pair, memory, dt);
+    else if (pair.rolling == RollingLaw::cdt)
+        push = Cdt::push(touch, turn, limit, dt);
+    if (pair.rolling_time > 0) {
+        const Real per_time = Real(pair.rolling_time) * touch.radius * larger(pressing, -pressing);
+        const RollingPush<Real> viscous = ViscousRolling::push(touch, turn, per_time, dt);
+        push.torque = push.torque + viscous.torque;
+        push.lost_damping = push.lost_damping + viscous.lost_damping;
+    }
+    return push;
 }
 
 /// How the dashpots of an impact that began at `speed` (m/s) are scaled.
 template <class Real> TUMBLE_INLINE Real damping_share_at(Real speed, const PairConstants& pair) {
-    return pair.restitution_exponent > 0 ? damping_at(speed, pair) : Real(1.0);
+    return pair.by_impact_speed() ? damping_at(speed, pair) : Real(1.0);
 }
 
 /// Friction at a slip of that speed, m/s.

@@ -13,8 +13,10 @@ void add(const PairProperties& pair, const Additions& additions, double rolling_
     constants.rolling_friction = pair.rolling_friction;
     constants.rolling_stiffness = rolling_stiffness * pair.rolling_friction * pair.rolling_friction;
     constants.rolling_damping = pair.rolling_damping;
+    constants.rolling_time = pair.rolling_time;
     constants.restitution_exponent = pair.restitution_exponent;
     constants.restitution_speed = pair.restitution_speed;
+    constants.sticking_speed = pair.restitution > 0 ? pair.sticking_speed : 0;
     constants.ln_restitution = std::log(pair.restitution);
     constants.ln_restitution_most = std::log(pair.restitution_most);
     if (pair.sliding_friction != pair.friction)
@@ -40,7 +42,7 @@ PairConstants derive(const Material& a, const Material& b, const PairProperties&
     constants.E_eff = 1 / (normal_compliance(a) + normal_compliance(b));
     constants.G_eff = 1 / (shear_compliance(a) + shear_compliance(b));
     const double ln_e = std::log(pair.restitution);
-    constants.damping = pair.restitution > 0 && pair.restitution_exponent == 0
+    constants.damping = pair.restitution > 0 && pair.restitution_exponent == 0 && pair.sticking_speed == 0
                             ? -ln_e / std::sqrt(ln_e * ln_e + std::numbers::pi * std::numbers::pi)
                             : 1.0;
     constants.hertz_damping = 2 * std::sqrt(5.0 / 6.0) * constants.damping * std::sqrt(2 * constants.E_eff);

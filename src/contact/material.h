@@ -28,9 +28,11 @@ struct PairProperties {
     // Beyond the plain law; docs/laws.md.
     double rolling_friction = 0;     // -, mu_r
     double rolling_damping = 0.3;    // -, eta_r, share of the critical; EPSD
+    double rolling_time = 0;         // s, by which mu_r grows per rad/s of rolling, beside what `rolling` does
     double restitution_exponent = 0; // -, p: restitution (v / restitution_speed)^-p
     double restitution_speed = 0;    // m/s
     double restitution_most = 1;     // -
+    double sticking_speed = 0;       // m/s, of the fastest impact that does not come back
     double sliding_friction = 0;     // -, what friction falls to in fast sliding; only where sliding_speed > 0
     double sliding_speed = 0;        // m/s
     double cohesion_energy = 0;      // J/m3, SJKR
@@ -56,9 +58,11 @@ struct PairConstants {
     double rolling_friction = 0;     // -
     double rolling_stiffness = 0;    // -, k_r over k_n R*^2
     double rolling_damping = 0;      // -
+    double rolling_time = 0;         // s
     double restitution_exponent = 0; // -
     double restitution_speed = 0;    // m/s
-    double ln_restitution = 0;       // at that speed
+    double sticking_speed = 0;       // m/s
+    double ln_restitution = 0;       // at restitution_speed
     double ln_restitution_most = 0;
     double sliding_friction = 0; // -
     double sliding_speed = 0;    // m/s, 0: friction does not fall
@@ -68,16 +72,18 @@ struct PairConstants {
 
     /// Nothing is added: Law and FullLaw are the same.
     [[nodiscard]] bool plain() const {
-        return rolling == RollingLaw::none && restitution_exponent == 0 && sliding_speed == 0 &&
+        return rolling == RollingLaw::none && rolling_time == 0 && !by_impact_speed() && sliding_speed == 0 &&
                adhesion == AdhesionLaw::none;
     }
+    /// Restitution depends on the speed of the impact: the law scales the dashpots itself.
+    [[nodiscard]] bool by_impact_speed() const { return restitution_exponent > 0 || sticking_speed > 0; }
 };
 
 /// The prefactor of EPSD's rolling stiffness (Ai et al. 2011, after Jiang et al. 2005 for discs).
 constexpr double rolling_stiffness_of_spheres = 2.25, rolling_stiffness_of_discs = 3;
 
 /// Johnson 1985 (E*), Mindlin 1949 (G*), Tsuji et al. 1992 (beta). Restitution 0 gives damping 1, and so does one that
-/// falls with speed: the law then scales the dashpots itself. An addition whose parameter is 0 is none. A contact that
+/// depends on speed: the law then scales the dashpots itself. An addition whose parameter is 0 is none. A contact that
 /// lasts t_c with restitution e has k = m* (pi^2 + ln^2 e) / t_c^2, the half period of the damped oscillator; at e = 0,
 /// which never parts, the undamped half period counts.
 PairConstants derive(const Material& a, const Material& b, const PairProperties& pair, const Additions& additions = {},

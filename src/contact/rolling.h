@@ -22,6 +22,8 @@ template <class Real> struct RollingPush {
 /// Moment of inertia (kg m2) about the contact of a body of that mass whose sphere of radius r rolls there: 7/5 m r^2
 /// of a solid sphere; 3/2 m r^2 of a disc.
 constexpr double sphere_rolls = 7.0 / 5, disc_rolls = 3.0 / 2;
+/// The same of a solid sphere that turns about its centre.
+constexpr double sphere_turns = 2.0 / 5;
 
 /// The part of the spin that rolls: without what twists the contact about its normal.
 template <class Real> TUMBLE_INLINE Vec3<Real> rolling_part(const Vec3<Real>& normal, const Vec3<Real>& spin) {

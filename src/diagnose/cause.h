@@ -23,9 +23,10 @@ struct Cause {
     double in_beds = 0;   // the amplitude that beds are run at; 0: half of what is plausible
     bool turns = false;   // an angle in degrees, of which 360 are none
     bool beds = false;    // considered where beds were measured only: one body does not show it beside a nuisance
-    std::string name{};   // for sentences: "air resistance growing with the square of speed"
-    std::string look{};   // its fingerprint: what the residual (data less baseline) does
-    std::string keys{};   // scene keys that it sets, or what it does to the instrument
+    std::vector<std::string> needs{}; // considered only where one record has all of these measures; never of beds
+    std::string name{};               // for sentences: "air resistance growing with the square of speed"
+    std::string look{};               // its fingerprint: what the residual (data less baseline) does
+    std::string keys{};               // scene keys that it sets, or what it does to the instrument
     std::function<void(scene::Scene&, double)> extend{}; // exactly one of the two is set
     std::function<void(Instrument&, double)> distort{};
 

@@ -1,5 +1,7 @@
 #include "diagnose/cause_families.h"
 
+#include <numbers>
+
 namespace tumble::diagnose {
 
 std::vector<Cause> of_the_clock() {
@@ -94,6 +96,24 @@ std::vector<Cause> of_the_sensor() {
          .look = "negative at the highest readings only, zero elsewhere",
          .keys = "the instrument's readings, at most a ceiling",
          .distort = [](Instrument& i, double d) { i.clipping += d; }},
+    };
+}
+
+std::vector<Cause> of_the_camera() {
+    return {
+        {.id = "ins.align",
+         .family = "sensor axes",
+         .symbol = "turned",
+         .unit = "deg",
+         .lo = -10,
+         .hi = 10,
+         .typical = 0.05,
+         .needs = {"centre_of_mass_x", "centre_of_mass_y"},
+         .name = "a camera that does not stand upright",
+         .look = "each coordinate follows the other, at rest and in motion: x shows a share of the height, the height "
+                 "lacks as much of x",
+         .keys = "observe.axes_turned_deg",
+         .extend = [](scene::Scene& s, double d) { s.observe.axes_turned += d * std::numbers::pi / 180; }},
     };
 }
 

@@ -41,6 +41,18 @@ void give_walls_their_own(Scene& scene) {
     scene.pairs = std::move(pairs);
 }
 
+constexpr double step_of_sticking = 0.2; // of a step without: what sticks is damped critically
+
+void stick(Scene& scene, double square) {
+    if (square == 0)
+        return;
+    for (contact::PairProperties& pair : scene.pairs)
+        if (pair.restitution > 0)
+            pair.sticking_speed = std::sqrt(pair.sticking_speed * pair.sticking_speed + square);
+    const bool alone = !scene.bodies_can_meet() && scene.bodies[0].spheres.size() == 1;
+    scene.time_step *= alone ? 1 : step_of_sticking;
+}
+
 } // namespace
 
 std::vector<Cause> of_the_contact() {
@@ -65,6 +77,19 @@ std::vector<Cause> of_the_contact() {
                              pair.restitution_speed = 1;
                      }
              }},
+        {.id = "rest.cutoff",
+         .family = "restitution",
+         .symbol = "v_stick^2",
+         .unit = "m2/s2",
+         .lo = 0,
+         .hi = 1,
+         .typical = 1e-3,
+         .in_beds = 0.01,
+         .name = "surfaces that stick: slow impacts do not come back",
+         .look = "zero in the first fall; every impact loses the same energy besides, so the slow ones lose the most, "
+                 "and below v_stick all; whatever the mass",
+         .keys = "pair.*.sticking_speed_m_s; time_step_s of many contacts a fifth, as critical dashpots bear it",
+         .extend = stick},
         {.id = "rest.factor",
          .family = "restitution",
          .symbol = "ln(e factor)",
@@ -124,6 +149,23 @@ std::vector<Cause> of_the_friction() {
                      s.contact.additions.rolling = contact::RollingLaw::cdt;
                  for (contact::PairProperties& pair : s.pairs)
                      pair.rolling_friction += d;
+             }},
+        {.id = "roll.viscous",
+         .family = "rolling resistance",
+         .symbol = "tau",
+         .unit = "s",
+         .lo = 0,
+         .hi = 0.1,
+         .typical = 1e-4,
+         .in_beds = 0.02,
+         .name = "rolling resistance that grows with speed",
+         .look = "rolling dies away as an exponential and never stops sharply; only what spins feels it, where drag in "
+                 "proportion to speed acts on what slides as well",
+         .keys = "pair.*.rolling_time_s",
+         .extend =
+             [](Scene& s, double d) {
+                 for (contact::PairProperties& pair : s.pairs)
+                     pair.rolling_time += d;
              }},
         {.id = "fric.factor",
          .family = "friction",
@@ -214,6 +256,22 @@ std::vector<Cause> of_the_simulation() {
              [](Scene& s, double d) {
                  for (contact::Material& material : s.materials)
                      material.youngs_modulus *= std::exp(d);
+             }},
+        {.id = "num.dt",
+         .family = "numerics",
+         .symbol = "share of dt too much",
+         .lo = 0,
+         .hi = 0.9,
+         .typical = 0.5,
+         .in_beds = 0.75,
+         .beds = true,
+         .name = "steps of time that are too long",
+         .look = "the residual shrinks when time_step_s is halved: the simulation is wrong, not the scene",
+         .keys = "time_step_s, of box2d as well, times 1 - share",
+         .extend =
+             [](Scene& s, double d) {
+                 s.time_step *= 1 - d;
+                 s.box2d.time_step *= 1 - d;
              }},
     };
 }

@@ -35,12 +35,29 @@ template <class Change> void shake_sideways(Scene& scene, Change change) {
                 change(part);
 }
 
-const scene::Harmonic* largest_upright(const scene::WallMotion& motion) {
+const scene::Harmonic* largest_along(int axis, const scene::WallMotion& motion) {
     const scene::Harmonic* largest = nullptr;
     for (const scene::Harmonic& part : motion.harmonics)
-        if (part.axis == 1 && (!largest || part.amplitude > largest->amplitude))
+        if (part.axis == axis && (!largest || part.amplitude > largest->amplitude))
             largest = &part;
     return largest;
+}
+
+/// The second harmonic of the largest harmonic along each axis of every wall, `share` as large: sin(2 angle), or what
+/// is `ahead` of it (rad).
+void distort(Scene& scene, double share, double ahead) {
+    if (share == 0)
+        return;
+    for (scene::Wall& wall : scene.walls)
+        for (const int axis : {0, 1, 2})
+            if (const scene::Harmonic* largest = largest_along(axis, wall.motion)) {
+                scene::Harmonic second = *largest;
+                second.amplitude *= share;
+                second.frequency *= 2;
+                second.drift *= 2;
+                second.phase = 2 * largest->phase + ahead;
+                wall.motion.harmonics.push_back(second);
+            }
 }
 
 /// Where a trough's round has its middle; else the origin.
@@ -152,6 +169,37 @@ std::vector<Cause> of_the_excitation() {
          .look = "the phase runs away with time; a motor that slips",
          .keys = "wall.motion.frequency_Hz, times 1 + df/f",
          .extend = [](Scene& s, double d) { excite(s, [&](auto& part) { part.frequency *= 1 + d; }); }},
+        {.id = "exc.drift",
+         .family = "excitation",
+         .symbol = "df/dt / f",
+         .unit = "1_s",
+         .lo = -0.02,
+         .hi = 0.02,
+         .typical = 1e-4,
+         .name = "walls whose frequency drifts",
+         .look = "the phase runs away with the square of time; a line that is wider than its record makes it",
+         .keys = "wall.motion.drift_Hz_s, of the frequency's share in a second",
+         .extend = [](Scene& s, double d) { excite(s, [&](auto& part) { part.drift += d * part.frequency; }); }},
+        {.id = "exc.harmonic",
+         .family = "excitation",
+         .symbol = "A2/A1",
+         .lo = -0.5,
+         .hi = 0.5,
+         .typical = 0.01,
+         .name = "shaking with a second harmonic, in step with it",
+         .look = "a line at twice the frequency, locked in phase; the way up is steeper or flatter than the way down",
+         .keys = "wall.motion of kind harmonic: of the largest along each axis, at twice its frequency",
+         .extend = [](Scene& s, double d) { distort(s, d, 0); }},
+        {.id = "exc.harmonic_ahead",
+         .family = "excitation",
+         .symbol = "A2/A1",
+         .lo = -0.5,
+         .hi = 0.5,
+         .typical = 0.01,
+         .name = "shaking with a second harmonic, a quarter of its period ahead",
+         .look = "a line at twice the frequency, locked in phase; one turning point is sharper than the other",
+         .keys = "wall.motion of kind harmonic: of the largest along each axis, at twice its frequency",
+         .extend = [](Scene& s, double d) { distort(s, d, 90 * degree); }},
         {.id = "exc.phase",
          .family = "excitation",
          .symbol = "phase",
@@ -191,7 +239,7 @@ std::vector<Cause> of_the_excitation() {
          .extend =
              [](Scene& s, double d) {
                  for (scene::Wall& wall : s.walls)
-                     if (const scene::Harmonic* upright = largest_upright(wall.motion))
+                     if (const scene::Harmonic* upright = largest_along(1, wall.motion))
                          wall.motion.rockings.push_back(
                              {.active = upright->active,
                               .centre = middle_of(wall, s.dimension),

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
+#include <limits>
 #include <set>
 
 namespace tumble::diagnose {
@@ -35,6 +37,18 @@ void doubt_time(const Record& record, Problems& warnings) {
              .fix = "check the clock; readings are used at the times given"});
 }
 
+/// What all readings are whole multiples of, from the lowest on; 0: there is no such step.
+double step_of(const std::set<double>& levels) {
+    double step = std::numeric_limits<double>::infinity();
+    for (auto it = levels.begin(); it != levels.end() && std::next(it) != levels.end(); ++it)
+        step = std::min(step, *std::next(it) - *it);
+    const auto whole = [&](double level) {
+        const double steps = (level - *levels.begin()) / step;
+        return std::abs(steps - std::round(steps)) < 0.01;
+    };
+    return std::isfinite(step) && std::all_of(levels.begin(), levels.end(), whole) ? step : 0;
+}
+
 void doubt_channel(const Record& record, const Channel& channel, Problems& warnings) {
     const auto warn = [&](std::string key, const std::string& what, std::string fix) {
         warnings.push_back({.file = record.file.string(),
@@ -43,10 +57,16 @@ void doubt_channel(const Record& record, const Channel& channel, Problems& warni
                             .fix = std::move(fix)});
     };
     const std::set<double> levels(channel.value.begin(), channel.value.end());
-    const bool coarse = levels.size() <= few_levels && channel.value.size() > 2 * levels.size();
+    const double step = step_of(levels);
+    const bool few = levels.size() <= few_levels && channel.value.size() > 2 * levels.size();
+    const bool repeat = 10 * levels.size() <= 9 * channel.value.size();
+    const bool coarse = few || (channel.sigma > 0 && step > channel.sigma && repeat);
     if (coarse)
-        warn("quantised", fmt::format("only {} different readings: coarse steps", levels.size()),
-             "record with more digits; a step adds a scatter of step / sqrt(12)");
+        warn("quantised",
+             step > 0 ? fmt::format("only {} different readings, in steps of {:.3g} {} (ins.quant)", levels.size(),
+                                    step, channel.unit)
+                      : fmt::format("only {} different readings: coarse steps (ins.quant)", levels.size()),
+             "record with more digits; a step adds a scatter of step / sqrt(12), which the scatter found contains");
     for (const double extreme : {*levels.begin(), *levels.rbegin()}) {
         std::size_t run = 0, longest = 0;
         for (const double value : channel.value)

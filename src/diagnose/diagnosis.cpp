@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <numeric>
 
 namespace tumble::diagnose {
@@ -38,6 +39,31 @@ bool is_angle(const std::string& unit) {
     return unit == "deg" || unit == "rad_s";
 }
 
+bool measured_together(const Record& record, const std::vector<std::string>& measures) {
+    return std::all_of(measures.begin(), measures.end(), [&](const std::string& measure) {
+        return std::any_of(record.channels.begin(), record.channels.end(),
+                           [&](const Channel& channel) { return channel.measure == measure; });
+    });
+}
+
+/// Those chosen, without what needs measures together that no record has. Problems: it was asked for.
+Result<std::vector<Cause>> causes_for(const Measurement& measurement) {
+    std::vector<Cause> chosen = *choose_causes(measurement.causes, Data::records), causes;
+    for (Cause& cause : chosen) {
+        const auto asked = [&](const std::string& word) { return word == cause.id || word == cause.family; };
+        if (std::any_of(measurement.records.begin(), measurement.records.end(),
+                        [&](const Record& record) { return measured_together(record, cause.needs); }))
+            causes.push_back(std::move(cause));
+        else if (std::any_of(measurement.causes.begin(), measurement.causes.end(), asked))
+            return Problem{.file = measurement.file.string(),
+                           .key = "causes",
+                           .what = fmt::format("{} shows only where one series has all of {}", cause.id,
+                                               fmt::join(cause.needs, ", ")),
+                           .fix = "leave it out, or measure them together"};
+    }
+    return causes;
+}
+
 class Diagnosing {
 public:
     Diagnosing(const SceneText& scene, const Measurement& measurement, const Simulate& simulate, const TellStage& tell)
@@ -50,7 +76,10 @@ public:
         d_.hash = measurement_.hash;
         d_.settings = measurement_.settings;
         d_.warnings = measurement_.warnings;
-        d_.causes = *choose_causes(measurement_.causes, Data::records);
+        auto causes = causes_for(measurement_);
+        if (!causes)
+            return causes.problems();
+        d_.causes = std::move(*causes);
         std::vector<Record> used;
         for (const Record& record : measurement_.records)
             (record.held_out ? aside_ : used).push_back(record);
@@ -218,6 +247,8 @@ private:
         d_.decision = decide(d_.evidence, measurement_.settings,
                              [this](const std::vector<int>& causes) { return refit(causes); });
         d_.follows = followed_by(d_.evidence, d_.decision);
+        if (d_.decision.outcome == Outcome::none_known)
+            d_.differing = differing_in(d_.evidence, measurement_.settings);
         doubt_name();
         const VectorXd errors = errors_of(baseline_.slopes);
         for (int k = 0; k < model_->nuisances(); ++k) {

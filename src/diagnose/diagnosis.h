@@ -1,5 +1,6 @@
 #pragma once
 
+#include "diagnose/conditions_differ.h"
 #include "diagnose/decide.h"
 #include "diagnose/gain.h"
 #include "diagnose/plan.h"
@@ -54,7 +55,8 @@ struct Diagnosis {
     std::vector<Cause> causes;
     Evidence evidence; // what the decision was made from
     Decision decision;
-    Following follows; // what the residual that is left looks like
+    Following follows;                  // what the residual that is left looks like
+    std::optional<Differing> differing; // where no cause explains it
     std::optional<Gain> gain;
     std::vector<Proposal> proposals; // best first
     std::vector<Curve> curves;

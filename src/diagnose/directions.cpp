@@ -65,16 +65,19 @@ class Columns {
 public:
     Columns(Eigen::Index rows, const Model& model, const Noise& noise) : rows_(rows), model_(model), noise_(noise) {}
 
-    VectorXd& column(const std::string& name) {
+    /// `own` as Directions has it.
+    VectorXd& column(const std::string& name, const std::string& own = "") {
         const auto [found, added] = index_.try_emplace(name, columns_.size());
         if (added) {
             columns_.push_back(VectorXd::Zero(model_.readings().size()));
             names_.push_back(name);
+            own_.push_back(own);
         }
         return columns_[found->second];
     }
 
     [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+    [[nodiscard]] const std::vector<std::string>& own() const { return own_; }
 
     /// Whitened, each of length 1, with zeros in the rows of priors.
     [[nodiscard]] MatrixXd whitened() const {
@@ -92,7 +95,7 @@ private:
     const Noise& noise_;
     std::map<std::string, std::size_t> index_;
     std::vector<VectorXd> columns_;
-    std::vector<std::string> names_;
+    std::vector<std::string> names_, own_;
 };
 
 void add_prints(Columns& prints, const std::string& measure, const Motion& motion, std::size_t k, Eigen::Index row) {
@@ -127,8 +130,8 @@ MatrixXd split_by_condition(const Fit& fit, const Model& model, Directions& all)
         for (int c = 0; c < conditions; ++c) {
             split.conservativeResize(Eigen::NoChange, split.cols() + 1);
             split.col(split.cols() - 1).setZero();
-            all.names.push_back(fmt::format("a value of its own of {} in '{}'",
-                                            model.parameters()[static_cast<std::size_t>(fit.free[k])].name,
+            all.own.push_back(model.parameters()[static_cast<std::size_t>(fit.free[k])].name);
+            all.names.push_back(fmt::format("a value of its own of {} in '{}'", all.own.back(),
                                             all.conditions[static_cast<std::size_t>(c)]));
             for (Eigen::Index row = 0; row < model.readings().size(); ++row)
                 if (all.condition[static_cast<std::size_t>(row)] == c)
@@ -172,7 +175,8 @@ Result<Directions> directions_at(Model& model, const Noise& noise, const Fit& fi
             for (std::size_t k = 0; k < record.time.size(); ++k, ++row) {
                 blocks.column(fmt::format("{} {} {}", r, c, pieces[k]))[row] = 1;
                 add_prints(prints, measure, motion, k, row);
-                prints.column(fmt::format("a constant in '{}' alone ({})", record.condition, measure))[row] = 1;
+                prints.column(fmt::format("a constant in '{}' alone ({})", record.condition, measure),
+                              "the zero of " + measure)[row] = 1;
                 all.condition.push_back(condition);
                 all.early.push_back(record.time[k] <= first_part * record.time.back());
             }
@@ -183,6 +187,7 @@ Result<Directions> directions_at(Model& model, const Noise& noise, const Fit& fi
     all.blocks = blocks.whitened();
     const MatrixXd usual = prints.whitened();
     all.names = prints.names();
+    all.own = prints.own();
     const MatrixXd split = split_by_condition(fit, model, all);
     all.prints.resize(rows, usual.cols() + split.cols());
     all.prints << usual, unit_columns(split);

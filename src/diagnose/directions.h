@@ -9,8 +9,9 @@ struct Directions {
     MatrixXd blocks; // means over pieces of a record: one half of a flight between two impacts
     MatrixXd prints; // what effects usually follow: reading, speed, time, number of impacts, conditions one by one
     std::vector<std::string> names{}; // of prints, for sentences; none where nobody asks
-    std::vector<int> condition;       // of each row, -1 for priors
-    std::vector<bool> early;          // rows of the first part of their record
+    std::vector<std::string> own{}; // of prints: what would differ in one condition only, the same for all; else empty
+    std::vector<int> condition;     // of each row, -1 for priors
+    std::vector<bool> early;        // rows of the first part of their record
     std::vector<std::string> conditions;
 };
 

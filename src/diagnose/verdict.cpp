@@ -90,6 +90,10 @@ std::string none_known(const Diagnosis& diagnosis) {
     if (diagnosis.decision.best)
         text += fmt::format(" Nearest comes {}, which leaves more than noise.",
                             cause_of(diagnosis, diagnosis.decision.best->causes[0]).id);
+    if (diagnosis.differing)
+        text += fmt::format(" It is not one cause: conditions differ (het.condition). With a value of its own of {} in "
+                            "each of them only noise is left.",
+                            diagnosis.differing->what);
     return text;
 }
 
@@ -158,6 +162,11 @@ std::string next_step(const Diagnosis& diagnosis) {
     case Outcome::two_causes:
         return "Confirm each with an experiment in which the other cannot act.";
     case Outcome::none_known:
+        if (diagnosis.differing)
+            return fmt::format(
+                "Find out what changed between the conditions, and hold it still; or, if it is innocent, "
+                "give {} as a nuisance with per = \"series\".",
+                diagnosis.differing->what);
         return (diagnosis.follows.all.empty()
                     ? "Look at the residual: what does it follow?"
                     : fmt::format("What is left follows most of all {}, by {:.1f} standard "

@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 
@@ -139,8 +140,11 @@ std::vector<Measure> collect() {
 
 } // namespace
 
-Seen::Seen(const Frame& frame_, const Books& books_)
-    : frame(frame_), books(books_), bulk(bulk_motion(frame_)), surface(free_surface(frame_)) {}
+Seen::Seen(const Frame& frame_, const Books& books_, double axes_turned)
+    : frame(frame_), books(books_), bulk(bulk_motion(frame_)), surface(free_surface(frame_)) {
+    if (axes_turned != 0)
+        bulk.centre = Eigen::AngleAxisd(-axes_turned, Eigen::Vector3d::UnitZ()) * bulk.centre;
+}
 
 std::string Measure::column() const {
     return unit.empty() ? name : name + "_" + unit;

@@ -13,7 +13,8 @@ namespace tumble::observe {
 
 /// One instant with what several measures need of it, worked out once.
 struct Seen {
-    Seen(const Frame& frame, const Books& books);
+    /// `axes_turned` as scene::Observe has it.
+    Seen(const Frame& frame, const Books& books, double axes_turned = 0);
 
     const Frame& frame;
     const Books& books;

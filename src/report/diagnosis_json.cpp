@@ -128,6 +128,13 @@ Json decision_of(const Diagnosis& diagnosis) {
     Json follows = Json::array();
     for (const Followed& one : diagnosis.follows.all)
         follows.push_back({{"what", one.what}, {"standard_errors", one.z}});
+    Json differing;
+    if (diagnosis.differing)
+        differing = {{"id", "het.condition"},
+                     {"what", diagnosis.differing->what},
+                     {"numbers", diagnosis.differing->numbers},
+                     {"chi_square_gain", diagnosis.differing->gain},
+                     {"p", diagnosis.differing->p}};
     Json folds = Json::array();
     for (const Fold& fold : decision.folds)
         folds.push_back({{"without", fold.condition},
@@ -150,6 +157,7 @@ Json decision_of(const Diagnosis& diagnosis) {
             {"adequacy_baseline", adequacy_of_it(decision.baseline)},
             {"adequacy_winner", adequacy_of_it(decision.winner)},
             {"folds", std::move(folds)},
+            {"conditions_differ", std::move(differing)},
             {"residual_follows", std::move(follows)},
             {"directions_tried", diagnosis.follows.tried},
             {"directions_gate", diagnosis.follows.gate}};

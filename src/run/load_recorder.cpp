@@ -61,7 +61,7 @@ std::optional<Problem> LoadRecorder::keep(const Simulation& simulation) {
     loads_.instants.push_back({books.time, pushes_});
     if (const double window = static_cast<double>(means_.steps()) * scene_.time_step; window > 0)
         loads_.means.push_back({books.time, window, means_.finish()});
-    const observe::Seen seen(frame, books);
+    const observe::Seen seen(frame, books, scene_.observe.axes_turned);
     std::vector<double> row{books.time};
     for (const observe::Measure& measure : measures_)
         row.push_back(measure.value(seen));

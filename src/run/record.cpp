@@ -15,38 +15,42 @@ namespace {
 constexpr double share_of_step = 0.25; // of the scene's step, for impacts
 constexpr double steps_of_trial = 4;   // of those, one step of the trial that finds an impact's beginning and end
 
-using Measures = std::vector<observe::Measure>;
+/// What is read of every row, and along which axes.
+struct Watched {
+    std::vector<observe::Measure> measures;
+    double axes_turned = 0;
+};
 
-observe::Series empty_series(const Measures& measures) {
+observe::Series empty_series(const Watched& watched) {
     observe::Series series;
     series.columns = {"time_s"};
-    for (const observe::Measure& measure : measures)
+    for (const observe::Measure& measure : watched.measures)
         series.columns.push_back(measure.column());
     series.values.resize(series.columns.size());
     return series;
 }
 
-void add_row(observe::Series& series, const Measures& measures, observe::Frame frame, Books books, double began) {
+void add_row(observe::Series& series, const Watched& watched, observe::Frame frame, Books books, double began) {
     frame.time += began;
     books.time += began;
-    const observe::Seen seen(frame, books);
+    const observe::Seen seen(frame, books, watched.axes_turned);
     std::vector<double> row{frame.time};
-    for (const observe::Measure& measure : measures)
+    for (const observe::Measure& measure : watched.measures)
         row.push_back(measure.value(seen));
     series.append(row);
 }
 
-Result<observe::Series> record_steadily(const scene::Scene& scene, const Measures& measures, int threads) {
+Result<observe::Series> record_steadily(const scene::Scene& scene, const Watched& watched, int threads) {
     Result<SimulationPtr> simulation = simulate(scene, threads);
     if (!simulation)
         return simulation.problems();
-    observe::Series series = empty_series(measures);
+    observe::Series series = empty_series(watched);
     Schedule rows(scene.observe.every, scene.time_step);
     const std::int64_t last = std::llround(scene.duration / scene.time_step);
     for (std::int64_t step = 0;; step = std::min(rows.next(), last)) {
         if (const auto problem = (*simulation)->advance(step - (*simulation)->steps()))
             return *problem;
-        add_row(series, measures, (*simulation)->frame(), (*simulation)->books(), 0);
+        add_row(series, watched, (*simulation)->frame(), (*simulation)->books(), 0);
         if (step == last)
             return series;
         rows.pass(step);
@@ -57,8 +61,8 @@ Result<observe::Series> record_steadily(const scene::Scene& scene, const Measure
 /// left.
 class Flight {
 public:
-    Flight(const scene::Scene& scene, const Measures& measures)
-        : as_written_(scene), scene_(scene), measures_(measures), series_(empty_series(measures)) {
+    Flight(const scene::Scene& scene, const Watched& watched)
+        : as_written_(scene), scene_(scene), watched_(watched), series_(empty_series(watched)) {
         const scene::Fill& fill = scene.fills[0];
         now_ = {0, *fill.position, fill.velocity, fill.angular_velocity, scene.gravity};
         scene_.allow_large_step = true;
@@ -69,7 +73,7 @@ public:
             if (const auto problem = fly())
                 return *problem;
             if (now_.time == 0) // it touches from the beginning: no flight
-                return record_steadily(as_written_, measures_, 1);
+                return record_steadily(as_written_, watched_, 1);
             if (now_.time < scene_.duration)
                 if (const auto problem = touch())
                     return *problem;
@@ -110,7 +114,7 @@ private:
         if (!world)
             return world.problems()[0];
         if (series_.rows() == 0)
-            add_row(series_, measures_, (*world)->frame(), (*world)->books(), began);
+            add_row(series_, watched_, (*world)->frame(), (*world)->books(), began);
         State clear = now_;
         while (now_.time < scene_.duration) {
             if (const auto problem = (*world)->advance(1))
@@ -125,7 +129,7 @@ private:
             const observe::Frame frame = (*world)->frame();
             clear = now_;
             now_ = state_of(frame, began, now_);
-            add_row(series_, measures_, frame, (*world)->books(), began);
+            add_row(series_, watched_, frame, (*world)->books(), began);
         }
         return std::nullopt;
     }
@@ -157,7 +161,7 @@ private:
             const observe::Frame frame = (*world)->frame();
             const Books books = (*world)->books();
             now_ = state_of(frame, began, now_);
-            add_row(series_, measures_, frame, books, began);
+            add_row(series_, watched_, frame, books, began);
             free = books.overlap_ratio_peak > 0 && books.contacts == 0 ? free + 1 : 0;
             if (free < 2) // the second one tells how it is slowed down in flight, which go_on() asks
                 continue;
@@ -221,7 +225,7 @@ private:
     const scene::Scene& as_written_;
     scene::Scene scene_; // as it is at the moment
     const double usual_step_ = as_written_.time_step;
-    const Measures& measures_;
+    const Watched& watched_;
     observe::Series series_;
     State now_;
 };
@@ -239,9 +243,10 @@ Result<observe::Series> record(const scene::Scene& scene, int threads) {
     const auto measures = observe::choose_measures(scene.observe.measures);
     if (!measures)
         return measures.problems();
+    const Watched watched{*measures, scene.observe.axes_turned};
     if (flies_alone(scene))
-        return Flight(scene, *measures).record();
-    return record_steadily(scene, *measures, threads);
+        return Flight(scene, watched).record();
+    return record_steadily(scene, watched, threads);
 }
 
 } // namespace tumble::run

@@ -329,7 +329,7 @@ void RunInWork::refresh_summary() {
 }
 
 Result<Done> RunInWork::add_row(const observe::Frame& frame, const Books& books) {
-    const observe::Seen seen(frame, books);
+    const observe::Seen seen(frame, books, scene_.observe.axes_turned);
     std::vector<double> row{frame.time};
     for (const observe::Measure& measure : measures_)
         row.push_back(measure.value(seen));

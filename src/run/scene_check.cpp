@@ -164,6 +164,7 @@ nlohmann::ordered_json to_json(const PairCheck& pair) {
             {"tangential_stiffness_N_per_m", pair.given.tangential_stiffness},
             {"rolling", scene::words_of_rolling[static_cast<std::size_t>(pair.taken.rolling)]},
             {"rolling_friction", pair.given.rolling_friction},
+            {"rolling_time_s", pair.given.rolling_time},
             {"adhesion", scene::words_of_adhesion[static_cast<std::size_t>(pair.taken.adhesion)]},
             {"cohesion_energy_J_m3", pair.given.cohesion_energy},
             {"work_of_adhesion_J_m2", pair.given.work_of_adhesion},

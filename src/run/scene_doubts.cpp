@@ -163,8 +163,9 @@ private:
             {"material", {"youngs_modulus_Pa", "poisson_ratio"}},
             {"pair",
              {"normal_stiffness_N_per_m", "contact_time_s", "tangential_stiffness_N_per_m", "stiffness_ratio",
-              "cohesion_N", "rolling_friction", "rolling_damping", "restitution_speed_m_s", "restitution_most",
-              "sliding_friction", "sliding_speed_m_s", "cohesion_energy_J_m3", "work_of_adhesion_J_m2"}}};
+              "cohesion_N", "rolling_friction", "rolling_damping", "rolling_time_s", "restitution_speed_m_s",
+              "restitution_most", "sticking_speed_m_s", "sliding_friction", "sliding_speed_m_s", "cohesion_energy_J_m3",
+              "work_of_adhesion_J_m2"}}};
         std::set<std::string> seen;
         for (const auto& [path, place] : scene_.written) {
             const auto dot = path.find('.'), last = path.rfind('.');

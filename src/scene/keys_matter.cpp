@@ -60,6 +60,10 @@ std::vector<Key> additions() {
             .otherwise(0.0),
         number("rolling_damping", "", from(0, 10), "Share of critical damping of the rolling spring of \"epsd\".")
             .otherwise(0.3),
+        number("rolling_time_s", "s", from(0, 100),
+               "tau of a resistance in proportion to how fast a contact rolls, tau R* F_n w, beside `rolling` or "
+               "without it: as if mu_r were tau times the spin w in rad/s.")
+            .otherwise(0.0),
         number(
             "restitution_exponent", "", from(0, 1),
             "p of a restitution that falls with the speed of impact: `restitution` (v / `restitution_speed_m_s`)^-p. "
@@ -69,6 +73,10 @@ std::vector<Key> additions() {
         number("restitution_most", "", above(0, 1),
                "What a restitution that falls with speed is at most in slow impacts.")
             .otherwise(1.0),
+        number("sticking_speed_m_s", "m/s", from(0, 1e4),
+               "v_s of surfaces that stick: restitution is sqrt(1 - (v_s / v)^2) times what it would be, and slower "
+               "impacts do not come back.")
+            .otherwise(0.0),
         number("sliding_friction", "", from(0, 10),
                "What `friction` falls to in fast sliding: mu_k + (`friction` - mu_k) exp(-v / `sliding_speed_m_s`)."),
         number("sliding_speed_m_s", "m/s", above(0, 1e4), "The speed of sliding v_c over which friction falls."),

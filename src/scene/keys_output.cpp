@@ -1,5 +1,7 @@
 #include "scene/key_maker.h"
 
+#include <numbers>
+
 namespace tumble::scene {
 namespace {
 
@@ -15,6 +17,12 @@ KeyTable observe() {
         flag("contacts",
              "Frames keep every contact: who touches whom, where, and with what force. `force_chains` draws "
              "them."),
+        number(
+            "axes_turned_deg", "deg", from(-45, 45),
+            "How far the axes that `centre_of_mass_x` and `_y` are read along are turned about z through the origin, "
+            "counter-clockwise: what a camera sees that does not stand upright.")
+            .si(std::numbers::pi / 180)
+            .otherwise(0.0),
     };
     return table;
 }

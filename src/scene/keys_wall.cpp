@@ -246,6 +246,10 @@ KeyTable motion() {
             .only_for({"rocking"})
             .must(),
         number("frequency_Hz", "Hz", above(0, 1e6), "Cycles per second.").only_for({"harmonic", "rocking"}).must(),
+        number("drift_Hz_s", "Hz/s", from(-1e6, 1e6),
+               "How fast that frequency rises, from `start_s` on; over the run it may neither double nor vanish.")
+            .only_for({"harmonic", "rocking"})
+            .otherwise(0.0),
         number("phase_deg", "deg", from(-360, 360),
                "Phase at the start; 90 is a quarter period ahead. Of harmonics: added to the phase of each.")
             .si(radians_per_degree)

@@ -113,6 +113,11 @@ KeyTable contact() {
         flag("share_among_body_contacts",
              "True: n contacts of one body pair share one dashpot, each damps 1/sqrt(n) as much; their springs add up.")
             .in_3d(),
+        number("damping_shared", "", from(0, 1),
+               "The same to a degree x: each of n contacts of one body pair damps n^(-x/2) as much; 1 is "
+               "`share_among_body_contacts`.")
+            .in_3d()
+            .otherwise(0.0),
         number("global_damping_per_s", "1/s", from(0, 1e6),
                "Mass-proportional damping of every body's motion, alpha of Cundall and Strack: a force -alpha m v.")
             .in_2d()

@@ -31,19 +31,23 @@ Clock clock_at(const Active& active, double t) {
     return {t - active.start, true};
 }
 
-/// sin(2 pi f t + phase) - sin(phase) and its rate (1/s).
+/// sin(2 pi (f t + drift t^2 / 2) + phase) - sin(phase) and its rate (1/s).
 struct Wave {
     double value = 0;
     double rate = 0;
 };
 
-Wave wave_at(const Clock& clock, double frequency, double phase) {
+template <class Part> Wave wave_at(const Part& part, double t) {
+    const Clock clock = clock_at(part.active, t);
+    const double frequency = part.frequency, phase = part.phase;
     // Whole turns are taken off before the factor 2 pi, and fma gives the part of the product that rounding dropped:
     // the phase stays right to a few ulp of one turn after any number of turns.
     const double turns = frequency * clock.elapsed;
     const double dropped = std::fma(frequency, clock.elapsed, -turns);
-    const double angle = turn * ((turns - std::floor(turns)) + dropped) + phase;
-    const double rate = clock.running ? turn * frequency * std::cos(angle) : 0.0;
+    const double drifted = 0.5 * part.drift * clock.elapsed * clock.elapsed;
+    const double angle =
+        turn * ((turns - std::floor(turns)) + dropped) + phase + turn * (drifted - std::floor(drifted));
+    const double rate = clock.running ? turn * (frequency + part.drift * clock.elapsed) * std::cos(angle) : 0.0;
     return {std::sin(angle) - std::sin(phase), rate};
 }
 
@@ -66,12 +70,12 @@ void turn_by(WallPose& pose, const Rotation& part, double t) {
 }
 
 void turn_by(WallPose& pose, const Rocking& part, double t) {
-    const Wave wave = wave_at(clock_at(part.active, t), part.frequency, part.phase);
+    const Wave wave = wave_at(part, t);
     turn_about(pose, part.centre, part.axis, part.amplitude * wave.value, part.amplitude * wave.rate);
 }
 
 void shift_by(WallPose& pose, const Harmonic& part, double t) {
-    const Wave wave = wave_at(clock_at(part.active, t), part.frequency, part.phase);
+    const Wave wave = wave_at(part, t);
     pose.translation[part.axis] += part.amplitude * wave.value;
     pose.velocity[part.axis] += part.amplitude * wave.rate;
 }
@@ -140,12 +144,12 @@ double speed_bound(const WallMotion& motion, const Vector3d& about, double reach
             add_turn(part.centre, part.axis, part.angular_velocity, 2.0);
     for (const Rocking& part : motion.rockings)
         if (acts(part.active))
-            add_turn(part.centre, part.axis, turn * part.frequency * part.amplitude, 2 * part.amplitude);
+            add_turn(part.centre, part.axis, turn * top_frequency(part) * part.amplitude, 2 * part.amplitude);
 
     Vector3d shaking = Vector3d::Zero();
     for (const Harmonic& part : motion.harmonics)
         if (acts(part.active))
-            shaking[part.axis] += std::abs(turn * part.frequency * part.amplitude);
+            shaking[part.axis] += std::abs(turn * top_frequency(part) * part.amplitude);
     double bound = turning + shaking.norm();
     for (const Linear& part : motion.linears)
         if (acts(part.active))

@@ -13,13 +13,15 @@ struct Active {
     double stop = std::numeric_limits<double>::infinity();
 };
 
-/// Displacement amplitude * (sin(2 pi f (t - start) + phase) - sin(phase)) along one axis: no jump at the start.
+/// Displacement amplitude * (sin(2 pi (f t + drift t^2 / 2) + phase) - sin(phase)) along one axis, t since the start:
+/// no jump there.
 struct Harmonic {
     Active active;
     int axis = 1;         // 0 x, 1 y, 2 z
     double amplitude = 0; // m
     double frequency = 0; // Hz
     double phase = 0;     // rad
+    double drift = 0;     // Hz/s, of the frequency, which is `frequency` at the start
 };
 
 /// Constant angular velocity about an axis through a point.
@@ -38,6 +40,7 @@ struct Rocking {
     double amplitude = 0;                             // rad
     double frequency = 0;                             // Hz
     double phase = 0;                                 // rad
+    double drift = 0;                                 // Hz/s
 };
 
 /// Constant velocity.
@@ -82,6 +85,14 @@ struct WallPose {
 
 /// Pose at time t (s), exact to rounding however many steps came before.
 WallPose pose_at(const WallMotion& motion, double t);
+
+/// How far a frequency may drift, over what it was: `speed_bound` counts on it, and scenes are held to it.
+constexpr double most_drift = 1;
+
+/// Hz, the highest that the frequency of a Harmonic or a Rocking may come to.
+template <class Wave> double top_frequency(const Wave& wave) {
+    return wave.drift > 0 ? (1 + most_drift) * wave.frequency : wave.frequency;
+}
 
 /// The fastest any point within `reach` (m) of `about` can ever move, m/s; 0 for a wall at rest.
 double speed_bound(const WallMotion& motion, const Eigen::Vector3d& about, double reach);

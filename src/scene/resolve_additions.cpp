@@ -17,6 +17,7 @@ void check_both(const View& view, const Resolving& to, const std::string& one, c
 void resolve_rolling(const View& view, const Resolving& to, contact::PairProperties& properties) {
     properties.rolling_friction = view.number("rolling_friction");
     properties.rolling_damping = view.number("rolling_damping");
+    properties.rolling_time = view.number("rolling_time_s");
     const bool chosen = to.scene.written.contains("contact.rolling"); // also where it is "none"
     for (const char* key : {"rolling_friction", "rolling_damping"})
         if (view.written(key) && !chosen)
@@ -49,11 +50,18 @@ void resolve_restitution(const View& view, const Resolving& to, contact::PairPro
     properties.restitution_exponent = view.number("restitution_exponent");
     properties.restitution_speed = view.number("restitution_speed_m_s");
     properties.restitution_most = view.number("restitution_most");
+    properties.sticking_speed = view.number("sticking_speed_m_s");
     check_both(view, to, "restitution_exponent", "restitution_speed_m_s");
     if (view.written("restitution_most") && !view.written("restitution_exponent"))
         to.refuse(view, "restitution_most",
                   "'restitution_most' bounds a restitution that falls with speed, and this one does not",
                   "add restitution_exponent and restitution_speed_m_s, or remove it");
+    if (properties.sticking_speed > 0 && view.given("restitution") && properties.restitution == 0)
+        to.refuse(view, "sticking_speed_m_s", "with a restitution of 0 every impact sticks",
+                  "remove sticking_speed_m_s, or give the restitution of fast impacts");
+    if (properties.sticking_speed > 0 && properties.damping_time > 0)
+        to.refuse(view, "sticking_speed_m_s", "'sticking_speed_m_s' scales restitution, not 'contact_damping_s'",
+                  "give restitution in place of contact_damping_s");
     if (properties.restitution_exponent == 0)
         return;
     if (view.given("restitution") && properties.restitution == 0)

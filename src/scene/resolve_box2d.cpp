@@ -29,9 +29,9 @@ double fastest_frequency(const Scene& scene) {
     double fastest = 0;
     for (const Wall& wall : scene.walls) {
         for (const Harmonic& part : wall.motion.harmonics)
-            fastest = std::max(fastest, part.frequency);
+            fastest = std::max(fastest, top_frequency(part));
         for (const Rocking& part : wall.motion.rockings)
-            fastest = std::max(fastest, part.frequency);
+            fastest = std::max(fastest, top_frequency(part));
     }
     return fastest;
 }

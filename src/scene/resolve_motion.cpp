@@ -2,6 +2,7 @@
 #include "scene/read_table.h"
 #include "scene/resolve.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace tumble::scene {
@@ -35,6 +36,19 @@ template <class Content, class Read> std::optional<Content> read(const View& vie
     return std::nullopt;
 }
 
+/// Hz/s of a harmonic or a rocking that begins with that frequency.
+double drift_of(const View& view, const Active& active, double frequency, const Resolving& to) {
+    const double drift = view.number("drift_Hz_s");
+    const double lasts = std::max(0.0, std::min(active.stop, to.scene.duration) - active.start);
+    const double change = frequency > 0 ? drift * lasts / frequency : 0;
+    if (change > most_drift || change <= -1)
+        to.refuse(view, "drift_Hz_s",
+                  fmt::format("the frequency would come from {} to {:.4g} Hz in {} s", plain(frequency),
+                              (1 + change) * frequency, plain(lasts)),
+                  "let it neither double nor vanish: choose a smaller drift_Hz_s, or an earlier stop_s");
+    return drift;
+}
+
 void add_harmonics(const View& view, const Active& active, const Resolving& to, WallMotion& motion) {
     if (view.kind() == "harmonics") {
         auto all = read<std::vector<Harmonic>>(view, to, read_harmonics);
@@ -58,6 +72,7 @@ void add_harmonics(const View& view, const Active& active, const Resolving& to, 
     one.amplitude = view.number("amplitude_m");
     one.frequency = view.number("frequency_Hz");
     one.phase = view.number("phase_deg");
+    one.drift = drift_of(view, active, one.frequency, to);
     motion.harmonics.push_back(one);
 }
 
@@ -107,7 +122,8 @@ WallMotion resolve_motion(const View& wall, const Resolving& to) {
                                         view.number(view.given("speed_rpm") ? "speed_rpm" : "speed_rad_s")});
         else if (kind == "rocking")
             motion.rockings.push_back({active, view.vector("centre_m"), axis_of(view), view.number("amplitude_deg"),
-                                       view.number("frequency_Hz"), view.number("phase_deg")});
+                                       view.number("frequency_Hz"), view.number("phase_deg"),
+                                       drift_of(view, active, view.number("frequency_Hz"), to)});
         else if (kind == "linear")
             motion.linears.push_back({active, view.vector("velocity_m_s")});
         else if (kind == "table")

@@ -140,6 +140,7 @@ void resolve_output(const View& root, const Resolving& to) {
     to.scene.observe.every = observe.number("every_s");
     to.scene.observe.measures = observe.words("measures");
     to.scene.observe.contacts = observe.flag("contacts");
+    to.scene.observe.axes_turned = observe.number("axes_turned_deg");
     resolve_render(root.child("render"), to);
 }
 

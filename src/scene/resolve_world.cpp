@@ -101,6 +101,10 @@ void resolve_contact(const View& view, const Resolving& to) {
     }
     laws.limit_force = view.flag("limit_force");
     laws.share_among_body_contacts = view.flag("share_among_body_contacts");
+    laws.damping_shared = view.number("damping_shared");
+    if (laws.share_among_body_contacts && view.written("damping_shared"))
+        to.refuse(view, "damping_shared", "share_among_body_contacts = true shares all of the damping already",
+                  "write one of the two");
     laws.global_damping = view.number("global_damping_per_s");
     laws.accepted_overlap = view.number("accepted_overlap");
     for (const Problem& fault : faults_of(laws, to.scene.dimension))

@@ -42,9 +42,13 @@ struct ContactLaws {
     TangentialLaw tangential = TangentialLaw::mindlin;
     bool limit_force = false;               // true: the normal force never pulls at the end of a rebound
     bool share_among_body_contacts = false; // true: n contacts of one body pair share one dashpot (docs/bodies.md)
+    double damping_shared = 0;              // -, x: each of those damps n^(-x/2) as much; 1 is what the flag says
     double global_damping = 0;              // 1/s, mass-proportional; two dimensions only
     double accepted_overlap = 0.05;         // over the smaller radius; a run that goes beyond says so
     contact::Additions additions;           // docs/laws.md
+
+    /// x of either key.
+    [[nodiscard]] double sharing() const { return share_among_body_contacts ? 1 : damping_shared; }
 };
 
 using fit::Sphere;
@@ -199,6 +203,7 @@ struct Observe {
     double every = 0.01;               // s between rows of series.csv
     std::vector<std::string> measures; // names listed by `tumble list measures`
     bool contacts = false;             // frames keep who touches whom, and with what force
+    double axes_turned = 0; // rad about z, counter-clockwise, of the axes that the centre of mass is read along
 };
 
 /// Lines that pictures show over the bodies.

@@ -40,7 +40,7 @@ struct Contact {
 Contact contact_of(const Scene& scene, const ContactSide& a, const ContactSide& b, double speed) {
     Contact contact;
     contact.pair = scene.constants(a.material, b.material);
-    if (contact.pair.restitution_exponent > 0)
+    if (contact.pair.restitution_exponent > 0 && contact.pair.sticking_speed == 0) // what sticks is damped critically
         contact.pair.damping = contact::damping_at(speed, contact.pair);
     contact.rubs =
         scene.contact.tangential != TangentialLaw::none && (contact.pair.friction > 0 || contact.pair.cohesion > 0);

@@ -58,6 +58,8 @@ void write_world(const Scene& scene, TomlWriter& to) {
         to.number("global_damping_per_s", scene.contact.global_damping);
     else
         to.flag("share_among_body_contacts", scene.contact.share_among_body_contacts);
+    if (scene.contact.damping_shared > 0)
+        to.number("damping_shared", scene.contact.damping_shared);
     if (scene.dimension == 2)
         write_box2d(scene.box2d, to);
 }
@@ -77,6 +79,8 @@ void write_additions(const contact::PairProperties& pair, const contact::Additio
         to.number("rolling_friction", pair.rolling_friction);
         to.number("rolling_damping", pair.rolling_damping);
     }
+    if (pair.rolling_time > 0)
+        to.number("rolling_time_s", pair.rolling_time);
     if (additions.adhesion == contact::AdhesionLaw::sjkr)
         to.number("cohesion_energy_J_m3", pair.cohesion_energy);
     else if (additions.adhesion != contact::AdhesionLaw::none)
@@ -86,6 +90,8 @@ void write_additions(const contact::PairProperties& pair, const contact::Additio
         to.number("restitution_speed_m_s", pair.restitution_speed);
         to.number("restitution_most", pair.restitution_most);
     }
+    if (pair.sticking_speed > 0)
+        to.number("sticking_speed_m_s", pair.sticking_speed);
     if (pair.sliding_speed > 0) {
         to.number("sliding_friction", pair.sliding_friction);
         to.number("sliding_speed_m_s", pair.sliding_speed);
@@ -337,6 +343,13 @@ void begin_motion(TomlWriter& to, const char* kind, const Active& active) {
         to.number("stop_s", active.stop);
 }
 
+template <class Part> void write_wave(const Part& part, TomlWriter& to) {
+    to.number("frequency_Hz", part.frequency);
+    if (part.drift != 0)
+        to.number("drift_Hz_s", part.drift);
+    to.number("phase_deg", part.phase);
+}
+
 void write_turns(const WallMotion& motion, int dimension, TomlWriter& to) {
     for (const Rotation& part : motion.rotations) {
         begin_motion(to, "rotation", part.active);
@@ -351,8 +364,7 @@ void write_turns(const WallMotion& motion, int dimension, TomlWriter& to) {
         if (dimension == 3)
             to.vector("about", part.axis);
         to.number("amplitude_deg", part.amplitude);
-        to.number("frequency_Hz", part.frequency);
-        to.number("phase_deg", part.phase);
+        write_wave(part, to);
     }
 }
 
@@ -361,8 +373,7 @@ void write_motion(const WallMotion& motion, int dimension, TomlWriter& to) {
         begin_motion(to, "harmonic", part.active);
         to.text("axis", std::string(1, "xyz"[part.axis]));
         to.number("amplitude_m", part.amplitude);
-        to.number("frequency_Hz", part.frequency);
-        to.number("phase_deg", part.phase);
+        write_wave(part, to);
     }
     write_turns(motion, dimension, to);
     for (const Linear& part : motion.linears) {
@@ -409,6 +420,8 @@ void write_output(const Scene& scene, TomlWriter& to) {
     to.number("every_s", scene.observe.every);
     to.words("measures", scene.observe.measures);
     to.flag("contacts", scene.observe.contacts);
+    if (scene.observe.axes_turned != 0)
+        to.number("axes_turned_deg", scene.observe.axes_turned);
     const Render& render = scene.render;
     to.table("render", "[render]");
     if (scene.dimension == 3) {

@@ -81,6 +81,12 @@ bool holds(const World& world, const Chunk& chunk, std::size_t kind, const WallC
                                chunk.wall_further[further].bonded) > 0;
 }
 
+/// What each of n contacts between the same two keeps of its damping: n^(-x/2).
+double kept_of_damping(std::ptrdiff_t n, double sharing) {
+    const auto count = static_cast<double>(n);
+    return sharing == 1 ? 1 / std::sqrt(count) : std::pow(count, -0.5 * sharing);
+}
+
 /// The last `listed` contacts of a kind, all between the same two, share their damping.
 template <class Contact>
 void share_damping(const World& world, const Chunk& chunk, std::size_t kind, std::vector<Contact>& contacts,
@@ -91,7 +97,7 @@ void share_damping(const World& world, const Chunk& chunk, std::size_t kind, std
                                   : 1;
     if (count > 1)
         for (auto contact = first; contact != contacts.end(); ++contact)
-            contact->damping_share = 1 / std::sqrt(static_cast<double>(count));
+            contact->damping_share = kept_of_damping(count, world.scene.contact.sharing());
 }
 
 TouchCounts find_clump_touches(const World& world, Chunk& chunk) {
@@ -127,7 +133,7 @@ void touch_clumps(const World& world, Chunk& chunk) {
             contacts.push_back(
                 body_contact(world, pair, chunk.candidates.spheres[static_cast<std::size_t>(candidate)], candidate));
         }
-        if (world.scene.contact.share_among_body_contacts)
+        if (world.scene.contact.sharing() > 0)
             share_damping(world, chunk, kind, contacts, next - first);
     }
 }
@@ -216,7 +222,7 @@ void touch_walls(const World& world, Chunk& chunk) {
             world.kind_of(near.body, world.walls[static_cast<std::size_t>(near.wall)].wall.material));
         auto& contacts = chunk.wall_contacts[kind];
         const int touching = touch_wall(world, chunk, near, contacts, touches);
-        if (world.scene.contact.share_among_body_contacts)
+        if (world.scene.contact.sharing() > 0)
             share_damping(world, chunk, kind, contacts, touching);
     }
 }

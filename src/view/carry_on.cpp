@@ -29,6 +29,8 @@ private:
 template <class Wave> Wave carried(const Wave& running, const Wave& wanted, double now, double step, Next& next) {
     if (now >= running.active.stop)
         return running;
+    if (running.drift != 0 || wanted.drift != 0) // its periods are not all alike: begun, it is left alone
+        return now <= running.active.start ? wanted : running;
     const bool same_swing = running.amplitude == wanted.amplitude && running.phase == wanted.phase;
     if (same_swing && running.frequency == wanted.frequency)
         return running;

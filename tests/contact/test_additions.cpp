@@ -49,6 +49,8 @@ PairConstants everything(RollingLaw law) {
     pair.restitution_speed = 1;
     pair.sliding_friction = 0.1;
     pair.sliding_speed = 0.05;
+    pair.rolling_time = 0.01;
+    pair.sticking_speed = 0.02;
     return derive(glass, glass, pair, {law});
 }
 
@@ -191,6 +193,42 @@ TEST_CASE("the rolling dashpot is eta_r times the critical 2 sqrt(I_r k_r), and 
     CHECK(yielding.lost_rolling_damping == 0);
 }
 
+TEST_CASE("viscous rolling: tau R* F_n times what rolls, nothing of what twists, beside whatever law there is") {
+    PairProperties properties = rubbing();
+    properties.rolling_time = 0.02;
+    const double alone = 0.02 * 2e-3 * press(derive(glass, glass, properties)); // N m s
+    for (const RollingLaw law : {RollingLaw::none, RollingLaw::cdt}) {
+        properties.rolling_friction = law == RollingLaw::none ? 0 : 0.15;
+        const PairConstants pair = derive(glass, glass, properties, {law});
+        const double dry = properties.rolling_friction * 2e-3 * press(pair);
+        for (const double speed : {1e-6, 1.0, 1e4}) {
+            const Turn<double> turn{{50, 3 * speed, -4 * speed}, 1e20};
+            const auto push = FullLaw<Hertz, Mindlin>{}.push(pressed, turn, pair, fresh, just_begun, dt);
+            CHECK(push.torque.x == 0);
+            CHECK(push.torque.y == about(-0.6 * dry - 3 * alone * speed));
+            CHECK(push.torque.z == about(0.8 * dry + 4 * alone * speed));
+            CHECK(push.lost_rolling_damping == about((dry + 5 * alone * speed) * 5 * speed * dt));
+        }
+    }
+    CHECK(!derive(glass, glass, properties).plain());
+}
+
+TEST_CASE("no step is too long for viscous rolling: a spin that is free to turn never grows") {
+    PairProperties properties = rubbing();
+    properties.rolling_time = 10;
+    const PairConstants pair = derive(glass, glass, properties);
+    const double turns = 0.4 * 5e-5 * 2e-3 * 2e-3; // kg m2, of a sphere about its centre
+    for (const double step : {1e-9, 1e-7, 1e-5, 1e-2, 10.0}) {
+        const Turn<double> turn{{0, 0, 100}, turns * 3.5};
+        const auto push = FullLaw<Hertz, Mindlin>{}.push(pressed, turn, pair, fresh, just_begun, step);
+        const double after = 100 + push.torque.z * step / turns;
+        CHECK(std::abs(after) < 100);
+        // The rule of the trapezium, which is exp(-c t / I) to second order.
+        const double x = 10 * 2e-3 * press(pair) * step / turns;
+        CHECK(after == about(100 * (1 - x / 2) / (1 + x / 2), 1e-9));
+    }
+}
+
 TEST_CASE("friction weakens from mu_s to mu_k over the speed v_c") {
     const PairConstants pair = everything(RollingLaw::none);
     CHECK(friction_at(0.0, pair) == about(0.3));
@@ -213,6 +251,27 @@ TEST_CASE("a restitution that falls with speed asks for the damping of e_0 (v / 
     CHECK(damping_at(32.0, pair) == about(damping_of(0.2)));
     CHECK(damping_at(0.125, pair) == about(damping_of(0.8)));
     CHECK(damping_at(1e-12, pair) == about(damping_of(0.9)));
+}
+
+TEST_CASE("surfaces that stick ask for the damping of e sqrt(1 - (v_s / v)^2), and all of the critical below v_s") {
+    PairProperties properties = rubbing();
+    properties.sticking_speed = 0.3;
+    const auto damping_of = [](double e) {
+        PairProperties fixed;
+        fixed.restitution = e;
+        return derive(glass, glass, fixed).damping;
+    };
+    const PairConstants pair = derive(glass, glass, properties);
+    CHECK(pair.damping == 1); // the law scales it
+    CHECK(damping_at(0.5, pair) == about(damping_of(0.4 * 0.8)));
+    CHECK(damping_at(1e3, pair) == about(damping_of(0.4), 1e-6));
+    CHECK(damping_at(0.3, pair) > 0.9999);
+    CHECK(damping_at(1e-12, pair) > 0.9999);
+    properties.restitution_exponent = 0.25; // and both
+    properties.restitution_speed = 2;
+    CHECK(damping_at(0.5, derive(glass, glass, properties)) == about(damping_of(0.4 * std::sqrt(2) * 0.8)));
+    properties.restitution = 0; // sticks at every speed: nothing to scale
+    CHECK(derive(glass, glass, properties).sticking_speed == 0);
 }
 
 TEST_CASE("a contact keeps the speed of its impact, and its damping with it") {

@@ -155,8 +155,8 @@ TEST_CASE("each bad input has its answer: place, what is wrong, what to do") {
           "was at its limit: choose a larger range");
     CHECK(
         warning(whole, {3, 3, 2, 2, 1, 1, 2, 2, 3, 3, 1, 2, 3, 2, 1}) ==
-        "quantised: height_mm: only 3 different readings: coarse steps; record with more digits; a step adds a scatter "
-        "of step / sqrt(12)");
+        "quantised: height_mm: only 3 different readings, in steps of 0.001 m (ins.quant); record with more digits; a "
+        "step adds a scatter of step / sqrt(12), which the scatter found contains");
     CHECK(warning(replaced(whole, "sigma = 1.5\n", ""), falling) ==
           "sigma missing: height_mm: its scatter is not stated; give sigma; it is estimated from the residual instead");
 }

@@ -62,6 +62,20 @@ TEST_CASE("the solver's books come through under their names") {
     CHECK(measured("kinetic_energy", seen) == about(4.5));
 }
 
+TEST_CASE("read along axes that are turned, a centre of mass keeps its distance and its height gives some to x") {
+    observe::Frame frame;
+    frame.layout = open_layout(ball(0.01, 1));
+    add_body(frame, {3, 4, 0.5});
+    const Books books;
+    const double turned = 0.1;
+    const observe::Seen upright(frame, books), leaning(frame, books, turned);
+    CHECK(measured("centre_of_mass_x", upright) == 3);
+    CHECK(measured("centre_of_mass_x", leaning) == about(3 * std::cos(turned) + 4 * std::sin(turned)));
+    CHECK(measured("centre_of_mass_y", leaning) == about(4 * std::cos(turned) - 3 * std::sin(turned)));
+    CHECK(measured("centre_of_mass_z", leaning) == 0.5);
+    CHECK(measured("kinetic_energy", leaning) == measured("kinetic_energy", upright));
+}
+
 TEST_CASE("a group brings all its measures, and none comes twice") {
     const auto chosen = observe::choose_measures({"centre_of_mass_y", "centre_of_mass", "centre_of_mass_z"});
     REQUIRE(chosen.ok());

@@ -18,10 +18,12 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 WallMotion everything() {
     WallMotion motion;
-    motion.harmonics = {{{0.0, infinite}, 1, 2e-3, 25.0, 0.4}, {{0.1, 0.9}, 2, 1e-3, 50.0, -1.1}};
+    motion.harmonics = {{{0.0, infinite}, 1, 2e-3, 25.0, 0.4},
+                        {{0.1, 0.9}, 2, 1e-3, 50.0, -1.1},
+                        {{0.05, 0.8}, 0, 1e-3, 30.0, 0.2, 12}};
     motion.rotations = {{{0.05, infinite}, Vector3d(0.1, 0, 0.2), Vector3d(0, 0.6, 0.8), 3.0}};
     motion.rockings = {{{0.0, infinite}, Vector3d(0, 0.3, 0), Vector3d::UnitX(), 0.2, 4.0, 0.7},
-                       {{0.0, infinite}, Vector3d(0, 0, 0.1), Vector3d::UnitZ(), 0.1, 7.0, 0.0}};
+                       {{0.0, infinite}, Vector3d(0, 0, 0.1), Vector3d::UnitZ(), 0.1, 7.0, 0.0, -0.3}};
     motion.linears = {{{0.0, infinite}, Vector3d(0.01, -0.02, 0.03)}};
     motion.tables = {
         {{0.2, infinite}, {0, 0.3, 0.5}, {Vector3d::Zero(), Vector3d(0.01, 0, 0), Vector3d(0, 0.02, 0.01)}}};
@@ -73,6 +75,20 @@ TEST_CASE("a harmonic starts without a jump whatever its phase, and starts at it
     CHECK(pose_at(motion, 0.5).translation.norm() < 1e-17);
     CHECK(pose_at(motion, 0.5).velocity.x() == about(0.01 * 20 * pi * std::cos(1.0), 1e-14));
     CHECK(pose_at(motion, 0.525).translation.x() == about(0.01 * (std::sin(pi / 2 + 1.0) - std::sin(1.0)), 1e-12));
+}
+
+TEST_CASE("a frequency that drifts is f + drift t after t, and its phase runs ahead with the square of time") {
+    WallMotion motion;
+    motion.harmonics = {{{0.5, infinite}, 1, 2e-3, 20.0, 0.3, 4.0}};
+    // After 3 s: 20 * 3 + 4 * 9 / 2 = 78 turns; after 2.5 s: 50 + 12.5, half a turn more.
+    CHECK(std::abs(pose_at(motion, 3.5).translation.y()) < 1e-15);
+    CHECK(pose_at(motion, 3.5).velocity.y() == about(2e-3 * 2 * pi * (20 + 12) * std::cos(0.3), 1e-12));
+    CHECK(pose_at(motion, 3.0).translation.y() == about(-2 * 2e-3 * std::sin(0.3), 1e-12));
+    WallMotion steady = motion, none = motion;
+    steady.harmonics[0].drift = 0;
+    none.harmonics[0] = {{0.5, infinite}, 1, 2e-3, 20.0, 0.3};
+    for (double t = 0; t < 4; t += 0.013)
+        CHECK(pose_at(steady, t).translation == pose_at(none, t).translation);
 }
 
 TEST_CASE("every part holds at its stop what it had reached, with no velocity") {
@@ -193,6 +209,8 @@ TEST_CASE("no point moves faster than the speed bound, and one harmonic reaches 
     WallMotion one;
     one.harmonics = {{{}, 1, 4e-3, 25.0, 0.3}};
     CHECK(speed_bound(one, centre, 10) == about(4e-3 * 50 * pi, 1e-14));
+    one.harmonics[0].drift = 1; // it may double
+    CHECK(speed_bound(one, centre, 10) == about(4e-3 * 100 * pi, 1e-14));
     CHECK(speed_bound({}, centre, 10) == 0);
 }
 

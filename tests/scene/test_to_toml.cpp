@@ -30,7 +30,8 @@ Scene again(const Scene& scene) {
 
 auto additions_of(const contact::PairProperties& pair) {
     return std::tuple(pair.rolling_friction, pair.rolling_damping, pair.restitution_exponent, pair.restitution_speed,
-                      pair.restitution_most, pair.sliding_friction, pair.sliding_speed);
+                      pair.restitution_most, pair.sliding_friction, pair.sliding_speed, pair.rolling_time,
+                      pair.sticking_speed);
 }
 
 void check_same_motion(const WallMotion& a, const WallMotion& b) {
@@ -40,6 +41,7 @@ void check_same_motion(const WallMotion& a, const WallMotion& b) {
         CHECK(a.harmonics[i].amplitude == b.harmonics[i].amplitude);
         CHECK(a.harmonics[i].frequency == b.harmonics[i].frequency);
         CHECK(a.harmonics[i].phase == b.harmonics[i].phase);
+        CHECK(a.harmonics[i].drift == b.harmonics[i].drift);
         CHECK(a.harmonics[i].active.start == b.harmonics[i].active.start);
         CHECK(a.harmonics[i].active.stop == b.harmonics[i].active.stop);
     }
@@ -55,6 +57,7 @@ void check_same_motion(const WallMotion& a, const WallMotion& b) {
         CHECK(a.rockings[i].amplitude == b.rockings[i].amplitude);
         CHECK(a.rockings[i].phase == b.rockings[i].phase);
         CHECK(a.rockings[i].frequency == b.rockings[i].frequency);
+        CHECK(a.rockings[i].drift == b.rockings[i].drift);
     }
     REQUIRE(a.linears.size() == b.linears.size());
     for (std::size_t i = 0; i < a.linears.size(); ++i)
@@ -143,6 +146,8 @@ TEST_CASE("a resolved scene loads again to the same walls and motions, bit for b
     CHECK(a.render.turn_deg_s == 90);
     CHECK(b.render.turn_deg_s == 90);
     CHECK(b.observe.contacts);
+    CHECK(b.observe.axes_turned == a.observe.axes_turned);
+    CHECK(std::abs(b.observe.axes_turned * 57.29577951308232 - 1.7) < 1e-12);
     CHECK(a.render.marks.arrow_speed == 0.3);
     CHECK(a.render.marks == b.render.marks);
 }
@@ -159,6 +164,11 @@ TEST_CASE("a resolved scene loads again to the same laws, materials and pairs") 
                      a.contact.share_among_body_contacts) == std::tuple(b.contact.normal, b.contact.tangential,
                                                                         b.contact.limit_force,
                                                                         b.contact.share_among_body_contacts));
+    CHECK(b.contact.damping_shared == 0.25);
+    Scene all_shared = a;
+    all_shared.contact.damping_shared = 0;
+    all_shared.contact.share_among_body_contacts = true;
+    CHECK(again(all_shared).contact.share_among_body_contacts);
     CHECK(b.contact.additions.rolling == contact::RollingLaw::epsd);
     CHECK(b.contact.additions.adhesion == contact::AdhesionLaw::sjkr);
     CHECK(b.pairs[1].cohesion_energy == 1234.5);
@@ -179,7 +189,7 @@ TEST_CASE("a resolved scene loads again to the same laws, materials and pairs") 
                                                                         b.pairs[i].normal_stiffness,
                                                                         b.pairs[i].tangential_stiffness));
     }
-    CHECK(additions_of(a.pairs[1]) == std::tuple(0.07, 0.4, 0.25, 0.9, 0.8, 0.6, 0.05));
+    CHECK(additions_of(a.pairs[1]) == std::tuple(0.07, 0.4, 0.25, 0.9, 0.8, 0.6, 0.05, 0.003, 0.02));
 }
 
 TEST_CASE("what is written once is written the same again") {

@@ -74,6 +74,18 @@ TEST_CASE("down an incline a disc rolls with 2/3 g (sin - mu_r cos)") {
     }
 }
 
+TEST_CASE("viscous rolling of a disc dies away as exp(-2/3 g tau t / R)") {
+    const double v = 0.5, tau = 0.02, rate = 2.0 / 3 * g * tau / radius; // 1/s
+    Roller disc(contact::RollingLaw::none, 0, 0, v);
+    disc.box.scene.pairs[0].rolling_time = tau;
+    disc.box.build();
+    disc.box.put({at(0, {0, radius - disc.mass * g / stiffness}, {v, 0}, -v / radius)});
+    disc.run_for(0.6);
+    CHECK(disc.speed() == about(v * std::exp(-0.6 * rate), 5e-3));
+    CHECK(books_of(*disc.box.world).lost_rolling ==
+          about(0.75 * disc.mass * v * v * (1 - std::exp(-1.2 * rate)), 5e-3));
+}
+
 TEST_CASE("a disc holds on a slope whose tangent is below mu_r") {
     for (const auto law : both) {
         CAPTURE(static_cast<int>(law));

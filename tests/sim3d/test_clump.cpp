@@ -16,7 +16,7 @@ using tumble::test::about;
 namespace {
 
 /// n touching spheres in a square pattern that land flat; restitution of the body.
-double flat_landing(int per_side_x, int per_side_z, double e, bool share, bool hertz = false) {
+double flat_landing(int per_side_x, int per_side_z, double e, bool share, bool hertz = false, double shared = 0) {
     const double r = 5e-3;
     std::vector<scene::Sphere> spheres;
     for (int i = 0; i < per_side_x; ++i)
@@ -28,6 +28,7 @@ double flat_landing(int per_side_x, int per_side_z, double e, bool share, bool h
         box.scene.contact.tangential = scene::TangentialLaw::linear;
     }
     box.scene.contact.share_among_body_contacts = share;
+    box.scene.contact.damping_shared = shared;
     box.wall(scene::PlaneShape{});
     BodyState body = placed(box.body(spheres), {0, r + 1e-7, 0}, {0, -1, 0});
     auto probe = build_world(box.scene, 1);
@@ -151,6 +152,17 @@ TEST_CASE("n spheres that land flat by Hertz lose as many dampings as by the lin
               about(std::exp(-std::numbers::pi * b / std::sqrt(1 - b * b)), 0.01));
         CHECK(flat_landing(x, z, e, true, true) == about(e, 0.01));
     }
+}
+
+TEST_CASE(
+    "damping shared to a degree x leaves n^((1 - x) / 2) of a contact's damping ratio, and all of x is the flag") {
+    const double b = -std::log(0.7) / std::hypot(std::numbers::pi, std::log(0.7));
+    for (const double x : {0.25, 0.5, 0.75}) {
+        const double shared = std::pow(4, 0.5 * (1 - x)) * b;
+        const double predicted = std::exp(-std::numbers::pi * shared / std::sqrt(1 - shared * shared));
+        CHECK(flat_landing(2, 2, 0.7, false, false, x) == about(predicted, 0.01));
+    }
+    CHECK(flat_landing(2, 2, 0.7, false, false, 1) == flat_landing(2, 2, 0.7, true));
 }
 
 TEST_CASE("a body of one sphere with an inertia of its own turns as that inertia says") {

@@ -34,7 +34,9 @@ struct Roller {
     double mass = 0;
 
     Roller(contact::RollingLaw law, double rolling_friction, double slope, double speed, double rolling_damping = 0.3)
-        : box(soft, rolling_pair(rolling_friction, rolling_damping), dt) {
+        : Roller(law, rolling_pair(rolling_friction, rolling_damping), slope, speed) {}
+    Roller(contact::RollingLaw law, const contact::PairProperties& pair, double slope, double speed)
+        : box(soft, pair, dt) {
         box.scene.contact.additions.rolling = law;
         box.scene.gravity = {g * std::sin(slope), -g * std::cos(slope), 0};
         box.wall(scene::PlaneShape{});
@@ -50,6 +52,12 @@ struct Roller {
     /// Energy that the books miss, over all that was put in.
     [[nodiscard]] double missed(double put_in) const { return std::abs(books_of(*box.world).closure) / put_in; }
 };
+
+contact::PairProperties viscous_pair(double tau) {
+    contact::PairProperties pair = rolling_pair(0);
+    pair.rolling_time = tau;
+    return pair;
+}
 
 const contact::RollingLaw both[] = {contact::RollingLaw::cdt, contact::RollingLaw::epsd};
 
@@ -78,6 +86,25 @@ TEST_CASE("a rolling ball stops after 7 v^2 / (10 mu_r g), and all it had is boo
         CHECK(books.kinetic_translation + books.kinetic_rotation < 2e-3 * energy); // the spring swings
         CHECK(ball.missed(energy) < 1e-3);
     }
+}
+
+TEST_CASE(
+    "viscous rolling dies away as exp(-5/7 g tau t / R) and is booked as lost; down a slope it tends to a speed") {
+    const double v = 0.2, tau = 0.004, rate = 5.0 / 7 * g * tau / radius; // 1/s
+    Roller ball(contact::RollingLaw::none, viscous_pair(tau), 0, v);
+    for (const double time : {0.2, 0.4, 0.8}) {
+        ball.run_for(time - static_cast<double>(steps_of(*ball.box.world)) * dt);
+        CHECK(ball.speed() == about(v * std::exp(-rate * time), 3e-3));
+        CHECK(ball.place() == about(v / rate * (1 - std::exp(-rate * time)), 3e-3));
+    }
+    const double energy = 0.7 * ball.mass * v * v;
+    const Books books = books_of(*ball.box.world);
+    CHECK(books.lost_rolling == about(energy * (1 - std::exp(-1.6 * rate)), 5e-3));
+    CHECK(ball.missed(energy) < 1e-3);
+    const double slope = 0.02;
+    Roller rolls(contact::RollingLaw::none, viscous_pair(10 * tau), slope, 0);
+    rolls.run_for(0.5); // fourteen times its time
+    CHECK(rolls.speed() == about(std::tan(slope) * radius / (10 * tau), 3e-3));
 }
 
 TEST_CASE("while the rolling spring is wound up its dashpot takes 4 eta_r theta omega_r / omega of the energy") {

@@ -65,6 +65,26 @@ TEST_CASE("in slow impacts restitution is at most what the pair allows") {
     CHECK(rebound(pair, scene::NormalLaw::hertz, 0.1) == about(0.7, 0.01));
 }
 
+TEST_CASE("surfaces that stick rebound with e sqrt(1 - (v_s / v)^2), by both normal laws, and below v_s not at all") {
+    contact::PairProperties pair = falling(0.6, 0, 0);
+    pair.sticking_speed = 0.2;
+    for (const auto law : {scene::NormalLaw::hertz, scene::NormalLaw::linear})
+        for (const double v : {0.22, 0.25, 0.4, 1.0, 3.0}) {
+            CAPTURE(v);
+            CHECK(rebound(pair, law, v) == about(0.6 * std::sqrt(1 - 0.04 / (v * v)), 0.01));
+        }
+    Sandbox box(alumina, pair, 2e-8);
+    box.scene.gravity = {0, -9.81, 0};
+    box.wall(scene::PlaneShape{});
+    box.start({placed(box.ball(r), {0, r + 1e-9, 0}, {0, -0.15, 0})});
+    for (int k = 0; k < 50; ++k) { // 2 ms, twenty times as long as an impact
+        box.run(2000);
+        CHECK(box.body_now(0).position.y() < r + 1e-9);
+    }
+    CHECK(books_of(*box.world).contacts == 1);
+    CHECK(std::abs(box.body_now(0).velocity.y()) < 1e-3 * 0.15);
+}
+
 TEST_CASE("each impact has its own speed: a ball that bounces loses less and less of it") {
     const double p = 0.25, e = 0.5, g = 30; // m/s2, so that flights are short; g T_c is 0.1 % of the speed
     Sandbox box(alumina, falling(e, 1, p), 1e-7);

@@ -50,6 +50,14 @@ double jump(const scene::Scene& before, const scene::Scene& after, double now) {
     return std::max((a.translation - b.translation).norm(), (a.rotation - b.rotation).norm());
 }
 
+TEST_CASE("a swing whose frequency drifts is left alone once it has begun, and taken over before") {
+    scene::Scene running = shaken(2e-3, 25, 0.7, 0.1), wanted = shaken(3e-3, 30, -1.1, 0.1);
+    running.walls[0].motion.harmonics[0].drift = wanted.walls[0].motion.harmonics[0].drift = 2;
+    for (const double now : {0.2, 0.5})
+        CHECK(carry_on(running, wanted, now).scene.walls[0].motion.harmonics[0].amplitude == 2e-3);
+    CHECK(carry_on(running, wanted, 0.05).scene.walls[0].motion.harmonics[0].amplitude == 3e-3);
+}
+
 TEST_CASE("a harmonic takes up amplitude and phase where its period ends, where it stands at zero") {
     const scene::Scene running = shaken(2e-3, 25, 0.7, 0.1), wanted = shaken(3e-3, 25, -1.1, 0.1);
     const double within = 0.1 + 3.4 / 25; // in the fourth period

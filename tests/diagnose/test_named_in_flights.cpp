@@ -159,8 +159,8 @@ TEST_CASE("surfaces that stick are named, beside a restitution that falls with s
     CHECK(diagnosis.extended->pair(0, 0).sticking_speed == about(std::sqrt(0.3), 0.05));
 }
 
-TEST_CASE(
-    "a camera that leans by a tenth of a degree is named where both coordinates were read, ground that leans beside it") {
+TEST_CASE("a camera that leans by a tenth of a degree is named where both coordinates were read, ground that leans "
+          "beside it") {
     const double tenth = 0.1 / 57.29577951308232;
     const std::vector<std::string> causes{"sensor axes", "tilt", "gravity", "clock", "sensor scale"};
     const Diagnosis camera = diagnosed(filmed({.along = 0.4, .turned = tenth}, true, causes));

@@ -128,7 +128,8 @@ TEST_CASE("what goes in as restitution comes out, for Hertz and for the linear l
             const double r = 2.5e-3;
             Sandbox box({"alumina", 4000, 380e9, 0.23}, {e, 0.092, 1e7, 1e7}, linear ? 2e-8 : 2e-9);
             if (linear)
-                box.scene.contact = {scene::NormalLaw::linear, scene::TangentialLaw::linear, false, false, 0, 0, 0.05, {}};
+                box.scene.contact = {
+                    scene::NormalLaw::linear, scene::TangentialLaw::linear, false, false, 0, 0, 0.05, {}};
             box.wall(scene::PlaneShape{}, box.wall_material({"rigid", 7800, 1e20, 0.3}, {e, 0.092, 1e7, 1e7}));
             box.start({placed(box.ball(r), {0, r + 1e-9, 0}, {0, -3.9, 0})});
             (void)run_impact(box, ball_mass(r, 4000), 1);

@@ -12,7 +12,8 @@ namespace tumble::diagnose {
 namespace {
 
 constexpr std::size_t few_levels = 50;
-constexpr std::size_t flat_run = 3;
+constexpr std::size_t flat_run = 3; // equal readings in a row, of a sensor whose steps are fine
+constexpr double one_in_ten_thousand = 1e-4;
 
 void doubt_time(const Record& record, Problems& warnings) {
     std::vector<double> steps;
@@ -49,6 +50,15 @@ double step_of(const std::set<double>& levels) {
     return std::isfinite(step) && std::all_of(levels.begin(), levels.end(), whole) ? step : 0;
 }
 
+/// How many equal readings in a row chance gives to one sensor in ten thousand: of a body at rest two neighbours, each
+/// rounded to the step, are equal with a probability of step / (2 sqrt(pi) sigma).
+std::size_t suspicious_run(double step, double sigma) {
+    if (step == 0 || sigma == 0)
+        return flat_run;
+    const double equal = std::min(0.9, step / (3.544907701811032 * sigma));
+    return std::max(flat_run, 1 + static_cast<std::size_t>(std::ceil(std::log(one_in_ten_thousand) / std::log(equal))));
+}
+
 void doubt_channel(const Record& record, const Channel& channel, Problems& warnings) {
     const auto warn = [&](std::string key, const std::string& what, std::string fix) {
         warnings.push_back({.file = record.file.string(),
@@ -67,11 +77,12 @@ void doubt_channel(const Record& record, const Channel& channel, Problems& warni
                                     step, channel.unit)
                       : fmt::format("only {} different readings: coarse steps (ins.quant)", levels.size()),
              "record with more digits; a step adds a scatter of step / sqrt(12), which the scatter found contains");
+    const std::size_t suspicious = suspicious_run(step, channel.sigma);
     for (const double extreme : {*levels.begin(), *levels.rbegin()}) {
         std::size_t run = 0, longest = 0;
         for (const double value : channel.value)
             longest = std::max(longest, run = value == extreme ? run + 1 : 0);
-        if (longest >= flat_run && !coarse)
+        if (longest >= suspicious && !coarse)
             warn("clipped", fmt::format("{} equal readings in a row at the end of the range", longest),
                  "the sensor was at its limit: choose a larger range");
     }

@@ -244,11 +244,21 @@ private:
         d_.evidence = {baseline_.residual, baseline_.slopes, effects_, directions_, d_.causes, {}, 0};
         for (const int k : baseline_.free)
             d_.evidence.nuisance.push_back(model_->parameters()[static_cast<std::size_t>(k)].nuisance);
+        for (const Parameter& parameter : model_->parameters())
+            if (parameter.spread > 0) {
+                const Nuisance& nuisance = measurement_.nuisances[static_cast<std::size_t>(parameter.nuisance)];
+                d_.evidence.beforehand.push_back(nuisance.key.empty() ? nuisance.instrument : nuisance.key);
+            }
         d_.decision = decide(d_.evidence, measurement_.settings,
                              [this](const std::vector<int>& causes) { return refit(causes); });
         d_.follows = followed_by(d_.evidence, d_.decision);
-        if (d_.decision.outcome == Outcome::none_known)
-            d_.differing = differing_in(d_.evidence, measurement_.settings);
+        if (d_.decision.outcome == Outcome::none_known) {
+            d_.overstated = overstated_in(d_.evidence, measurement_.settings);
+            if (d_.overstated)
+                d_.alike = alike_to(d_.evidence, d_.overstated->what);
+            else
+                d_.differing = differing_in(d_.evidence, measurement_.settings);
+        }
         doubt_name();
         const VectorXd errors = errors_of(baseline_.slopes);
         for (int k = 0; k < model_->nuisances(); ++k) {

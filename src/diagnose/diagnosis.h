@@ -55,8 +55,10 @@ struct Diagnosis {
     std::vector<Cause> causes;
     Evidence evidence; // what the decision was made from
     Decision decision;
-    Following follows;                  // what the residual that is left looks like
-    std::optional<Differing> differing; // where no cause explains it
+    Following follows;                 // what the residual that is left looks like
+    std::optional<Besides> differing;  // from condition to condition, where no cause explains it
+    std::optional<Besides> overstated; // a nuisance said to be better known than it is, where not even that does
+    std::vector<std::string> alike;    // causes that look like that nuisance
     std::optional<Gain> gain;
     std::vector<Proposal> proposals; // best first
     std::vector<Curve> curves;

@@ -108,8 +108,8 @@ public:
                 fresh = false;
                 continue;
             }
-            if (fresh) { // kinks at impacts keep the last hundredths of a nat out of reach
-                fit_.converged = fit_.decrement < 2 * options.tolerance;
+            if (fresh) { // kinks at impacts keep the last of it out of reach
+                fit_.converged = fit_.decrement < options.short_enough;
                 return {};
             }
             if (const Problems problems = renew(); !problems.empty())
@@ -120,7 +120,7 @@ public:
             if (const Problems problems = renew(); !problems.empty())
                 return problems;
         fit_.decrement = decrement();
-        fit_.converged = fit_.decrement < 2 * options.tolerance;
+        fit_.converged = fit_.decrement < options.short_enough;
         return {};
     }
 

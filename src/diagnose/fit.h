@@ -17,9 +17,10 @@ struct Fit {
 };
 
 struct FitOptions {
-    bool progressive = false;         // begin with 30 % of every record, then 50, 70, 100 %
-    double tolerance = 0.01;          // nats
-    int most_steps = 12;              // per horizon; half of them at those before the last
+    bool progressive = false;  // begin with 30 % of every record, then 50, 70, 100 %
+    double tolerance = 0.01;   // nats
+    double short_enough = 0.1; // nats that a fit may lack where kinks end it: a thirtieth of what parts two names
+    int most_steps = 12;       // per horizon; half of them at those before the last
     const MatrixXd* slopes = nullptr; // known at the start, for the free parameters
 };
 

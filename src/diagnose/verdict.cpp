@@ -92,6 +92,12 @@ std::string none_known(const Diagnosis& diagnosis) {
     if (diagnosis.decision.best)
         text += fmt::format(" Nearest comes {}, which leaves more than noise.",
                             cause_of(diagnosis, diagnosis.decision.best->causes[0]).id);
+    if (diagnosis.overstated) {
+        text += fmt::format(" If {} may lie anywhere, whatever was said of it beforehand, only noise is left.",
+                            diagnosis.overstated->what);
+        if (!diagnosis.alike.empty())
+            text += fmt::format(" In these readings it looks like {}.", fmt::join(diagnosis.alike, " and "));
+    }
     if (diagnosis.differing)
         text += fmt::format(" It is not one cause: conditions differ (het.condition). With a value of its own of {} in "
                             "each of them only noise is left.",
@@ -165,6 +171,12 @@ std::string next_step(const Diagnosis& diagnosis) {
     case Outcome::two_causes:
         return "Confirm each with an experiment in which the other cannot act.";
     case Outcome::none_known:
+        if (diagnosis.overstated)
+            return fmt::format(
+                "Find out whether {} can have gone that far. If so, state a larger spread of it; if not{}.",
+                diagnosis.overstated->what,
+                diagnosis.alike.empty() ? ", something looks like it that is in no library"
+                                        : ", it is what looks like it: measure that by itself");
         if (diagnosis.differing)
             return fmt::format(
                 "Find out what changed between the conditions, and hold it still; or, if it is innocent, "

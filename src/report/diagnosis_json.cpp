@@ -120,6 +120,13 @@ Json adequacy_of_it(const Adequacy& adequacy) {
     return {{"p_blocks", adequacy.blocks}, {"p_fingerprints", adequacy.prints}, {"p", adequacy.p()}};
 }
 
+Json besides_of(const std::optional<Besides>& besides) {
+    if (!besides)
+        return {};
+    return {
+        {"what", besides->what}, {"numbers", besides->numbers}, {"chi_square_gain", besides->gain}, {"p", besides->p}};
+}
+
 Json decision_of(const Diagnosis& diagnosis) {
     const Decision& decision = diagnosis.decision;
     Json pairs = Json::array();
@@ -128,13 +135,11 @@ Json decision_of(const Diagnosis& diagnosis) {
     Json follows = Json::array();
     for (const Followed& one : diagnosis.follows.all)
         follows.push_back({{"what", one.what}, {"standard_errors", one.z}});
-    Json differing;
+    Json differing = besides_of(diagnosis.differing), overstated = besides_of(diagnosis.overstated);
     if (diagnosis.differing)
-        differing = {{"id", "het.condition"},
-                     {"what", diagnosis.differing->what},
-                     {"numbers", diagnosis.differing->numbers},
-                     {"chi_square_gain", diagnosis.differing->gain},
-                     {"p", diagnosis.differing->p}};
+        differing["id"] = "het.condition";
+    if (diagnosis.overstated)
+        overstated["looks_like"] = diagnosis.alike;
     Json folds = Json::array();
     for (const Fold& fold : decision.folds)
         folds.push_back({{"without", fold.condition},
@@ -158,6 +163,7 @@ Json decision_of(const Diagnosis& diagnosis) {
             {"adequacy_winner", adequacy_of_it(decision.winner)},
             {"folds", std::move(folds)},
             {"conditions_differ", std::move(differing)},
+            {"overstated_beforehand", std::move(overstated)},
             {"residual_follows", std::move(follows)},
             {"directions_tried", diagnosis.follows.tried},
             {"directions_gate", diagnosis.follows.gate}};

@@ -220,6 +220,33 @@ TEST_CASE("a nuisance that had to go far from what was known of it is warned of"
                         [](const Problem& warning) { return warning.key == "nuisance far off"; }) == 1);
 }
 
+/// A fall from rest seen through a filter of 2 ms: late by that, and rounded off in its first milliseconds.
+double lagging(double y, double t) {
+    constexpr double lag = 2e-3, g = 9.81;
+    return y + g * lag * t - g * lag * lag * (1 - std::exp(-t / lag));
+}
+
+TEST_CASE("a filter that looks like late clocks, later than they were said to be, is told as that") {
+    // Each of four clocks would be 2 ms late, 7 times what was said; of the filter itself 0.04 mm are left, which a
+    // scatter of 2 mm hides.
+    Measurement falls = Laboratory{.rows = 55, .distort = lagging, .heights = {1.1, 1.3, 1.5, 1.7}}.measurement();
+    falls.nuisances[1].spread = 3e-4;
+    const Diagnosis diagnosis = Laboratory::diagnosed(falls);
+    REQUIRE_MESSAGE(diagnosis.decision.outcome == Outcome::none_known, verdict_of(diagnosis));
+    REQUIRE_MESSAGE(diagnosis.overstated, verdict_of(diagnosis));
+    CHECK(diagnosis.overstated->what == "clock_offset");
+    CHECK(diagnosis.overstated->numbers == 4);
+    CHECK(diagnosis.alike == std::vector<std::string>{"ins.clock_offset", "ins.low_pass"});
+    CHECK(!diagnosis.differing);
+    CHECK(verdict_of(diagnosis).find("looks like ins.clock_offset and ins.low_pass") != std::string::npos);
+    CHECK(next_step(diagnosis).starts_with("Find out whether clock_offset can have gone that far"));
+
+    falls.nuisances[1].spread = 5e-3; // which leaves room for that
+    const Diagnosis roomy = Laboratory::diagnosed(falls);
+    CHECK_MESSAGE(roomy.decision.outcome == Outcome::consistent, verdict_of(roomy));
+    CHECK(!roomy.overstated);
+}
+
 TEST_CASE("a nuisance that ends at its bound is warned of, with what to do") {
     Measurement measurement = Laboratory{.offset = 0.012}.measurement();
     measurement.nuisances[1].spread = 5e-4; // a fit may go to 20 times that

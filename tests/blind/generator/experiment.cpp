@@ -96,6 +96,7 @@ std::vector<Effect> listed() {
          }},
         {"roll.coulomb", true, 1e-3, 0.3, true, lanes | rolls | throws,
          [](Truth& t, double a) { t.lane.rolling += a; }},
+        {"roll.viscous", true, 1e-4, 0.1, true, lanes | rolls, [](Truth& t, double a) { t.lane.rolling_time += a; }},
         {"fric.weakening", true, 0.05, 1, true, lanes | slopes | throws | spins,
          [](Truth& t, double a) { t.lane.fast_friction *= 1 - a; }},
         {"grav.g", true, 1e-3, 0.05, false, all_but_spins & ~rolls,
@@ -148,8 +149,6 @@ std::vector<Effect> unlisted() {
         {"slippery-patch", false, 0.01, 0.5, true, lanes | slopes, [](Truth& t, double a) { t.lane.patch += a; }},
         {"ground-shakes", false, 0.1, 9, true, lanes | slopes | spins, [](Truth& t, double a) { t.lane.shakes += a; }},
         {"wind", false, 0.05, 10, false, lanes | slopes | rolls, [](Truth& t, double a) { t.lane.wind += a; }},
-        {"rolling-by-speed", false, 1e-3, 0.1, true, lanes | rolls,
-         [](Truth& t, double a) { t.lane.rolling_by_speed += a; }},
         {"film", false, 0.01, 2, true, spins | slopes, [](Truth& t, double a) { t.lane.film += a; }},
     };
 }

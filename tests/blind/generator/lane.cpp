@@ -65,7 +65,7 @@ private:
     }
     [[nodiscard]] double air(double v) const { return air_on(lane_, v); }
     [[nodiscard]] double resistance(double v) const {
-        return (lane_.rolling + lane_.rolling_by_speed * std::abs(v)) / arm_;
+        return (lane_.rolling + lane_.rolling_time * std::abs(v) / (lane_.radius * arm_)) / arm_;
     }
     [[nodiscard]] double friction(double slip, double x) const {
         return friction_at(lane_, slip) * (std::abs(x) < spot ? 1 - lane_.patch : 1);

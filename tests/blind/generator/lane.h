@@ -16,17 +16,17 @@ struct Lane {
     double fast_friction = 0; // of fast sliding: mu = fast + (slow - fast) exp(-slip / slip_speed)
     double slip_speed = 0.1;  // m/s
     // Listed effects.
-    double rolling = 0;   // mu_r of constant torque
-    double linear = 0;    // N s/m
-    double quadratic = 0; // N s2/m2
-    double squeeze = 0;   // m/s2, what holds a slider down beside its weight
+    double rolling = 0;      // mu_r of constant torque
+    double rolling_time = 0; // s, mu_r over spin
+    double linear = 0;       // N s/m
+    double quadratic = 0;    // N s2/m2
+    double squeeze = 0;      // m/s2, what holds a slider down beside its weight
     // Effects that no library has.
-    double hollow = 0;           // 1/m, the lane rises on both sides: slope - hollow x
-    double rolling_by_speed = 0; // s/m, mu_r v
-    double patch = 0;            // share of friction lost within 0.3 m of the start
-    double shakes = 0;           // m/s2, the ground's upright acceleration, at 11 Hz
-    double film = 0;             // s/m, friction that grows with the speed of sliding
-    double wind = 0;             // m/s, along +x, in a drag of 0.02 N s2/m2 that the scene leaves out, less still air's
+    double hollow = 0; // 1/m, the lane rises on both sides: slope - hollow x
+    double patch = 0;  // share of friction lost within 0.3 m of the start
+    double shakes = 0; // m/s2, the ground's upright acceleration, at 11 Hz
+    double film = 0;   // s/m, friction that grows with the speed of sliding
+    double wind = 0;   // m/s, along +x, in a drag of 0.02 N s2/m2 that the scene leaves out, less still air's
 };
 
 /// Coefficient of friction at that speed of sliding, m/s.

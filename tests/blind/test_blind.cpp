@@ -61,7 +61,7 @@ TEST_CASE("on the solver: what is hidden at 8 standard errors from every rival i
     const std::pair<Bench, const char*> hidden[] = {
         {Bench::drop, "ins.gain"},     {Bench::drop, "ins.low_pass"},     {Bench::drop, "cohesion.work"},
         {Bench::lane, "roll.coulomb"}, {Bench::lane, "grav.tilt_x"},      {Bench::slope, "fric.weakening"},
-        {Bench::roll, "roll.coulomb"}, {Bench::oblique, "rest.velocity"}, {Bench::spin, "fric.weakening"}};
+        {Bench::roll, "roll.coulomb"}, {Bench::spin, "fric.weakening"}};
     for (const auto& [bench, effect] : hidden) {
         Diagnosis diagnosis;
         const Order order{

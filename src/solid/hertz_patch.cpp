@@ -91,7 +91,9 @@ public:
     }
 
     /// Of a vector: what it has across the normal, and back.
-    [[nodiscard]] Vector2d components(const Vector3d& vector) const { return {vector.dot(along_), vector.dot(across_)}; }
+    [[nodiscard]] Vector2d components(const Vector3d& vector) const {
+        return {vector.dot(along_), vector.dot(across_)};
+    }
     [[nodiscard]] Vector3d vector(const Vector2d& across) const { return across.x() * along_ + across.y() * across_; }
 
     /// m, above the push.

@@ -53,7 +53,7 @@ public:
         values_ = at_nodes(component_, study_.worst.stress);
         if (const auto problems = find_frame())
             return *problems;
-        find_worst_node();
+        look_outwards();
         surface_ = surface_field(mesh_, place_, values_);
         name(surface_);
         cut("cut-along", axis_.cross(outward_), "along the axis");
@@ -98,16 +98,9 @@ private:
         return std::nullopt;
     }
 
-    /// Where von Mises' stress is largest on the surface, and which way is outwards there, across the axis.
-    void find_worst_node() {
-        double most = -1;
-        for (const solid::Facet& facet : mesh_.facets)
-            for (const int node : facet.corners)
-                if (const double here = fem::von_mises(study_.worst.stress.segment<6>(6 * node)); here > most) {
-                    most = here;
-                    worst_ = mesh_.nodes[static_cast<std::size_t>(node)];
-                }
-        Vector3d arm = worst_ - base_;
+    /// Which way is outwards at the worst node, across the axis.
+    void look_outwards() {
+        Vector3d arm = study_.worst_place - base_;
         arm -= axis_.dot(arm) * axis_;
         outward_ = arm.norm() > 0 ? Vector3d(arm.normalized()) : axis_.unitOrthogonal();
     }
@@ -157,7 +150,7 @@ private:
 
     void cut(const std::string& file, const Vector3d& normal, const std::string& how) {
         // A little towards the middle, where the worst node is the part's last.
-        const Vector3d through = worst_ + 1e-3 * (bounds_.center() - worst_);
+        const Vector3d through = study_.worst_place + 1e-3 * (bounds_.center() - study_.worst_place);
         const solid::Section section = solid::section_of(mesh_, through, normal);
         if (section.triangles.empty())
             return; // a part that bends back from there
@@ -211,8 +204,8 @@ private:
             .title = titled(fmt::format("{}, normal stress {:.4g} mm beneath '{}'{}", recorded_.name(), depth,
                                         slice.side, end ? "" : ", rolled out")),
             .note = time(),
-            .caption =
-                end ? "the end, seen from outside" : "to the right: around the part, anticlockwise; up: along its axis",
+            .caption = end ? "the end, seen from outside"
+                           : "to the right: around the part, as seen from outside; up: along its axis",
             .span = span,
             .lit = false,
             .axes = false};
@@ -226,7 +219,7 @@ private:
     fs::path folder_;
     scene::Render settings_;
     Eigen::AlignedBox3d bounds_; // of the part, in its own frame
-    Vector3d axis_, base_, worst_, outward_;
+    Vector3d axis_, base_, outward_;
     fem::Component component_;
     std::vector<double> values_;
     struct Cut {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <doctest/doctest.h>
 #include <numbers>
+#include <string>
 
 namespace test_hertz_patch {
 
@@ -201,7 +202,8 @@ TEST_CASE("on a round side a patch follows the surface, lower than its middle by
     CHECK(across < 0.3 * 0.3);
 }
 
-TEST_CASE("an oblique force on what is not flat keeps its moment about the contact, and presses wherever it is spread") {
+TEST_CASE(
+    "an oblique force on what is not flat keeps its moment about the contact, and presses wherever it is spread") {
     // Across an edge of 90 degrees at 45 a point x from the edge lies |x| lower than the contact, 3/8 a in the mean
     // (strips of Hertz' pressure bear 3/4 (1 - x^2 / a^2) dx / a of the force): shear of 0.34 F would miss
     // 0.34 x 3/8 a F of its moment. The pressure leans to bear that, by 0.34 (3/8) / (1/5) = 0.64 of itself at the rim.
@@ -216,7 +218,7 @@ TEST_CASE("an oblique force on what is not flat keeps its moment about the conta
                                                 .inner_rings = 2},
                                   {});
     struct Place {
-        const char* what;
+        std::string what;
         const HexMesh& mesh;
         Vector3d at, normal;
     };

@@ -440,7 +440,7 @@ TEST_CASE("the means are solved as well, and what is written can be read") {
     CHECK(figure_of(sheet, "loads").title == "Force of the media on the part: mean loads of 100 ms");
     CHECK(sheet::to_text("", sheet).find("in the mean of the 100 ms before") != std::string::npos);
     CHECK(kept_settings(folder.path) == study.settings);
-    // The part of ball_on_prism.h.
+    // The part of run/ball_on_prism.h.
     CHECK(has(study.settings, "part = prism: length_m 0.05, side_m 0.015, corner_m 0.0048, corner_cells 2, "
                               "middle_cells 4, along 10\n"));
     CHECK(has(study.settings, "part_youngs_modulus_Pa = 2e+11\npart_poisson_ratio = 0.3\n"));

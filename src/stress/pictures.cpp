@@ -35,7 +35,7 @@ class Album {
 public:
     Album(const Recorded& recorded, const Study& study, const PictureOptions& options, fs::path folder)
         : recorded_(recorded), study_(study), options_(options), mesh_(*recorded.specimen().mesh),
-          folder_(std::move(folder)), settings_(recorded.scene.render) {
+          folder_(std::move(folder)), settings_(recorded.scene.render), worst_(study.worst_place) {
         settings_.range.reset();
         for (const Vector3d& node : mesh_.nodes)
             bounds_.extend(node);
@@ -100,7 +100,7 @@ private:
 
     /// Which way is outwards at the worst node, across the axis.
     void look_outwards() {
-        Vector3d arm = study_.worst_place - base_;
+        Vector3d arm = worst_ - base_;
         arm -= axis_.dot(arm) * axis_;
         outward_ = arm.norm() > 0 ? Vector3d(arm.normalized()) : axis_.unitOrthogonal();
     }
@@ -150,7 +150,7 @@ private:
 
     void cut(const std::string& file, const Vector3d& normal, const std::string& how) {
         // A little towards the middle, where the worst node is the part's last.
-        const Vector3d through = study_.worst_place + 1e-3 * (bounds_.center() - study_.worst_place);
+        const Vector3d through = worst_ + 1e-3 * (bounds_.center() - worst_);
         const solid::Section section = solid::section_of(mesh_, through, normal);
         if (section.triangles.empty())
             return; // a part that bends back from there
@@ -220,6 +220,7 @@ private:
     scene::Render settings_;
     Eigen::AlignedBox3d bounds_; // of the part, in its own frame
     Vector3d axis_, base_, outward_;
+    const Vector3d& worst_; // where von Mises' stress is largest, of all nodes
     fem::Component component_;
     std::vector<double> values_;
     struct Cut {

@@ -51,7 +51,7 @@ int export_model(const ExportArguments& arguments) {
     const auto cases =
         stress::nodal_cases(recorded->specimen(), recorded->loads, arguments.means, arguments.patch, crew);
     if (!cases)
-        return refuse(cases.problems(), arguments.json, wrong);
+        return refuse(cases.problems(), arguments.json, failed);
     const std::filesystem::path file = arguments.out.empty() ? arguments.run / "part.inp" : arguments.out;
     if (!arguments.options.overwrite)
         if (const auto problem = refuse_to_overwrite({file}))

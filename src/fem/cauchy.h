@@ -8,8 +8,9 @@
 /// The stress vector on a plane, thesis (7.2) to (7.5).
 namespace tumble::fem {
 
-/// The plane's unit vectors: outward normal, along the contour (anticlockwise about the axis), along the axis. The
-/// thesis prints (7.3) to (7.5) with sums of points and unit lengths; meant are these.
+/// The plane's unit vectors: outward normal, along the contour (to the right of who looks at the plane from outside:
+/// anticlockwise about the axis, and clockwise in a bore), along the axis. The thesis prints (7.3) to (7.5) with sums
+/// of points and unit lengths; meant are these.
 struct Directions {
     Eigen::Vector3d normal = Eigen::Vector3d::UnitX();
     Eigen::Vector3d contour = Eigen::Vector3d::UnitY();

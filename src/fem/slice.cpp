@@ -13,7 +13,6 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double rounding = 1e-9;   // of the part's length
 constexpr double across_axis = 0.9; // cosine between a facet's normal and the axis from which on it is an end's
 constexpr double most_along = 0.9;  // of an axis, along z, that leaves enough of z across it
 
@@ -140,7 +139,7 @@ SliceFigures figures_of(const Slice& slice, const Eigen::Matrix3Xd& parts, const
     for (std::size_t p = 0; p < slice.points.size(); ++p) {
         const Vector3d part = parts.col(static_cast<Eigen::Index>(p));
         const SlicePoint& point = slice.points[p];
-        if (point.height > counting.lower + rounding)
+        if (!counting.takes(point))
             continue;
         const double here = point.area;
         const bool at_edge = point.edge <= counting.edge;
@@ -165,6 +164,10 @@ SliceFigures figures_of(const Slice& slice, const Eigen::Matrix3Xd& parts, const
             ++figures.stretched;
         }
     }
+    if (!(area > 0))
+        for (double* figure : {&figures.normal, &figures.contour, &figures.along, &figures.compression,
+                               &figures.tension, &figures.mean_compression, &figures.mean_tension})
+            *figure = std::numeric_limits<double>::quiet_NaN();
     figures.mean_compression /= std::max(figures.compressed, 1);
     figures.mean_tension /= std::max(figures.stretched, 1);
     figures.compressed_area /= area;

@@ -71,7 +71,10 @@ struct Counting {
     double trivial = 0; // Pa, normal stresses below are neither compression nor tension; the thesis has 500
     double lower = 1;   // share of the part's length, from its lower end, that counts at all; the thesis has a half
     double edge = 0;    // m, points so near to an end of their side are near its edges
+
+    [[nodiscard]] bool takes(const SlicePoint& point) const { return point.height <= lower + 1e-9; } // but for rounding
 };
+/// Stresses are NaN where no point counts.
 SliceFigures figures_of(const Slice& slice, const Eigen::Matrix3Xd& components, const Counting& counting);
 
 } // namespace tumble::fem

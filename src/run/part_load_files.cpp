@@ -222,20 +222,6 @@ std::optional<Problems> read_touches(const LoadTable& from, PartLoads& loads) {
 
 } // namespace
 
-std::string facets_csv(const PartLoads& loads, const solid::HexMesh& mesh) {
-    const FacetFinder finder(mesh);
-    std::string text = "time_s,element,face,area_m2,normal_Pa,shear_Pa\n";
-    for (const LoadInstant& instant : loads.instants)
-        for (const auto& [facet, sum] : facet_loads(instant.pushes, finder)) {
-            const solid::Facet& of = mesh.facets[static_cast<std::size_t>(facet)];
-            const double area = mesh.area_of(facet).norm();
-            text +=
-                csv_line(Row{instant.time, static_cast<double>(mesh.hex_numbers[static_cast<std::size_t>(of.hex)]),
-                             static_cast<double>(of.face + 1), area, sum.pressing / area, sum.shearing.norm() / area});
-        }
-    return text;
-}
-
 Result<Done> write_loads(const PartLoads& loads, const scene::SpecimenShape& specimen,
                          const std::filesystem::path& folder) {
     const solid::HexMesh& mesh = *specimen.mesh;

@@ -133,7 +133,7 @@ Result<int> find_specimen(const scene::Scene& scene, const std::string& name) {
     if (names.empty())
         return Problem{.file = scene.file.string(),
                        .what = "the scene has no specimen",
-                       .fix = "add a [[wall]] with shape = \"bored-cylinder\" or \"prism\""};
+                       .fix = "add a [[wall]] with shape = \"bored-cylinder\", \"prism\" or \"hexahedra\""};
     return Problem{.file = scene.file.string(),
                    .what = found.empty() ? fmt::format("no specimen is called '{}'", name)
                                          : fmt::format("the scene has {} specimens", found.size()),

@@ -6,10 +6,8 @@
 #include "observe/series.h"
 #include "run/run_scene.h"
 #include "scene/scene.h"
-#include "solid/hex_mesh.h"
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -50,30 +48,6 @@ struct PartLoads {
     double wall_s = 0; // s, it took
 };
 
-/// Which facet a contact counts for: at an edge or corner, where several meet, the one that faces the body most, else
-/// that of its triangle.
-class FacetFinder {
-public:
-    /// The mesh outlives it.
-    explicit FacetFinder(const solid::HexMesh& mesh);
-
-    [[nodiscard]] int facet_of(const observe::WallPush& push) const;
-    [[nodiscard]] const solid::HexMesh& mesh() const { return mesh_; }
-
-private:
-    const solid::HexMesh& mesh_;
-    std::vector<Eigen::Vector3d> normals_;         // per facet, outward
-    std::vector<std::vector<int>> facets_of_node_; // per node
-};
-
-/// What an instant's contacts do to a facet, along and across the facet's normal, which at an edge is not theirs.
-struct FacetLoad {
-    double pressing = 0;                                // N
-    Eigen::Vector3d shearing = Eigen::Vector3d::Zero(); // N
-};
-/// By facet of the mesh.
-std::map<int, FacetLoad> facet_loads(const std::vector<observe::WallPush>& pushes, const FacetFinder& finder);
-
 /// The index of the scene's wall that is a specimen; `name` chooses among several, empty: there is one. Problems: none
 /// or several, no such wall, a wall of another shape.
 Result<int> find_specimen(const scene::Scene& scene, const std::string& name);
@@ -88,9 +62,6 @@ Result<PartLoads> record_loads(const scene::Scene& scene, int wall, const LoadOp
 /// columns. Problems: the system's.
 Result<Done> write_loads(const PartLoads& loads, const scene::SpecimenShape& specimen,
                          const std::filesystem::path& folder);
-
-/// facet_loads() over the facets' areas, of all instants, as facets.csv has them.
-std::string facets_csv(const PartLoads& loads, const solid::HexMesh& mesh);
 
 /// Instants and means of such a folder, to the same bits, and its touches, but for Touching::since; times of their
 /// peaks are NaN where the folder is of before they were kept. Problems: files that are missing or damaged, with the

@@ -14,20 +14,13 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double balanced = 1e-9; // share of the forces, and of their moments about the part's middle
+constexpr double balanced = 1e-9; // share of the forces, and of their moments about the part's first node
 // Share of a facet's diagonal. A foot on a flat facet is met to rounding, 1e-15.
 constexpr double met = 1e-12;
 
-Vector3d corner_of(const HexMesh& mesh, int facet, Eigen::Index k) {
+const Vector3d& corner_of(const HexMesh& mesh, int facet, Eigen::Index k) {
     return mesh.nodes[static_cast<std::size_t>(
         mesh.facets[static_cast<std::size_t>(facet)].corners[static_cast<std::size_t>(k)])];
-}
-
-Vector3d foot_of(const HexMesh& mesh, int facet, const Eigen::Vector4d& shares) {
-    Vector3d foot = Vector3d::Zero();
-    for (Eigen::Index k = 0; k < 4; ++k)
-        foot += shares[k] * corner_of(mesh, facet, k);
-    return foot;
 }
 
 /// A facet whose corners lie in no plane is touched as its triangles, 0 1 2 and 0 2 3, which the curved one misses:
@@ -36,7 +29,7 @@ Vector3d foot_of(const HexMesh& mesh, int facet, const Eigen::Vector4d& shares) 
 Eigen::Vector4d shares_of_triangles(const HexMesh& mesh, int facet, const Vector3d& point,
                                     const Eigen::Vector4d& shares) {
     Eigen::Vector4d best = shares;
-    double nearest = (foot_of(mesh, facet, shares) - point).norm();
+    double nearest = (point_of(mesh, facet, shares) - point).norm();
     const Vector3d a = corner_of(mesh, facet, 0);
     if (nearest <= met * (corner_of(mesh, facet, 2) - a).norm())
         return best;
@@ -51,7 +44,7 @@ Eigen::Vector4d shares_of_triangles(const HexMesh& mesh, int facet, const Vector
         of_three[0] = 1 - v - w;
         of_three[second] = v;
         of_three[second + 1] = w;
-        if (const double away = (foot_of(mesh, facet, of_three) - point).norm(); away < nearest) {
+        if (const double away = (point_of(mesh, facet, of_three) - point).norm(); away < nearest) {
             nearest = away;
             best = of_three;
         }
@@ -80,21 +73,23 @@ Eigen::Vector4d shares_at(const HexMesh& mesh, int facet, const Vector3d& point)
     return facet_shape_at(at.x(), at.y());
 }
 
+Vector3d point_of(const HexMesh& mesh, int facet, const Eigen::Vector4d& shares) {
+    Vector3d point = Vector3d::Zero();
+    for (Eigen::Index k = 0; k < 4; ++k)
+        point += shares[k] * corner_of(mesh, facet, k);
+    return point;
+}
+
 std::optional<Push> moved_to(const HexMesh& mesh, const Push& push, const Vector3d& normal) {
     std::optional<Push> moved;
     double nearest = std::numeric_limits<double>::infinity(); // m
     for (int f = 0; f < static_cast<int>(mesh.facets.size()); ++f) {
-        const auto& corners = mesh.facets[static_cast<std::size_t>(f)].corners;
-        const auto node = [&](std::size_t k) -> const Vector3d& {
-            return mesh.nodes[static_cast<std::size_t>(corners[k])];
-        };
+        const auto node = [&](Eigen::Index k) -> const Vector3d& { return corner_of(mesh, f, k); };
         const double reach = std::max((node(2) - node(0)).norm(), (node(3) - node(1)).norm()) / 2;
-        if ((mesh.centre_of(f) - push.point).norm() > nearest + reach || mesh.area_of(f).normalized().dot(normal) < 0.5)
+        if ((mesh.centre_of(f) - push.point).norm() > nearest + reach ||
+            mesh.area_of(f).normalized().dot(normal) < facing)
             continue;
-        const Eigen::Vector4d shares = shares_at(mesh, f, push.point);
-        Vector3d foot = Vector3d::Zero();
-        for (std::size_t k = 0; k < 4; ++k)
-            foot += shares[static_cast<Eigen::Index>(k)] * node(k);
+        const Vector3d foot = point_of(mesh, f, shares_at(mesh, f, push.point));
         if (const double away = (foot - push.point).norm(); away < nearest) {
             nearest = away;
             moved = Push{f, foot, push.force};
@@ -114,13 +109,10 @@ Result<Eigen::Matrix3Xd> nodal_loads(const HexMesh& mesh, const std::vector<Push
                            .fix = "it belongs to another mesh"};
         const Eigen::Vector4d shares =
             shares_of_triangles(mesh, push.facet, push.point, shares_at(mesh, push.facet, push.point));
-        Vector3d foot = Vector3d::Zero();
-        for (int k = 0; k < 4; ++k) {
-            const int node = mesh.facets[static_cast<std::size_t>(push.facet)].corners[static_cast<std::size_t>(k)];
-            loads.col(node) += shares[k] * push.force;
-            foot += shares[k] * mesh.nodes[static_cast<std::size_t>(node)];
-        }
-        const Vector3d arm = foot - push.point;
+        for (int k = 0; k < 4; ++k)
+            loads.col(mesh.facets[static_cast<std::size_t>(push.facet)].corners[static_cast<std::size_t>(k)]) +=
+                shares[k] * push.force;
+        const Vector3d arm = point_of(mesh, push.facet, shares) - push.point;
         force_gap += (shares.sum() - 1) * push.force;
         moment_gap += arm.cross(push.force);
         size += push.force.norm();
@@ -139,6 +131,30 @@ Result<Eigen::Matrix3Xd> nodal_loads(const HexMesh& mesh, const std::vector<Push
             force_gap.norm(), moment_gap.norm(), worst, worst_facet + 1,
             mesh.hex_numbers[static_cast<std::size_t>(mesh.facets[static_cast<std::size_t>(worst_facet)].hex)]),
         .fix = "loads must lie on the surface of this mesh: run the scene again"};
+}
+
+std::optional<Problem> imbalance(const HexMesh& mesh, const Eigen::Matrix3Xd& loads,
+                                 const std::vector<Push>& contacts) {
+    const Vector3d& about = mesh.nodes.front(); // near the part, so that its place costs no digits
+    Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+        const Vector3d load = loads.col(static_cast<Eigen::Index>(n));
+        force += load;
+        moment += (mesh.nodes[n] - about).cross(load);
+    }
+    double size = 0, lever = 0;
+    for (const Push& contact : contacts) {
+        const Vector3d arm = contact.point - about;
+        force -= contact.force;
+        moment -= arm.cross(contact.force);
+        size += contact.force.norm();
+        lever += arm.norm() * contact.force.norm();
+    }
+    if (force.norm() <= balanced * size && moment.norm() <= balanced * lever)
+        return std::nullopt;
+    return Problem{.what = fmt::format("forces on the nodes miss {:.3g} N and {:.3g} N m of the contacts'",
+                                       force.norm(), moment.norm()),
+                   .fix = "let forces act at points: --patch 0"};
 }
 
 } // namespace tumble::solid

@@ -1,5 +1,6 @@
 #include "solid/hertz_patch.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
@@ -20,12 +21,12 @@ using Eigen::Vector4d;
 constexpr int fewest_rings = 5, most_rings = 24;
 // Along a facet's shorter side: so many samples of its linear shape functions miss their integral by 1 / (3 pi)^2, 1 %.
 constexpr double points_a_facet = 3;
-constexpr double facing = 0.5; // cosine between a facet's normal and the push's
 // Times the radius: what is further above or below is another place of the part, for 60 degrees rise by 1.73 in 1.
 constexpr double steepest = 2;
 constexpr double rounding = 1e-12; // of the radius, or of half a facet's side
 constexpr int most_turns = 8;
 constexpr double nearly_middle = 1.0 / 64; // of the radius
+constexpr double no_width = 1e-6;          // of the radius, of a patch too narrow to lean across it
 
 /// A point of the unit circle and the share of Hertz' force that it bears; its opposite bears the same.
 struct Sample {
@@ -89,6 +90,15 @@ public:
         return !facets_.empty() && nearest(Vector2d::Zero()).at.norm() <= 1e-6 * radius_;
     }
 
+    /// Of a vector: what it has across the normal, and back.
+    [[nodiscard]] Vector2d components(const Vector3d& vector) const {
+        return {vector.dot(along_), vector.dot(across_)};
+    }
+    [[nodiscard]] Vector3d vector(const Vector2d& across) const { return across.x() * along_ + across.y() * across_; }
+
+    /// m, above the push.
+    [[nodiscard]] double height(const Vector3d& point) const { return (point - origin_).dot(normal_); }
+
     [[nodiscard]] int rings() const {
         return std::clamp(static_cast<int>(std::ceil(points_a_facet * radius_ / finest_ - rounding)), fewest_rings,
                           most_rings);
@@ -137,12 +147,8 @@ private:
         facets_.push_back(seen);
     }
 
-    [[nodiscard]] Vector2d flat(const Vector3d& point) const {
-        const Vector3d off = point - origin_;
-        return {off.dot(along_), off.dot(across_)};
-    }
-
-    [[nodiscard]] double height(const Vector3d& point) const { return std::abs((point - origin_).dot(normal_)); }
+    [[nodiscard]] Vector2d flat(const Vector3d& point) const { return components(point - origin_); }
+    [[nodiscard]] double depth(const Vector3d& point) const { return std::abs(height(point)); }
 
     /// What lies straight beneath or above, of several the nearest; else the edge that is nearest across the normal.
     [[nodiscard]] Foot nearest(const Vector2d& at) const {
@@ -153,9 +159,9 @@ private:
             if ((at.array() < seen.lo.array()).any() || (at.array() > seen.hi.array()).any())
                 continue;
             const auto point = beneath_of(seen, at);
-            if (!point || height(*point) > lowest)
+            if (!point || depth(*point) > lowest)
                 continue;
-            lowest = height(*point);
+            lowest = depth(*point);
             found = {seen.facet, at, *point};
             beneath = true;
         }
@@ -187,7 +193,7 @@ private:
                 const double part = std::clamp((at - from).dot(way) / way.squaredNorm(), 0.0, 1.0);
                 const double away = (from + part * way - at).squaredNorm();
                 const Vector3d point = (1 - part) * seen.corners.col(k) + part * seen.corners.col(next);
-                if (away < least && height(point) <= steepest * radius_) {
+                if (away < least && depth(point) <= steepest * radius_) {
                     least = away;
                     found = {seen.facet, from + part * way, point};
                 }
@@ -200,6 +206,50 @@ private:
     double finest_ = std::numeric_limits<double>::infinity(); // m, shortest side of a facet
     std::vector<Seen> facets_;
 };
+
+/// A point of a patch and its share of the force.
+struct Bearer {
+    Foot foot;
+    double share = 0;
+};
+
+/// Points that lie lower than the contact take a shear force there with them, and its moment with it. What bears that
+/// is pressure that leans: more before the contact, less behind it.
+struct Lean {
+    Vector2d slope = Vector2d::Zero(); // N/m, added to the pressing of a point by how far it lies from the middle
+    Vector2d left = Vector2d::Zero();  // N, shear that acts at the contact itself: leaning against it would pull
+};
+
+/// `shear`: N, across the normal; `pressing`: N, its size; `height`: m, of the points' middle above the contact.
+Lean lean_of(const std::vector<Bearer>& bearers, const Vector2d& shear, double pressing, double height, double radius) {
+    Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
+    for (const Bearer& bearer : bearers)
+        squares += bearer.share * bearer.foot.at * bearer.foot.at.transpose();
+    const Eigen::Matrix2d ways = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(squares).eigenvectors();
+    const Vector2d needed = height * (ways.transpose() * shear); // N m, either way
+    Vector2d square = Vector2d::Zero(), reach = Vector2d::Zero();
+    for (const Bearer& bearer : bearers) {
+        const Vector2d off = ways.transpose() * bearer.foot.at;
+        square += bearer.share * off.cwiseAbs2();
+        reach = reach.cwiseMax(off.cwiseAbs());
+    }
+    // Of what presses, needed for leaning at the patch's rim, either way; both together no more than there is.
+    Vector2d strain = Vector2d::Zero();
+    for (int k = 0; k < 2; ++k)
+        if (needed[k] != 0)
+            strain[k] = reach[k] > no_width * radius && pressing > 0
+                            ? std::abs(needed[k]) * reach[k] / (square[k] * pressing)
+                            : std::numeric_limits<double>::infinity();
+    Lean lean;
+    for (int k = 0; k < 2; ++k) {
+        const double most = std::max(0.5, 1 - strain[1 - k]);
+        const double spread = strain[k] > most ? most / strain[k] : 1;
+        if (spread > 0 && needed[k] != 0)
+            lean.slope += spread * needed[k] / square[k] * ways.col(k);
+        lean.left += (1 - spread) * ways.col(k).dot(shear) * ways.col(k);
+    }
+    return lean;
+}
 
 } // namespace
 
@@ -229,12 +279,29 @@ std::vector<Push> PatchSpreader::spread(const Push& push, const Vector3d& normal
     const View view(mesh_, facets_within(push.point, steepest * radius), push.point, normal, radius);
     if (!view.holds_origin())
         return {push};
-    std::vector<Push> points;
+    std::vector<Bearer> bearers;
+    double height = 0; // m
+    Vector2d middle = Vector2d::Zero();
     for (const Sample& sample : circle(view.rings())) {
         const auto [one, two] = view.opposite(radius * sample.at);
-        for (const Foot& foot : {one, two})
-            points.push_back({foot.facet, foot.point, sample.share * push.force});
+        for (const Foot& foot : {one, two}) {
+            bearers.push_back({foot, sample.share});
+            height += sample.share * view.height(foot.point);
+            middle += sample.share * foot.at;
+        }
     }
+    if (middle.norm() > rounding * radius) // the push lies a little off what is seen
+        return {push};
+    Lean lean;
+    if (std::abs(height) > rounding * radius)
+        lean = lean_of(bearers, view.components(push.force), std::abs(push.force.dot(normal)), height, radius);
+    const Vector3d left = view.vector(lean.left);
+    std::vector<Push> points;
+    for (const Bearer& bearer : bearers)
+        points.push_back({bearer.foot.facet, bearer.foot.point,
+                          bearer.share * (push.force - left + lean.slope.dot(bearer.foot.at) * normal)});
+    if (left != Vector3d::Zero())
+        points.push_back({push.facet, push.point, left});
     return points;
 }
 

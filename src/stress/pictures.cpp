@@ -35,7 +35,7 @@ class Album {
 public:
     Album(const Recorded& recorded, const Study& study, const PictureOptions& options, fs::path folder)
         : recorded_(recorded), study_(study), options_(options), mesh_(*recorded.specimen().mesh),
-          folder_(std::move(folder)), settings_(recorded.scene.render) {
+          folder_(std::move(folder)), settings_(recorded.scene.render), worst_(study.worst_place) {
         settings_.range.reset();
         for (const Vector3d& node : mesh_.nodes)
             bounds_.extend(node);
@@ -53,7 +53,7 @@ public:
         values_ = at_nodes(component_, study_.worst.stress);
         if (const auto problems = find_frame())
             return *problems;
-        find_worst_node();
+        look_outwards();
         surface_ = surface_field(mesh_, place_, values_);
         name(surface_);
         cut("cut-along", axis_.cross(outward_), "along the axis");
@@ -98,15 +98,8 @@ private:
         return std::nullopt;
     }
 
-    /// Where von Mises' stress is largest on the surface, and which way is outwards there, across the axis.
-    void find_worst_node() {
-        double most = -1;
-        for (const solid::Facet& facet : mesh_.facets)
-            for (const int node : facet.corners)
-                if (const double here = fem::von_mises(study_.worst.stress.segment<6>(6 * node)); here > most) {
-                    most = here;
-                    worst_ = mesh_.nodes[static_cast<std::size_t>(node)];
-                }
+    /// Which way is outwards at the worst node, across the axis.
+    void look_outwards() {
         Vector3d arm = worst_ - base_;
         arm -= axis_.dot(arm) * axis_;
         outward_ = arm.norm() > 0 ? Vector3d(arm.normalized()) : axis_.unitOrthogonal();
@@ -211,8 +204,8 @@ private:
             .title = titled(fmt::format("{}, normal stress {:.4g} mm beneath '{}'{}", recorded_.name(), depth,
                                         slice.side, end ? "" : ", rolled out")),
             .note = time(),
-            .caption =
-                end ? "the end, seen from outside" : "to the right: around the part, anticlockwise; up: along its axis",
+            .caption = end ? "the end, seen from outside"
+                           : "to the right: around the part, as seen from outside; up: along its axis",
             .span = span,
             .lit = false,
             .axes = false};
@@ -226,7 +219,8 @@ private:
     fs::path folder_;
     scene::Render settings_;
     Eigen::AlignedBox3d bounds_; // of the part, in its own frame
-    Vector3d axis_, base_, worst_, outward_;
+    Vector3d axis_, base_, outward_;
+    const Vector3d& worst_; // where von Mises' stress is largest, of all nodes
     fem::Component component_;
     std::vector<double> values_;
     struct Cut {

@@ -1,5 +1,6 @@
 #include "stress/recorded.h"
 
+#include "base/text.h"
 #include "observe/frame_file.h"
 #include "observe/whole_file.h"
 #include "run/mesh_copies.h"
@@ -12,6 +13,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace tumble::stress {
 
@@ -30,6 +32,22 @@ Eigen::Vector3d extent_of(const solid::HexMesh& mesh) {
     for (const Eigen::Vector3d& node : mesh.nodes)
         box.extend(node);
     return box.sizes();
+}
+
+/// Keys of a specimen that its mesh alone depends on; a file's size is compared.
+const std::vector<std::string> mesh_keys{"around",       "along",        "shell_rings", "inner_rings", "shell_m",
+                                         "corner_cells", "middle_cells", "corner_m",    "inp",         "scale"};
+
+/// Of "KEY=VALUE".
+std::optional<Problem> refuse_other_part(const fs::path& folder, const std::string& set) {
+    const std::string key(trimmed(std::string_view(set).substr(0, set.find('='))));
+    if (std::find(mesh_keys.begin(), mesh_keys.end(), key) != mesh_keys.end())
+        return std::nullopt;
+    return Problem{.file = folder.string(),
+                   .key = key,
+                   .what = fmt::format("--remesh {} makes it another part", key),
+                   .fix = fmt::format("the mesh has {}; `tumble stress SCENE --set ...` runs another part",
+                                      fmt::join(mesh_keys, ", "))};
 }
 
 /// Whether instants are missing at the end of the run, by the longest time between two of them.
@@ -113,6 +131,9 @@ Result<Recorded> read_remeshed(const fs::path& folder, const std::string& part, 
     auto changed = scene::load_scene(folder / "scene.toml", overrides);
     if (!changed)
         return changed.problems();
+    for (const std::string& set : sets)
+        if (const auto problem = refuse_other_part(folder, set))
+            return *problem;
     const Eigen::Vector3d before = extent_of(*recorded->specimen().mesh);
     recorded->scene = std::move(*changed);
     const solid::HexMesh& mesh = *recorded->specimen().mesh;

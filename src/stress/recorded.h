@@ -37,8 +37,8 @@ Result<Recorded> read_recorded(const std::filesystem::path& folder, const std::s
 
 /// Instants and means of such a folder on another mesh: `sets` are keys of the specimen's wall, "around=120". Each
 /// contact moves to the nearest point of the new surface, those of the means, too, so that all that differs is the
-/// mesh. Problems: those of read_recorded and of the scene with its changes; a part of another size; a contact that
-/// finds no facet.
+/// mesh. Problems: those of read_recorded and of the scene with its changes; a key that more than the mesh depends on;
+/// a part of another size; a contact that finds no facet.
 Result<Recorded> read_remeshed(const std::filesystem::path& folder, const std::string& part,
                                const std::vector<std::string>& sets);
 

@@ -88,12 +88,14 @@ private:
         std::map<int, const fem::SlicePoint*> beneath;
         for (const fem::SlicePoint& point : slice_.points)
             beneath[point.node] = &point;
-        const Vector3d left = up_.cross(ahead_);
+        const Vector3d seen = mesh_.area_of(side_.front()), arm = mesh_.centre_of(side_.front()) - base_;
+        const Vector3d right =
+            seen.dot(across(arm)) > 0 ? up_.cross(ahead_) : ahead_.cross(up_); // a bore is seen from its axis
         for (std::size_t f = 0; f < side_.size(); ++f) {
             Along round{}; // m, of the whole circle
             for (std::size_t k = 0; k < 4; ++k) {
-                const Vector3d arm = beneath.at(corners(f)[k])->place - base_;
-                const double x = ahead_.dot(arm), y = left.dot(arm);
+                const Vector3d off = beneath.at(corners(f)[k])->place - base_;
+                const double x = ahead_.dot(off), y = right.dot(off);
                 at_[f][k] = std::hypot(x, y) * std::atan2(y, x);
                 round[k] = 2 * std::numbers::pi * std::hypot(x, y);
             }

@@ -4,6 +4,7 @@
 #include "scene/specimen.h"
 #include "solid/hertz_patch.h"
 #include "solid/locate.h"
+#include "stress/facet_loads.h"
 
 #include <algorithm>
 #include <chrono>
@@ -60,7 +61,7 @@ std::vector<CaseLoad> case_loads(const run::PartLoads& loads, bool means) {
 }
 
 /// Patches, facets beneath them and sides that they are on, weighed with the contacts' forces.
-void measure_patches(const std::vector<CaseLoad>& cases, const run::FacetFinder& finder, double times, Study& study) {
+void measure_patches(const std::vector<CaseLoad>& cases, const FacetFinder& finder, double times, Study& study) {
     const solid::HexMesh& mesh = finder.mesh();
     std::vector<double*> side_of(mesh.facets.size()); // its share
     for (const auto& [side, facets] : mesh.facet_sets)
@@ -86,7 +87,7 @@ void measure_patches(const std::vector<CaseLoad>& cases, const run::FacetFinder&
 }
 
 /// What an instant's contacts say of a case by themselves. `surface`: m2, of the part.
-void look_at(const run::LoadInstant& instant, const run::FacetFinder& finder, double surface, Case& now) {
+void look_at(const run::LoadInstant& instant, const FacetFinder& finder, double surface, Case& now) {
     const solid::HexMesh& mesh = finder.mesh();
     now.contacts = static_cast<int>(instant.pushes.size());
     for (const observe::WallPush& push : instant.pushes) {
@@ -98,7 +99,7 @@ void look_at(const run::LoadInstant& instant, const run::FacetFinder& finder, do
             std::hypot(here.normal, here.shear) > std::hypot(now.strongest->normal, now.strongest->shear))
             now.strongest = here;
     }
-    for (const auto& [facet, sum] : run::facet_loads(instant.pushes, finder)) {
+    for (const auto& [facet, sum] : facet_loads(instant.pushes, finder)) {
         const double area = mesh.area_of(facet).norm();
         now.facet_normal = std::max(now.facet_normal, sum.pressing / area);
         now.facet_shear = std::max(now.facet_shear, sum.shearing.norm() / area);
@@ -195,6 +196,29 @@ private:
     std::unique_ptr<fem::Structure> part_;
 };
 
+/// Shape, sizes in m and counts, by the scene's keys.
+std::string part_of(const scene::SpecimenShape& specimen) {
+    struct {
+        std::string operator()(const solid::BoredCylinder& part) const {
+            return fmt::format(
+                "bored-cylinder: length_m {:.9g}, radius_m {:.9g}, bore_radius_m {:.9g}, shell_m {:.9g}, "
+                "around {}, along {}, shell_rings {}, inner_rings {}",
+                part.length, part.radius, part.bore_radius, part.shell, part.around, part.along, part.shell_rings,
+                part.inner_rings);
+        }
+        std::string operator()(const solid::Prism& part) const {
+            return fmt::format("prism: length_m {:.9g}, side_m {:.9g}, corner_m {:.9g}, corner_cells {}, middle_cells "
+                               "{}, along {}",
+                               part.length, part.side, part.corner, part.corner_cells, part.middle_cells, part.along);
+        }
+        // Not the file's name: beside the loads it has another.
+        std::string operator()(const solid::MeshFile& part) const {
+            return fmt::format("hexahedra: scale {:.9g}", part.scale);
+        }
+    } const words;
+    return std::visit(words, specimen.part);
+}
+
 } // namespace
 
 std::string settings_of(const scene::SpecimenShape& specimen, const StudyOptions& options) {
@@ -203,11 +227,14 @@ std::string settings_of(const scene::SpecimenShape& specimen, const StudyOptions
     for (const double depth : options.depths)
         depths.push_back(1e3 * depth);
     return fmt::format("loads = {}\nelement = {}\nhexahedra = {}\nsides = {}\ndepths_mm = {:.9g}\nlower = {:.9g}\n"
-                       "edge_mm = {:.9g}\npatch = {:.9g}\n",
+                       "edge_mm = {:.9g}\npatch = {:.9g}\npart = {}\nnodes = {}\nheld = {}\n"
+                       "part_youngs_modulus_Pa = {:.9g}\npart_poisson_ratio = {:.9g}\n",
                        options.means ? "means" : "instants",
                        options.formulation == fem::Formulation::standard ? "standard" : "incompatible",
                        specimen.mesh->hexes.size(), fmt::join(sides, ", "), fmt::join(depths, ", "),
-                       options.counting.lower, 1e3 * options.counting.edge, options.patch);
+                       options.counting.lower, 1e3 * options.counting.edge, options.patch, part_of(specimen),
+                       specimen.mesh->nodes.size(), fmt::join(scene::held_sets(specimen), ", "),
+                       specimen.youngs_modulus, specimen.poisson_ratio);
 }
 
 Result<std::vector<fem::Slice>> slices_of(const scene::SpecimenShape& specimen, const StudyOptions& options) {
@@ -218,6 +245,12 @@ Result<std::vector<fem::Slice>> slices_of(const scene::SpecimenShape& specimen, 
             auto slice = fem::slice_of(*specimen.mesh, locator, side, specimen.place.axis, depth);
             if (!slice)
                 return slice.problems();
+            if (std::none_of(slice->points.begin(), slice->points.end(),
+                             [&](const fem::SlicePoint& point) { return options.counting.takes(point); }))
+                return Problem{.what = fmt::format("beneath side '{}' no point lies in the lower {:.3g} of the part's "
+                                                   "length (--lower)",
+                                                   side, options.counting.lower),
+                               .fix = "take more of it, or another side"};
             slices.push_back(std::move(*slice));
         }
     return slices;
@@ -233,17 +266,21 @@ Result<std::vector<Eigen::Matrix3Xd>> nodal_cases(const scene::SpecimenShape& sp
     std::vector<Problems> problems(cases.size());
     crew.share(static_cast<int>(cases.size()), [&](int number) {
         const auto c = static_cast<std::size_t>(number);
-        std::vector<solid::Push> pushes;
+        std::vector<solid::Push> contacts, points;
         for (const observe::WallPush& push : cases[c].pushes) {
-            const auto points =
-                spreader.spread({push.triangle / 2, push.foot, push.force}, push.normal, patch * push.patch);
-            pushes.insert(pushes.end(), points.begin(), points.end());
+            contacts.push_back({push.triangle / 2, push.foot, push.force});
+            const auto spread = spreader.spread(contacts.back(), push.normal, patch * push.patch);
+            points.insert(points.end(), spread.begin(), spread.end());
         }
-        auto force = solid::nodal_loads(*specimen.mesh, pushes);
-        if (force)
-            forces[c] = std::move(*force);
-        else
+        auto force = solid::nodal_loads(*specimen.mesh, points);
+        if (!force)
             problems[c] = force.problems();
+        else if (const auto problem = solid::imbalance(*specimen.mesh, *force, contacts))
+            problems[c] = {*problem};
+        else
+            forces[c] = std::move(*force);
+        for (Problem& problem : problems[c])
+            problem.what = fmt::format("load case at {:.6g} s: {}", cases[c].time, problem.what);
     });
     for (const Problems& wrong : problems)
         if (!wrong.empty())
@@ -270,7 +307,7 @@ Result<Study> study(const scene::Scene& scene, const scene::SpecimenShape& speci
     for (std::size_t f = 0; f < specimen.mesh->facets.size(); ++f)
         surface += specimen.mesh->area_of(static_cast<int>(f)).norm();
     const std::vector<CaseLoad> cases = case_loads(loads, options.means);
-    const run::FacetFinder finder(*specimen.mesh);
+    const FacetFinder finder(*specimen.mesh);
     for (std::size_t c = 0; c < cases.size(); ++c) {
         Case now;
         now.time = cases[c].time;

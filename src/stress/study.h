@@ -82,11 +82,12 @@ struct Study {
     std::vector<std::string> warnings;
 };
 
-/// What is solved and how, a line each: "element = standard".
+/// What is solved and how, a line each: "element = standard". New ones come last: study.txt of older folders is
+/// compared line by line.
 std::string settings_of(const scene::SpecimenShape& specimen, const StudyOptions& options);
 
 /// Where stresses are looked at. Problems: those of fem::slice_of, a side that the part has not or a depth that it does
-/// not reach.
+/// not reach; a slice without a point in the share of the part that counts (`counting.lower`).
 Result<std::vector<fem::Slice>> slices_of(const scene::SpecimenShape& specimen, const StudyOptions& options);
 
 /// Problems: no load case; those of fem::Structure, of its solutions too, slices_of() and solid::nodal_loads.
@@ -94,7 +95,8 @@ Result<Study> study(const scene::Scene& scene, const scene::SpecimenShape& speci
                     const StudyOptions& options);
 
 /// Nodal forces of every case that is solved, N, spread over patches (`patch`: as StudyOptions). The crew's threads
-/// change no bit. Problems: there is no case; those of solid::nodal_loads.
+/// change no bit. Problems: there is no case; those of solid::nodal_loads; forces whose sum or moment is not that of
+/// the contacts (solid::imbalance).
 Result<std::vector<Eigen::Matrix3Xd>> nodal_cases(const scene::SpecimenShape& specimen, const run::PartLoads& loads,
                                                   bool means, double patch, Crew& crew);
 

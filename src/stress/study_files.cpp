@@ -2,6 +2,7 @@
 #include "base/text.h"
 #include "fem/vtu.h"
 #include "observe/whole_file.h"
+#include "stress/facet_loads.h"
 #include "stress/study_sheet.h"
 
 #include <algorithm>
@@ -34,6 +35,7 @@ std::string cases_csv(const Study& study) {
                                          "support_fz_N",
                                          "strongest_body",
                                          "strongest_element",
+                                         "strongest_face",
                                          "strongest_x_m",
                                          "strongest_y_m",
                                          "strongest_z_m",
@@ -56,11 +58,12 @@ std::string cases_csv(const Study& study) {
             const Strongest& most = *now.strongest;
             row.push_back(static_cast<double>(most.body));
             row.push_back(most.element);
+            row.push_back(most.face);
             add(row, most.foot);
             row.push_back(most.normal);
             row.push_back(most.shear);
         } else
-            row.insert(row.end(), 7, none);
+            row.insert(row.end(), 8, none);
         for (const double value : {now.facet_normal, now.facet_shear, now.surface_normal, now.surface_shear,
                                    now.von_mises, now.deflection, now.residual, now.unbalance})
             row.push_back(value);
@@ -106,7 +109,7 @@ Result<std::vector<fs::path>> write_study(const Study& study, const scene::Speci
     std::vector<fs::path> files;
     for (const auto& [name, text] :
          {std::pair{settings_file, study.settings}, std::pair{"cases.csv", cases_csv(study)},
-          std::pair{"slices.csv", slices_csv(study)}, std::pair{"facets.csv", run::facets_csv(loads, mesh)},
+          std::pair{"slices.csv", slices_csv(study)}, std::pair{"facets.csv", facets_csv(loads, mesh)},
           std::pair{"worst.vtu", fem::part_vtu(mesh, study.worst.load, study.worst.displacement, study.worst.stress,
                                                study.cases[study.worst.index].time)}}) {
         files.push_back(folder / name);

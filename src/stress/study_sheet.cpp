@@ -153,9 +153,12 @@ void tell_impacts(const observe::Impacts& impacts, sheet::Sheet& sheet) {
     sheet.fact("sliding_normal", impacts.sliding_normal, "N");
     sheet.fact("normal_impulse", impacts.normal_impulse, "N s");
     sheet.fact("shear_impulse", impacts.shear_impulse, "N s");
-    // Folders of before the peaks' times were kept have none.
-    if (!impacts.hardest.empty() && std::isfinite(impacts.hardest.front().peak_normal_time))
+    if (impacts.hardest.empty())
+        return;
+    if (std::isfinite(impacts.hardest.front().peak_normal_time))
         sheet.parts.emplace_back(impact_figure(impacts));
+    else
+        sheet.say("There is no impact.png: touches.csv is of before the times of the peaks were kept.");
 }
 
 // Force over a facet's area is within so much of the mean pressure on the patch: no warning.

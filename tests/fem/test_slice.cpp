@@ -100,6 +100,19 @@ TEST_CASE("a slice beneath an end lies straight below it, with two directions ac
     CHECK((base->points[0].directions.contour + Vector3d::UnitX()).norm() < 1e-12); // from below, x lies to the left
 }
 
+TEST_CASE("figures of a slice without a point that counts are not numbers") {
+    const solid::HexMesh mesh = tube();
+    const auto top = slice_of(mesh, solid::Locator(mesh), "top", Vector3d::UnitY(), 0.002).value();
+    const auto points = static_cast<Eigen::Index>(top.points.size());
+    const SliceFigures none = figures_of(top, Eigen::Matrix3Xd::Constant(3, points, -1e5), {.lower = 0.5});
+    for (const double figure :
+         {none.normal, none.contour, none.along, none.compression, none.tension, none.mean_compression,
+          none.mean_tension, none.compressed_area, none.near_edges, none.elsewhere, none.compressive_share()})
+        CHECK(std::isnan(figure));
+    CHECK(none.compressed == 0);
+    CHECK(figures_of(top, Eigen::Matrix3Xd::Constant(3, points, -1e5), {}).normal == -1e5);
+}
+
 TEST_CASE("a linear stress field is found exactly at the slice's points, in its three directions") {
     // Hydrostatic pressure that rises with depth below y = 0.2, and a shear yz of 300 Pa.
     const solid::HexMesh mesh = tube();

@@ -3,8 +3,10 @@
 #include "solid/hertz_patch.h"
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <doctest/doctest.h>
 #include <numbers>
+#include <string>
 
 namespace test_hertz_patch {
 
@@ -198,6 +200,93 @@ TEST_CASE("on a round side a patch follows the surface, lower than its middle by
     CHECK(along < 0.2); // all of Hertz' where the edge is straight
     CHECK(along > 0.05);
     CHECK(across < 0.3 * 0.3);
+}
+
+TEST_CASE(
+    "an oblique force on what is not flat keeps its moment about the contact, and presses wherever it is spread") {
+    // Across an edge of 90 degrees at 45 a point x from the edge lies |x| lower than the contact, 3/8 a in the mean
+    // (strips of Hertz' pressure bear 3/4 (1 - x^2 / a^2) dx / a of the force): shear of 0.34 F would miss
+    // 0.34 x 3/8 a F of its moment. The pressure leans to bear that, by 0.34 (3/8) / (1/5) = 0.64 of itself at the rim.
+    const HexMesh prism = bar();
+    const HexMesh tube = *mesh_of(BoredCylinder{.length = 0.1,
+                                                .radius = 0.015,
+                                                .bore_radius = 0.005,
+                                                .shell = 0.0015,
+                                                .around = 120,
+                                                .along = 40,
+                                                .shell_rings = 1,
+                                                .inner_rings = 2},
+                                  {});
+    struct Place {
+        std::string what;
+        const HexMesh& mesh;
+        Vector3d at, normal;
+    };
+    const double a = 0.0008;
+    for (const auto& [what, mesh, at, normal] :
+         {Place{"edge", prism, {0.01, 0.043, 0.01}, Vector3d(1, 0, 1).normalized()},
+          Place{"beside the edge", prism, {0.01, 0.043, 0.0099}, Vector3d(1, 0, 1).normalized()},
+          Place{"lower rim", tube, {0.015, 0, 0.0002}, Vector3d(1, -1, 0).normalized()},
+          Place{"round side", tube, {0.015, 0.051, 0.0003}, Vector3d::UnitX()}})
+        for (const double shear : {0.34, 1.0, 20.0})
+            for (const double along : {0.0, 0.7, 1.0}) {
+                CAPTURE(what);
+                CAPTURE(shear);
+                CAPTURE(along);
+                const Vector3d one = normal.unitOrthogonal();
+                const Vector3d way = along * one + std::sqrt(1 - along * along) * normal.cross(one);
+                for (const double press : {5.0, -0.1}) { // N; the second pulls, as a dashpot does
+                    const Vector3d force = press * (shear * way - normal);
+                    const Push push = moved_to(mesh, {0, at, force}, normal).value();
+                    const auto points = PatchSpreader(mesh).spread(push, normal, a);
+                    CHECK(points.size() >= 60);
+                    const double size = force.norm();
+                    CHECK((force_of(points) - force).norm() < 1e-14 * size);
+                    Vector3d moment = Vector3d::Zero(); // about the contact
+                    for (const Push& point : points) {
+                        moment += (point.point - push.point).cross(point.force);
+                        CHECK(press * point.force.dot(normal) < 1e-15 * size); // all press, or all pull
+                    }
+                    CHECK(moment.norm() < 1e-12 * a * size);
+                    const Eigen::Matrix3Xd loads = nodal_loads(mesh, points).value();
+                    CHECK_FALSE(imbalance(mesh, loads, {push}));
+                    // What is not the contact's is seen: its force a twentieth of the patch deeper misses 0.05 a F.
+                    Push lower = push;
+                    lower.point -= 0.05 * a * normal;
+                    const auto problem = imbalance(mesh, loads, {lower});
+                    REQUIRE(problem);
+                    CHECK(problem->what.starts_with("forces on the nodes miss"));
+                }
+            }
+}
+
+TEST_CASE("at an edge that is seen from one side alone, what no width can bear of a shear force acts at the contact") {
+    // A body at the lower rim, straight from the side: the patch is a line along the rim, which is round, so that its
+    // points lie lower than the contact. Shear along the line leans along it; shear across has nothing to lean on.
+    const HexMesh tube = *mesh_of(BoredCylinder{.length = 0.1,
+                                                .radius = 0.015,
+                                                .bore_radius = 0.005,
+                                                .shell = 0.0015,
+                                                .around = 120,
+                                                .along = 40,
+                                                .shell_rings = 1,
+                                                .inner_rings = 2},
+                                  {});
+    const double a = 0.0015;
+    const Push push = moved_to(tube, {0, {0.015, 0, 0.0003}, {-5, 1.2, 0.9}}, Vector3d::UnitX()).value();
+    const auto points = PatchSpreader(tube).spread(push, Vector3d::UnitX(), a);
+    CHECK(points.size() >= 60);
+    CHECK((force_of(points) - push.force).norm() < 1e-14);
+    Vector3d moment = Vector3d::Zero();
+    double across = 0; // N, at the contact itself
+    for (const Push& point : points) {
+        moment += (point.point - push.point).cross(point.force);
+        CHECK(point.force.x() <= 0);
+        if (point.point == push.point)
+            across += point.force.y();
+    }
+    CHECK(moment.norm() < 1e-12 * a * 5);
+    CHECK(across == about(1.2, 1e-6));
 }
 
 } // namespace test_hertz_patch

@@ -4,6 +4,7 @@
 #include "folder.h"
 #include "run/specimens.h"
 #include "sheet/show.h"
+#include "solid/facet_load.h"
 #include "solid/inp.h"
 #include "stress/recorded.h"
 #include "stress/study.h"
@@ -194,6 +195,10 @@ TEST_CASE("a part of a file with curved facets is run and solved, and its file i
     REQUIRE_MESSAGE(again, to_string(again.problems()));
     CHECK(again->specimen().mesh->nodes.size() == mesh.nodes.size());
     CHECK(again->loads.instants.size() == recorded->loads.instants.size());
+    CHECK(read_remeshed(folder.path / "kept", "", {"scale=2"})
+              .problems()
+              .at(0)
+              .what.starts_with("--remesh makes it another part: 30 x 100 x 30 mm in place of 15 x 50 x 15 mm"));
 }
 
 TEST_CASE("the mean of what lies still is its instant: spread over the same patch, with the same stress beneath") {
@@ -253,6 +258,57 @@ TEST_CASE("the worst case is named with its instant, node and contact, and what 
     const Vector3d place = beneath.slices[0].points[static_cast<std::size_t>(figures.worst_point)].place;
     CHECK(place.y() == about(0.049, 1e-9));
     CHECK((place - Vector3d(0.003, 0.049, 0.002)).norm() < 0.0024);
+}
+
+TEST_CASE("a slice that keeps no point of the part's lower share is refused before anything is solved") {
+    // The upper end lies at the height 1, all of it; the lower end at 0.
+    const scene::SpecimenShape specimen = specimen_of(loaded());
+    const StudyOptions top{.sides = {"top"}, .counting = {.lower = 0.5}};
+    CHECK(slices_of(specimen, top).problems().at(0).what ==
+          "beneath side 'top' no point lies in the lower 0.5 of the part's length (--lower)");
+    CHECK(slices_of(specimen, {.sides = {"top"}}));
+    CHECK(slices_of(specimen, {.sides = {"base"}, .counting = {.lower = 0.5}}));
+}
+
+TEST_CASE("what is solved has force and moment of the contacts, whatever they are spread over, or is refused") {
+    // At 45 degrees to the edge between +x and +z, sheared by 0.34 of what presses; and on the face of +x.
+    const scene::SpecimenShape specimen = specimen_of(loaded());
+    const solid::HexMesh& mesh = *specimen.mesh;
+    run::PartLoads loads;
+    loads.instants.push_back({0.1, {}});
+    for (const auto& [foot, normal] : {std::pair{Vector3d(0.0075, 0.0225, 0.0075), Vector3d(1, 0, 1).normalized()},
+                                       std::pair{Vector3d(0.0075, 0.02, 0.001), Vector3d(Vector3d::UnitX())}}) {
+        const auto placed =
+            solid::moved_to(mesh, {0, foot, -3 * normal + 1.02 * Vector3d(1, 0, -1).normalized()}, normal);
+        REQUIRE(placed);
+        observe::WallPush push;
+        push.triangle = 2 * placed->facet;
+        push.foot = foot;
+        push.normal = normal;
+        push.force = placed->force;
+        push.patch = 0.0008;
+        loads.instants[0].pushes.push_back(push);
+    }
+    Crew crew(1);
+    const auto cases = nodal_cases(specimen, loads, false, 1, crew);
+    REQUIRE_MESSAGE(cases, to_string(cases.problems()));
+    Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+        const Vector3d load = cases->at(0).col(static_cast<Eigen::Index>(n));
+        force += load;
+        moment += mesh.nodes[n].cross(load);
+    }
+    for (const observe::WallPush& push : loads.instants[0].pushes) {
+        force -= push.force;
+        moment -= push.foot.cross(push.force);
+    }
+    CHECK(force.norm() < 1e-13);
+    CHECK(moment.norm() < 1e-14);
+    loads.instants[0].pushes[1].foot.x() += 0.0001; // off the part, as a point
+    loads.instants[0].pushes[1].patch = 0;
+    const auto off = nodal_cases(specimen, loads, false, 1, crew);
+    REQUIRE_FALSE(off);
+    CHECK(off.problems().at(0).what.starts_with("load case at 0.1 s: "));
 }
 
 TEST_CASE("means are over all instants, and how many of them have contacts is said") {
@@ -329,6 +385,7 @@ TEST_CASE("touches are drawn at their peaks, and not at all where the peaks' tim
     const sheet::Sheet older = sheet_of(studied(scene, loads), {});
     for (const sheet::Figure* figure : older.figures())
         CHECK(figure->name != "impact");
+    CHECK(sheet::to_text("", older).find("There is no impact.png") != std::string::npos);
 }
 
 TEST_CASE("settings of two studies are told apart line by line") {
@@ -383,6 +440,10 @@ TEST_CASE("the means are solved as well, and what is written can be read") {
     CHECK(figure_of(sheet, "loads").title == "Force of the media on the part: mean loads of 100 ms");
     CHECK(sheet::to_text("", sheet).find("in the mean of the 100 ms before") != std::string::npos);
     CHECK(kept_settings(folder.path) == study.settings);
+    // The part of run/ball_on_prism.h.
+    CHECK(has(study.settings, "part = prism: length_m 0.05, side_m 0.015, corner_m 0.0048, corner_cells 2, "
+                              "middle_cells 4, along 10\n"));
+    CHECK(has(study.settings, "part_youngs_modulus_Pa = 2e+11\npart_poisson_ratio = 0.3\n"));
     CHECK(std::count(slices.begin(), slices.end(), '\n') == 4);
     CHECK(slices.find(",-z,0.001,") != std::string::npos);
     CHECK(stress::study(scene, specimen_of(scene), {}, {}).problems().at(0).what == "there is no load case");

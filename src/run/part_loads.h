@@ -9,6 +9,7 @@
 #include "solid/hex_mesh.h"
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -26,6 +27,8 @@ struct LoadOptions {
     double checkpoint_every = 60; // s of wall time; 0: no checkpoints
     bool resume = false;          // go on from the folder's last checkpoint where there is one
     StopFlag stop = nullptr;
+    /// Called once the run has begun or goes on, before its first step; problems end it.
+    std::function<Result<Done>()> begun{};
 };
 
 /// All that touches the part at an instant.
@@ -80,14 +83,17 @@ Result<int> find_specimen(const scene::Scene& scene, const std::string& name);
 
 /// Runs the scene and looks at the specimen after every step. Looking changes no bit of the run, nor does going on from
 /// a checkpoint. Problems: those of the run; a periodic domain; a body that lies inside the part; contacts that nodal
-/// forces cannot bear (solid::nodal_loads); a folder that cannot be written; with `resume` those of find_checkpoint and
-/// other options than the run was begun with.
+/// forces cannot bear (solid::nodal_loads); no instant between options.from and the run's end; a folder that cannot be
+/// written; with `resume` those of find_checkpoint and other options than the run was begun with.
 Result<PartLoads> record_loads(const scene::Scene& scene, int wall, const LoadOptions& options, RunListener& listener);
 
 /// Loads as files of a folder: contacts.csv (all instants), means.csv, touches.csv, bulk.csv; docs/stress.md has the
 /// columns. Problems: the system's.
 Result<Done> write_loads(const PartLoads& loads, const scene::SpecimenShape& specimen,
                          const std::filesystem::path& folder);
+
+/// Takes away what write_loads left, as it gives way to what a new run will leave.
+void remove_loads(const std::filesystem::path& folder);
 
 /// facet_loads() over the facets' areas, of all instants, as facets.csv has them.
 std::string facets_csv(const PartLoads& loads, const solid::HexMesh& mesh);

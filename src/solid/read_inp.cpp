@@ -23,6 +23,8 @@ std::string upper(std::string_view text) {
 constexpr std::array<std::string_view, 8> making{"*INSTANCE", "*SYSTEM", "*ELGEN", "*ELCOPY",
                                                  "*NGEN",     "*NCOPY",  "*NFILL", "*NMAP"};
 
+constexpr int most_named = 5; // of the keywords that were passed over
+
 /// A keyword line: "*ELEMENT, TYPE=C3D8, ELSET=part".
 struct Card {
     std::string name; // "*ELEMENT"; empty: none whose data are read
@@ -52,6 +54,9 @@ public:
                 data(line);
         }
         end_element();
+        if (hexes_ == 0 && !passed_over_.empty())
+            say(fmt::format("no hexahedra come of it; passed over: {}", passed_over_),
+                "list them behind *ELEMENT, TYPE=C3D8", first_passed_over_);
         return gathered_.finish();
     }
 
@@ -81,6 +86,10 @@ private:
         if (std::find(making.begin(), making.end(), card_.name) != making.end())
             say(fmt::format("{} makes or moves nodes and elements, which is not done here", card_.name),
                 "list all nodes and elements where they are; Abaqus: without parts and assemblies");
+        else if (!mesh && ++keywords_passed_over_ <= most_named) {
+            passed_over_ += fmt::format("{}{} in line {}", passed_over_.empty() ? "" : ", ", card_.name, line_);
+            first_passed_over_ = first_passed_over_ ? first_passed_over_ : line_;
+        }
         if (card_.name != "*ELEMENT")
             return;
         const std::string type = card_.option("TYPE");
@@ -144,6 +153,7 @@ private:
             std::array<int, 8> nodes{};
             std::copy_n(element_.begin() + 1, 8, nodes.begin());
             gathered_.hex(element_.front(), nodes, element_line_);
+            ++hexes_;
         }
         element_.clear();
     }
@@ -179,6 +189,9 @@ private:
     Card card_;
     bool begun_ = false; // a keyword has come
     int line_ = 0;
+    int hexes_ = 0;
+    std::string passed_over_; // keywords that say nothing of the mesh, the first few
+    int first_passed_over_ = 0, keywords_passed_over_ = 0;
     std::vector<int> element_; // being read
     int element_line_ = 0;
 };

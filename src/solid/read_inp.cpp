@@ -54,7 +54,7 @@ public:
                 data(line);
         }
         end_element();
-        if (hexes_ == 0 && !passed_over_.empty())
+        if (hexes_ == 0 && !said_ && !passed_over_.empty())
             say(fmt::format("no hexahedra come of it; passed over: {}", passed_over_),
                 "list them behind *ELEMENT, TYPE=C3D8", first_passed_over_);
         return gathered_.finish();
@@ -62,6 +62,7 @@ public:
 
 private:
     void say(std::string what, std::string fix, int line = 0) {
+        said_ = true;
         gathered_.say(line ? line : line_, std::move(what), std::move(fix));
     }
 
@@ -190,6 +191,7 @@ private:
     bool begun_ = false; // a keyword has come
     int line_ = 0;
     int hexes_ = 0;
+    bool said_ = false; // what is wrong with some line
     std::string passed_over_; // keywords that say nothing of the mesh, the first few
     int first_passed_over_ = 0, keywords_passed_over_ = 0;
     std::vector<int> element_; // being read

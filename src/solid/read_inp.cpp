@@ -23,7 +23,7 @@ std::string upper(std::string_view text) {
 constexpr std::array<std::string_view, 8> making{"*INSTANCE", "*SYSTEM", "*ELGEN", "*ELCOPY",
                                                  "*NGEN",     "*NCOPY",  "*NFILL", "*NMAP"};
 
-constexpr int most_named = 5; // of the keywords that were passed over
+constexpr int most_passed_over = 5; // of the keywords that were passed over
 
 /// A keyword line: "*ELEMENT, TYPE=C3D8, ELSET=part".
 struct Card {
@@ -87,7 +87,7 @@ private:
         if (std::find(making.begin(), making.end(), card_.name) != making.end())
             say(fmt::format("{} makes or moves nodes and elements, which is not done here", card_.name),
                 "list all nodes and elements where they are; Abaqus: without parts and assemblies");
-        else if (!mesh && ++keywords_passed_over_ <= most_named) {
+        else if (!mesh && ++keywords_passed_over_ <= most_passed_over) {
             passed_over_ += fmt::format("{}{} in line {}", passed_over_.empty() ? "" : ", ", card_.name, line_);
             first_passed_over_ = first_passed_over_ ? first_passed_over_ : line_;
         }
@@ -191,7 +191,7 @@ private:
     bool begun_ = false; // a keyword has come
     int line_ = 0;
     int hexes_ = 0;
-    bool said_ = false; // what is wrong with some line
+    bool said_ = false;       // what is wrong with some line
     std::string passed_over_; // keywords that say nothing of the mesh, the first few
     int first_passed_over_ = 0, keywords_passed_over_ = 0;
     std::vector<int> element_; // being read

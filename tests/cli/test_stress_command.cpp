@@ -217,6 +217,7 @@ TEST_CASE("a stress run that goes on, or was killed, is not run over: --resume g
     CHECK_MESSAGE(outcome.code == 130, outcome.err);
     CHECK(content_of(folder.path / "loads/frames/frame_000003.tumble") == kept);
     refused(command, "`tumble stress loads` solves them again, --force replaces them");
+    fs::create_directory(folder.path / "notes");
     put(folder.path / "notes/mine.txt", "not of a run");
     refused({"stress", "ball.toml", "--out", "notes"}, "already holds something");
 }

@@ -17,10 +17,10 @@ struct Evidence {
     Directions directions;
     std::vector<Cause> causes;   // parallel to the columns of effects
     std::vector<int> nuisance{}; // which one a column of nuisances is of, copies side by side; empty: each of its own
-    std::vector<std::string>
-        beforehand{};                  // of the rows behind the readings: of which nuisance each says what was known
-    double gate = 0;                   // known from a case with the same effects; 0: to be drawn
+    double gate = 0;             // known from a case with the same effects; 0: to be drawn
     double degrees = covariance_known; // of freedom of the covariance that whitened it
+    /// Of the rows behind the readings: of which nuisance each says what was known.
+    std::vector<std::string> beforehand{};
 };
 
 /// How much likelier, in nats, an explanation is under which chi-square falls by `better` than one by `worse`. With an

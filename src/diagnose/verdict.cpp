@@ -96,7 +96,7 @@ std::string none_known(const Diagnosis& diagnosis) {
         text += fmt::format(" If {} may lie anywhere, whatever was said of it beforehand, only noise is left.",
                             diagnosis.overstated->what);
         if (!diagnosis.alike.empty())
-            text += fmt::format(" In these readings it looks like {}.", fmt::join(diagnosis.alike, " and "));
+            text += fmt::format(" In these readings it looks like {}.", fmt::join(diagnosis.alike, ", "));
     }
     if (diagnosis.differing)
         text += fmt::format(" It is not one cause: conditions differ (het.condition). With a value of its own of {} in "

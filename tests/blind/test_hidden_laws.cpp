@@ -31,7 +31,7 @@ Record read_of(const std::string& name, std::vector<std::string> sets, const std
                double rate, double duration, Rng& rng, const std::function<double(double)>& path) {
     Record record{
         .name = name, .condition = name, .file = "none.csv", .sets = std::move(sets), .time = {}, .channels = {}};
-    Channel channel{.head = "way_m", .measure = measure, .unit = "m", .value = {}, .sigma = sigma};
+    diagnose::Channel channel{.head = "way_m", .measure = measure, .unit = "m", .value = {}, .sigma = sigma};
     for (int k = 0; k < rate * duration; ++k) {
         record.time.push_back(k / rate);
         channel.value.push_back(path(record.time.back()) + sigma * gauss(rng));

@@ -13,7 +13,6 @@
 #include "observe/whole_file.h"
 #include "run/checkpoint_files.h"
 #include "run/part_loads.h"
-#include "run/resume.h"
 #include "run/run_folder.h"
 #include "sheet/show.h"
 #include "stress/pictures.h"
@@ -189,7 +188,9 @@ Result<run::FolderInWork> folder_of_run(const StressArguments& arguments) {
         return Problem{.file = out.string(),
                        .what = "holds the loads of an earlier run, and no checkpoint to go on from",
                        .fix = "--force runs the scene again and replaces them"};
-    if (arguments.loads.resume && (checkpoints || begun || run::look_into(out) == run::Found::beginning))
+    // It begins where there is none, beside whatever else lies there, but for a folder of `tumble run`.
+    if (std::error_code ignored;
+        arguments.loads.resume && fs::exists(out, ignored) && !fs::exists(run::RunFolder{out}.summary(), ignored))
         return held(out);
     if (arguments.force || !(begun || loads || checkpoints))
         return run::FolderInWork::open(out, arguments.force, 0);

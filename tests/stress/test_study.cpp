@@ -395,8 +395,15 @@ TEST_CASE("edges are where sides and ends meet, not between the facets of a roun
     CHECK(prism.distance({0.0075, 0.025, 0}) == about(0.0075, 1e-9));
     CHECK(prism.distance({0.0075, 0.025, 0.0075}) < 1e-12);
     CHECK(prism.distance({0, 0.025, 0}) == about(0.0075 * std::sqrt(2.0), 1e-9));
-    const solid::HexMesh cylinder = *solid::mesh_of(
-        solid::BoredCylinder{.length = 0.1, .radius = 0.015, .bore_radius = 0.005, .shell = 0.0015}, {});
+    const solid::HexMesh cylinder = *solid::mesh_of(solid::BoredCylinder{.length = 0.1,
+                                                                         .radius = 0.015,
+                                                                         .bore_radius = 0.005,
+                                                                         .shell = 0.0015,
+                                                                         .around = 36,
+                                                                         .along = 4,
+                                                                         .shell_rings = 3,
+                                                                         .inner_rings = 2},
+                                                    {});
     const Edges round(cylinder);
     CHECK(round.distance({0.015, 0.03, 0}) == about(0.03, 1e-6)); // to the ring of the lower end
 }
@@ -478,8 +485,15 @@ TEST_CASE("cases of before the media were in and the walls moved are told with w
 TEST_CASE("a slice ends at the first wall: neither in a bore nor behind it, and none is asked for twice") {
     // A wall of 10 mm about a bore of 10 mm: 12 mm beneath the side is the bore, 22 and 28 mm the wall behind it.
     scene::SpecimenShape specimen;
-    specimen.mesh = std::make_shared<solid::HexMesh>(*solid::mesh_of(
-        solid::BoredCylinder{.length = 0.1, .radius = 0.015, .bore_radius = 0.005, .shell = 0.0015}, {}));
+    specimen.mesh = std::make_shared<solid::HexMesh>(*solid::mesh_of(solid::BoredCylinder{.length = 0.1,
+                                                                                          .radius = 0.015,
+                                                                                          .bore_radius = 0.005,
+                                                                                          .shell = 0.0015,
+                                                                                          .around = 36,
+                                                                                          .along = 4,
+                                                                                          .shell_rings = 3,
+                                                                                          .inner_rings = 2},
+                                                                     {}));
     specimen.part = solid::BoredCylinder{};
     CHECK(slices_of(specimen, {.depths = {0.0005, 0.0095}}));
     CHECK(has(slices_of(specimen, {.depths = {0.012}}).problems().at(0).what, "the part ends"));

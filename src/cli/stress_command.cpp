@@ -162,7 +162,8 @@ Result<stress::Recorded> again_from(const StressArguments& arguments) {
 std::string settings_with(const StressArguments& arguments, const stress::Recorded& recorded, bool again) {
     std::string text = stress::settings_of(recorded.specimen(), arguments.study);
     if (again && !in_place(arguments))
-        text += fmt::format("run = {}\n", fs::proximate(arguments.scene.file, arguments.out).string());
+        text += fmt::format("run = {}\n",
+                            fs::proximate(fs::absolute(arguments.scene.file), fs::absolute(arguments.out)).string());
     for (const std::string& set : arguments.remesh)
         text += fmt::format("remesh = {}\n", set);
     if (again && arguments.loads.from > 0)

@@ -21,7 +21,7 @@ Result<Done> trim(Recorded& recorded, double from, double to) {
     if (!loads.instants.empty())
         return Done{};
     return Problem{.what = fmt::format("no instant is left between {:.6g} and {:.6g} s", from, to),
-                   .fix = fmt::format("the run has some from {:.4g} to {:.4g} s: --from, --until", begin, end)};
+                   .fix = fmt::format("the run has some from {:.3g} to {:.3g} s: --from, --until", begin, end)};
 }
 
 } // namespace tumble::stress

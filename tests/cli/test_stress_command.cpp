@@ -247,7 +247,7 @@ TEST_CASE("a folder is solved again from a later instant on, and keeps its repor
     const Outcome late =
         tumble_in(folder, {"stress", "ball", "--from", "0.2", "--until", "0.25", "--out", "late", "--pictures"});
     REQUIRE_MESSAGE(late.code == 0, late.err);
-    CHECK(content_of(folder.path / "late/report.txt") == late.out);
+    CHECK(contains(late.out, content_of(folder.path / "late/report.txt")));
     CHECK_MESSAGE(contains(late.out, "1 instants of the media, from 0.2 to 0.2 s"), late.out);
     const std::string settings = content_of(folder.path / "late/study.txt");
     CHECK_MESSAGE(contains(settings, "run = ../ball\nfrom_s = 0.2\nuntil_s = 0.25\n"), settings);

@@ -169,7 +169,7 @@ OverlayContent content_of(const Field& field, const FieldLook& look, const Field
         under.top = under.bottom - camera_margin * under.height() + 2 * painted.layout.unit;
         content.captions = {{under, look.caption}};
     }
-    content.legend = {field.label, field.unit, span, map};
+    content.legend = {.label = field.label, .unit = field.unit, .span = span, .map = map, .note = look.key};
     for (const double value : field.values) {
         content.legend.below = content.legend.below || value < span.lo;
         content.legend.above = content.legend.above || value > span.hi;

@@ -20,6 +20,7 @@ struct FieldLook {
     std::string title;
     std::string note;           // where a run's picture says the time
     std::string caption{};      // under the field
+    std::string key{};          // in the key of colours, beside the quantity's name
     std::optional<Span> span{}; // of the colours, SI; without it they reach to the 98th percentile as in ColorRange
     bool lit = true;
     bool axes = true;  // false: the letters x, y, z would say nothing

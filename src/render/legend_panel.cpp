@@ -110,6 +110,14 @@ Area draw_legend(Pen& pen, const Area& area, const Legend& legend, const Theme& 
                  Align::left, theme.text);
         under_name = std::round(under_name + 1.35 * pen.height(Lettering::normal));
     }
+    if (!upright && !legend.note.empty())
+        pen.text(area.right, area.top, legend.note, Lettering::small, Align::right, theme.text);
+    if (upright && !legend.note.empty())
+        for (const std::string& words : name_lines(pen, legend.note, "", area.width())) {
+            pen.text(area.left, under_name, pen.entire(words, Lettering::small, area.width()), Lettering::small,
+                     Align::left, theme.text);
+            under_name = std::round(under_name + 1.35 * line);
+        }
     Area bar;
     std::vector<double> ticks;
     if (upright) {

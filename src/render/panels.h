@@ -21,6 +21,7 @@ struct Legend {
     ColorMap map;
     bool below = false; // values lie below the span: its end gets a point
     bool above = false;
+    std::string note{}; // beside the name, as the largest value where it lies beyond the span
 };
 
 /// Label and unit over a colour bar with ticks; upright with the ticks on its right, or lying with the ticks below.

@@ -233,6 +233,12 @@ Result<Done> write_loads(const PartLoads& loads, const scene::SpecimenShape& spe
     return Done{};
 }
 
+void remove_loads(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    for (const char* name : {"contacts.csv", "means.csv", "touches.csv", "bulk.csv"})
+        std::filesystem::remove(folder / name, ignored);
+}
+
 Result<PartLoads> read_loads(const std::filesystem::path& folder, const scene::SpecimenShape& specimen) {
     PartLoads loads;
     struct File {

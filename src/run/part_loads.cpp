@@ -33,6 +33,25 @@ Progress progress_of(const Simulation& simulation, const scene::Scene& scene, st
     return now;
 }
 
+/// Before hours are spent: a run that no instant falls into. `last`: its last step.
+std::optional<Problem> refuse_without_instants(const scene::Scene& scene, const LoadOptions& options,
+                                               std::int64_t first, std::int64_t last) {
+    Schedule instants(options.every, scene.time_step);
+    instants.pass(first - 1);
+    if (instants.next() <= last)
+        return std::nullopt;
+    if (first > last)
+        return Problem{.file = scene.file.string(),
+                       .what = fmt::format("the run ends at {:.6g} s, before it is to be looked at: --from {:.6g}",
+                                           scene.duration, options.from),
+                       .fix = "begin earlier: --from; or run longer: --duration"};
+    return Problem{.file = scene.file.string(),
+                   .what =
+                       fmt::format("no instant of --every {:.6g} lies between {:.6g} s and the run's end at {:.6g} s",
+                                   options.every, options.from, scene.duration),
+                   .fix = "look more often: --every; or run longer: --duration"};
+}
+
 double seconds_since(std::chrono::steady_clock::time_point begun) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
 }
@@ -154,6 +173,10 @@ Result<PartLoads> record_loads(const scene::Scene& scene, int wall, const LoadOp
     auto measures = observe::choose_measures(scene.observe.measures);
     if (!measures)
         return measures.problems();
+    const std::int64_t last = std::llround(scene.duration / scene.time_step);
+    const std::int64_t first = std::max<std::int64_t>(1, std::llround(options.from / scene.time_step));
+    if (const auto problem = refuse_without_instants(scene, options, first, last))
+        return *problem;
     auto folder = LoadFolder::open(scene, options);
     if (!folder)
         return folder.problems();
@@ -161,9 +184,10 @@ Result<PartLoads> record_loads(const scene::Scene& scene, int wall, const LoadOp
     auto simulation = folder->can_resume() ? folder->go_on(scene, recorder, listener) : folder->begin(scene, listener);
     if (!simulation)
         return simulation.problems();
+    if (options.begun)
+        if (const auto ready = options.begun(); !ready)
+            return ready.problems();
     Schedule instants(options.every, scene.time_step);
-    const std::int64_t last = std::llround(scene.duration / scene.time_step);
-    const std::int64_t first = std::max<std::int64_t>(1, std::llround(options.from / scene.time_step));
     bool stopped = false;
     double told = 0;
     instants.pass(std::max(first - 1, (*simulation)->steps()));

@@ -8,6 +8,7 @@
 #include "scene/scene.h"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct LoadOptions {
     double checkpoint_every = 60; // s of wall time; 0: no checkpoints
     bool resume = false;          // go on from the folder's last checkpoint where there is one
     StopFlag stop = nullptr;
+    /// Called once the run has begun or goes on, before its first step; problems end it.
+    std::function<Result<Done>()> begun{};
 };
 
 /// All that touches the part at an instant.
@@ -54,14 +57,17 @@ Result<int> find_specimen(const scene::Scene& scene, const std::string& name);
 
 /// Runs the scene and looks at the specimen after every step. Looking changes no bit of the run, nor does going on from
 /// a checkpoint. Problems: those of the run; a periodic domain; a body that lies inside the part; contacts that nodal
-/// forces cannot bear (solid::nodal_loads); a folder that cannot be written; with `resume` those of find_checkpoint and
-/// other options than the run was begun with.
+/// forces cannot bear (solid::nodal_loads); no instant between options.from and the run's end; a folder that cannot be
+/// written; with `resume` those of find_checkpoint and other options than the run was begun with.
 Result<PartLoads> record_loads(const scene::Scene& scene, int wall, const LoadOptions& options, RunListener& listener);
 
 /// Loads as files of a folder: contacts.csv (all instants), means.csv, touches.csv, bulk.csv; docs/stress.md has the
 /// columns. Problems: the system's.
 Result<Done> write_loads(const PartLoads& loads, const scene::SpecimenShape& specimen,
                          const std::filesystem::path& folder);
+
+/// Takes away what write_loads left, as it gives way to what a new run will leave.
+void remove_loads(const std::filesystem::path& folder);
 
 /// Instants and means of such a folder, to the same bits, and its touches, but for Touching::since; times of their
 /// peaks are NaN where the folder is of before they were kept. Problems: files that are missing or damaged, with the

@@ -33,9 +33,10 @@ Result<HexMesh> mesh_of(const MeshFile& part, const Place& place);
 struct InpModel {
     double youngs_modulus = 0; // Pa
     double poisson_ratio = 0;
-    std::string element = "C3D8";  // or C3D8I
-    std::vector<std::string> held; // node sets whose nodes do not move
-    bool as_text = false;          // displacements and stresses at integration points in .dat, too
+    std::string element = "C3D8";       // or C3D8I
+    std::vector<std::string> held;      // node sets whose nodes do not move
+    bool as_text = false;               // displacements and stresses at integration points in .dat, too
+    std::vector<std::string> remarks{}; // comments at its head, beside units and element
 };
 
 /// A load case as a step of the model: forces on nodes, 3 x nodes, N.
@@ -44,8 +45,9 @@ struct InpStep {
     Eigen::Matrix3Xd force;
 };
 
-/// Model and steps as CalculiX reads them: metres, newtons, pascals; numbers of up to 20 letters, which hold 14 digits
-/// at least. Each step replaces the forces of the one before. Results asked for: displacements and stresses at nodes
+/// Model and steps as CalculiX reads them, behind comments that say units and element: metres, newtons, pascals;
+/// numbers of up to 20 letters, which hold 14 digits at least. Each step replaces the forces of the one before. Results
+/// asked for: displacements and stresses at nodes
 /// (.frd).
 std::string to_inp(const HexMesh& mesh, const InpModel& model, const std::vector<InpStep>& steps);
 

@@ -23,6 +23,8 @@ std::string upper(std::string_view text) {
 constexpr std::array<std::string_view, 8> making{"*INSTANCE", "*SYSTEM", "*ELGEN", "*ELCOPY",
                                                  "*NGEN",     "*NCOPY",  "*NFILL", "*NMAP"};
 
+constexpr int most_passed_over = 5; // of the keywords that were passed over
+
 /// A keyword line: "*ELEMENT, TYPE=C3D8, ELSET=part".
 struct Card {
     std::string name; // "*ELEMENT"; empty: none whose data are read
@@ -52,11 +54,15 @@ public:
                 data(line);
         }
         end_element();
+        if (hexes_ == 0 && !said_ && !passed_over_.empty())
+            say(fmt::format("no hexahedra come of it; passed over: {}", passed_over_),
+                "list them behind *ELEMENT, TYPE=C3D8", first_passed_over_);
         return gathered_.finish();
     }
 
 private:
     void say(std::string what, std::string fix, int line = 0) {
+        said_ = true;
         gathered_.say(line ? line : line_, std::move(what), std::move(fix));
     }
 
@@ -81,6 +87,10 @@ private:
         if (std::find(making.begin(), making.end(), card_.name) != making.end())
             say(fmt::format("{} makes or moves nodes and elements, which is not done here", card_.name),
                 "list all nodes and elements where they are; Abaqus: without parts and assemblies");
+        else if (!mesh && ++keywords_passed_over_ <= most_passed_over) {
+            passed_over_ += fmt::format("{}{} in line {}", passed_over_.empty() ? "" : ", ", card_.name, line_);
+            first_passed_over_ = first_passed_over_ ? first_passed_over_ : line_;
+        }
         if (card_.name != "*ELEMENT")
             return;
         const std::string type = card_.option("TYPE");
@@ -144,6 +154,7 @@ private:
             std::array<int, 8> nodes{};
             std::copy_n(element_.begin() + 1, 8, nodes.begin());
             gathered_.hex(element_.front(), nodes, element_line_);
+            ++hexes_;
         }
         element_.clear();
     }
@@ -179,6 +190,10 @@ private:
     Card card_;
     bool begun_ = false; // a keyword has come
     int line_ = 0;
+    int hexes_ = 0;
+    bool said_ = false;       // what is wrong with some line
+    std::string passed_over_; // keywords that say nothing of the mesh, the first few
+    int first_passed_over_ = 0, keywords_passed_over_ = 0;
     std::vector<int> element_; // being read
     int element_line_ = 0;
 };

@@ -15,6 +15,13 @@ std::string field(double value) {
     return text.size() <= 20 ? text : fmt::format("{:.13e}", value);
 }
 
+/// A comment ends with its line.
+std::string one_line(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+    return text;
+}
+
 void write_set(std::string& text, const std::string& name, const std::vector<int>& nodes, const HexMesh& mesh) {
     text += fmt::format("*NSET, NSET={}\n", name);
     for (std::size_t k = 0; k < nodes.size(); ++k)
@@ -54,7 +61,12 @@ void write_step(std::string& text, const InpStep& step, const HexMesh& mesh, boo
 
 std::string to_inp(const HexMesh& mesh, const InpModel& model, const std::vector<InpStep>& steps) {
     const std::string all = name_of_all(mesh);
-    std::string text = fmt::format("*NODE, NSET={}\n", all);
+    std::string text;
+    for (const std::string& remark : model.remarks)
+        text += "** " + one_line(remark) + "\n";
+    text += fmt::format("** units: m, N, Pa; {} {} elements of {} nodes\n", mesh.hexes.size(), model.element,
+                        mesh.nodes.size());
+    text += fmt::format("*NODE, NSET={}\n", all);
     for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
         text += fmt::format("{}, {}, {}, {}\n", mesh.node_numbers[n], field(mesh.nodes[n].x()),
                             field(mesh.nodes[n].y()), field(mesh.nodes[n].z()));

@@ -1,5 +1,6 @@
 #include "stress/pictures.h"
 
+#include "base/text.h"
 #include "observe/frame_file.h"
 #include "render/color_range.h"
 #include "render/field_painter.h"
@@ -8,9 +9,12 @@
 #include "stress/fields.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 namespace tumble::stress {
 
@@ -20,6 +24,7 @@ namespace fs = std::filesystem;
 using Eigen::Vector3d;
 
 constexpr double lifted = 25 * std::numbers::pi / 180; // the eye above the horizon
+constexpr double rounding = 1e-6;                      // of the part's length
 constexpr double room = 1.25;                          // what is seen, times the part
 
 /// A free camera that looks at a box from a direction, and sees `height` m at its middle.
@@ -56,8 +61,9 @@ public:
         look_outwards();
         surface_ = surface_field(mesh_, place_, values_);
         name(surface_);
-        cut("cut-along", axis_.cross(outward_), "along the axis");
-        cut("cut-across", axis_, "across the axis");
+        // A little towards the middle, where the worst node is the part's last.
+        cut("cut-along", axis_.cross(outward_), worst_ + 1e-3 * (bounds_.center() - worst_), "along the axis");
+        cut("cut-across", axis_, inside_the_ends(), "across the axis");
         // One scale, the surface's: that of a cut through the strongest contact would leave the rest of the part dark.
         render::WidestRange range;
         range.take_in(surface_.values);
@@ -88,7 +94,7 @@ private:
             if (off >= nearest)
                 continue;
             nearest = off;
-            frame_number_ = static_cast<std::int64_t>(i);
+            frame_number_ = recorded_.first_frame + static_cast<std::int64_t>(i);
         }
         auto frame = observe::read_frame(observe::frame_path(frames, frame_number_), *layout);
         if (!frame)
@@ -142,19 +148,53 @@ private:
         const std::string part = "stress on " + recorded_.name();
         render::FieldLook look{.title = worst_case().window > 0 ? titled(part) : recorded_.scene.title + ": " + part,
                                .note = time(),
+                               .key = extremes_of(surface_),
                                .span = span_};
         look.part = recorded_.wall;
         look.veil = options_.veil;
         return paint("part", settings, std::move(surface_), look, frame_ ? &*frame_ : nullptr);
     }
 
-    void cut(const std::string& file, const Vector3d& normal, const std::string& how) {
-        // A little towards the middle, where the worst node is the part's last.
-        const Vector3d through = worst_ + 1e-3 * (bounds_.center() - worst_);
+    /// The worst node, from an end face half a layer of nodes inwards: on the face itself a cut shows no inside.
+    [[nodiscard]] Vector3d inside_the_ends() const {
+        double lowest = std::numeric_limits<double>::infinity(), highest = -lowest; // m, along the axis
+        for (const Vector3d& node : mesh_.nodes) {
+            lowest = std::min(lowest, node.dot(axis_));
+            highest = std::max(highest, node.dot(axis_));
+        }
+        const double at = worst_.dot(axis_), apart = rounding * (highest - lowest);
+        if (at - lowest > apart && highest - at > apart)
+            return worst_;
+        double layer = highest - lowest; // m, to the nearest node that is not on this end
+        for (const Vector3d& node : mesh_.nodes)
+            if (const double off = std::abs(node.dot(axis_) - at); off > apart)
+                layer = std::min(layer, off);
+        return worst_ + (at - lowest > apart ? -0.5 : 0.5) * layer * axis_;
+    }
+
+    /// "at y = 60 mm" of a plane across an axis of the scene, else a point that it goes through.
+    [[nodiscard]] static std::string where(const Vector3d& through, const Vector3d& normal) {
+        for (const auto& [axis, letter] : {std::pair{0, 'x'}, std::pair{1, 'y'}, std::pair{2, 'z'}})
+            if (std::abs(normal[axis]) > 1 - rounding)
+                return fmt::format("at {} = {:.4g} mm", letter, 1e3 * through[axis]);
+        return fmt::format("through ({:.4g}, {:.4g}, {:.4g}) mm", 1e3 * through.x(), 1e3 * through.y(),
+                           1e3 * through.z());
+    }
+
+    /// For the key of colours, whose ends may lie below.
+    [[nodiscard]] static std::string extremes_of(const render::Field& field) {
+        const auto [least, largest] = std::minmax_element(field.values.begin(), field.values.end());
+        return field.has_sign
+                   ? fmt::format("{} to {}", format_si(*least, field.unit, 2), format_si(*largest, field.unit, 2))
+                   : "largest " + format_si(*largest, field.unit, 2);
+    }
+
+    void cut(const std::string& file, const Vector3d& normal, const Vector3d& through, const std::string& how) {
         const solid::Section section = solid::section_of(mesh_, through, normal);
         if (section.triangles.empty())
             return; // a part that bends back from there
-        cuts_.push_back({file, how, normal, section_field(mesh_, section, place_, values_)});
+        cuts_.push_back(
+            {file, how + " " + where(through, normal), normal, section_field(mesh_, section, place_, values_)});
         name(cuts_.back().field);
     }
 
@@ -166,9 +206,10 @@ private:
             scene::Render settings = settings_;
             settings.projection = "orthographic";
             look_at(settings, box.center(), place_.rotation * cut.normal, 1.1 * box.diagonal().norm());
-            const render::FieldLook look{.title = titled(fmt::format("{}, stress in a cut {} through the worst node",
-                                                                     recorded_.name(), cut.how)),
+            const render::FieldLook look{.title =
+                                             titled(fmt::format("{}, stress in a cut {}", recorded_.name(), cut.how)),
                                          .note = time(),
+                                         .key = extremes_of(cut.field),
                                          .span = span_,
                                          .lit = false};
             if (auto failure = paint(cut.file, settings, std::move(cut.field), look, nullptr))
@@ -206,6 +247,7 @@ private:
             .note = time(),
             .caption = end ? "the end, seen from outside"
                            : "to the right: around the part, as seen from outside; up: along its axis",
+            .key = extremes_of(field),
             .span = span,
             .lit = false,
             .axes = false};

@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "observe/frame_file.h"
 #include "observe/whole_file.h"
+#include "run/build_mark.h"
 #include "run/mesh_copies.h"
 #include "scene/load.h"
 #include "scene/specimen.h"
@@ -80,7 +81,12 @@ bool holds_loads(const fs::path& folder) {
     return fs::exists(folder / "contacts.csv", ignored);
 }
 
-Result<Done> write_recorded(const Recorded& recorded, const fs::path& folder) {
+bool holds_begun(const fs::path& folder) {
+    std::error_code ignored;
+    return fs::exists(part_file(folder), ignored);
+}
+
+Result<Done> write_what_runs(const Recorded& recorded, const fs::path& folder) {
     const auto meshes = run::read_meshes(recorded.scene);
     if (!meshes)
         return meshes.problems();
@@ -89,12 +95,20 @@ Result<Done> write_recorded(const Recorded& recorded, const fs::path& folder) {
     const std::string toml = scene::to_toml(recorded.scene, run::names_of(*meshes));
     if (const auto written = observe::write_whole(folder / "scene.toml", toml); !written)
         return written;
-    if (const auto written = observe::write_whole(part_file(folder), recorded.name() + "\n"); !written)
+    return observe::write_whole(part_file(folder), recorded.name() + "\n");
+}
+
+Result<Done> write_recorded(const Recorded& recorded, const fs::path& folder) {
+    if (const auto written = write_what_runs(recorded, folder); !written)
         return written;
     return run::write_loads(recorded.loads, recorded.specimen(), folder);
 }
 
 Result<Recorded> read_recorded(const fs::path& folder, const std::string& part) {
+    if (!holds_loads(folder) && holds_begun(folder))
+        return Problem{.file = folder.string(),
+                       .what = "holds no loads on a part yet: its run was killed, or goes on",
+                       .fix = fmt::format("`tumble stress SCENE --out {} --resume` goes on with it", folder.string())};
     if (!holds_loads(folder))
         return Problem{.file = folder.string(),
                        .what = "holds no loads on a part",
@@ -182,9 +196,15 @@ std::string to_calculix(const Recorded& recorded, const std::vector<Eigen::Matri
         const double time = means ? recorded.loads.means[c].time : recorded.loads.instants[c].time;
         steps.push_back({fmt::format("{} {:.9g} s", means ? "mean until" : "contacts at", time), cases[c]});
     }
-    const solid::InpModel model{specimen.youngs_modulus, specimen.poisson_ratio,
-                                formulation == fem::Formulation::standard ? "C3D8" : "C3D8I",
-                                scene::held_sets(specimen)};
+    const solid::InpModel model{
+        specimen.youngs_modulus,
+        specimen.poisson_ratio,
+        formulation == fem::Formulation::standard ? "C3D8" : "C3D8I",
+        scene::held_sets(specimen),
+        false,
+        {recorded.scene.title + ": " + recorded.name(),
+         means ? "mean loads between instants, a step each" : "contacts at instants, a step each",
+         "made by tumble, build " + run::build_mark()}};
     return solid::to_inp(*specimen.mesh, model, steps);
 }
 

@@ -5,6 +5,7 @@
 #include "run/part_loads.h"
 #include "scene/scene.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ struct Recorded {
     int wall = 0; // the specimen, into scene.walls
     run::PartLoads loads;
     std::filesystem::path frames{}; // folder with a frame an instant; empty: none were kept
+    std::int64_t first_frame = 0;   // number of the frame of the first of loads.instants
 
     [[nodiscard]] const scene::SpecimenShape& specimen() const;
     [[nodiscard]] const std::string& name() const;
@@ -28,7 +30,12 @@ Result<Recorded> specimen_in(scene::Scene scene, const std::string& part);
 /// Whether the folder holds loads.
 bool holds_loads(const std::filesystem::path& folder);
 
-/// scene.toml, part.txt with the specimen's name and the files of run::write_loads. Problems: the system's.
+/// Whether a run of `stress` began in the folder, whether or not it came to its loads.
+bool holds_begun(const std::filesystem::path& folder);
+
+/// scene.toml, its meshes, and part.txt with the specimen's name. Problems: the system's.
+Result<Done> write_what_runs(const Recorded& recorded, const std::filesystem::path& folder);
+/// The same and the files of run::write_loads. Problems: the system's.
 Result<Done> write_recorded(const Recorded& recorded, const std::filesystem::path& folder);
 /// The same read again, loads.stopped where the run ended an instant or more before its time; `part` is the specimen
 /// that part.txt names, or empty. Problems: files that are missing or

@@ -1,9 +1,12 @@
 #include "stress/study.h"
 
+#include "fem/first_wall.h"
 #include "fem/structure.h"
 #include "scene/specimen.h"
 #include "solid/hertz_patch.h"
 #include "solid/locate.h"
+#include "stress/doubts.h"
+#include "stress/edges.h"
 #include "stress/facet_loads.h"
 
 #include <algorithm>
@@ -122,6 +125,16 @@ void find_worst_node(const solid::HexMesh& mesh, Study& study) {
     study.worst_place = mesh.nodes[worst];
 }
 
+/// What is said of edges, once the worst node is known.
+void measure_edges(const solid::HexMesh& mesh, Study& study) {
+    study.worst_edge = Edges(mesh).distance(study.worst_place);
+    for (const Case& now : study.cases)
+        if (now.away_node >= 0 && (!study.away || now.away > study.away->von_mises)) {
+            const auto node = static_cast<std::size_t>(now.away_node);
+            study.away = {now.away, now.time, mesh.node_numbers[node], mesh.nodes[node]};
+        }
+}
+
 class Solver {
 public:
     Solver(const scene::SpecimenShape& specimen, const StudyOptions& options, Crew& crew)
@@ -132,6 +145,9 @@ public:
         if (!slices)
             return slices.problems();
         study.slices = std::move(*slices);
+        const Edges edges(*mesh_);
+        for (const Vector3d& node : mesh_->nodes)
+            away_.push_back(edges.distance(node) > options_.counting.edge);
         std::vector<fem::Support> supports;
         for (const std::string& set : scene::held_sets(specimen)) {
             auto held = fem::encastre(*mesh_, set);
@@ -184,7 +200,12 @@ private:
         const Eigen::VectorXd stress = solution.stress.col(column);
         for (Index node = 0; node < static_cast<Index>(mesh_->nodes.size()); ++node) {
             now.deflection = std::max(now.deflection, solution.displacement.col(column).segment<3>(3 * node).norm());
-            now.von_mises = std::max(now.von_mises, fem::von_mises(stress.segment<6>(6 * node)));
+            const double here = fem::von_mises(stress.segment<6>(6 * node));
+            now.von_mises = std::max(now.von_mises, here);
+            if (away_[static_cast<std::size_t>(node)] && (now.away_node < 0 || here > now.away)) {
+                now.away = here;
+                now.away_node = static_cast<int>(node);
+            }
         }
         for (const fem::Slice& slice : slices)
             now.slices.push_back(fem::figures_of(slice, fem::components_on(slice, *mesh_, stress), options_.counting));
@@ -194,6 +215,7 @@ private:
     Crew& crew_;
     const StudyOptions& options_;
     std::unique_ptr<fem::Structure> part_;
+    std::vector<bool> away_; // by node: farther than Counting::edge from the part's edges
 };
 
 /// Shape, sizes in m and counts, by the scene's keys.
@@ -251,6 +273,13 @@ Result<std::vector<fem::Slice>> slices_of(const scene::SpecimenShape& specimen, 
                                                    "length (--lower)",
                                                    side, options.counting.lower),
                                .fix = "take more of it, or another side"};
+            if (const auto beyond = fem::beyond_first_wall(*slice, *specimen.mesh, locator))
+                return *beyond;
+            for (const fem::Slice& other : slices)
+                if (other.side == side && other.depth == depth)
+                    return Problem{
+                        .what = fmt::format("a slice {:.4g} mm beneath '{}' is asked for twice", 1e3 * depth, side),
+                        .fix = "give each depth and each side once"};
             slices.push_back(std::move(*slice));
         }
     return slices;
@@ -260,7 +289,8 @@ Result<std::vector<Eigen::Matrix3Xd>> nodal_cases(const scene::SpecimenShape& sp
                                                   bool means, double patch, Crew& crew) {
     const std::vector<CaseLoad> cases = case_loads(loads, means);
     if (cases.empty())
-        return Problem{.what = "there is no load case", .fix = "run longer, or begin earlier: --from"};
+        return Problem{.what = "there is no load case",
+                       .fix = "begin earlier (--from), look more often (--every) or run longer (--duration)"};
     const solid::PatchSpreader spreader(*specimen.mesh);
     std::vector<Eigen::Matrix3Xd> forces(cases.size());
     std::vector<Problems> problems(cases.size());
@@ -328,6 +358,8 @@ Result<Study> study(const scene::Scene& scene, const scene::SpecimenShape& speci
         return *problem;
     study.solve_s = seconds_since(solving);
     find_worst_node(*specimen.mesh, study);
+    measure_edges(*specimen.mesh, study);
+    study.doubts = doubts_of(scene, study, options.means);
 
     const auto most = std::max_element(study.cases.begin(), study.cases.end(),
                                        [](const Case& a, const Case& b) { return a.deflection < b.deflection; });

@@ -9,6 +9,7 @@
 #include "scene/scene.h"
 
 #include <Eigen/Core>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -51,9 +52,19 @@ struct Case {
     double surface_shear = 0;  // Pa, the same of what shears, facet by facet
     double deflection = 0;     // m, the largest of all nodes
     double von_mises = 0;      // Pa, the same
+    double away = 0;           // Pa, largest von Mises stress farther than Counting::edge from the part's edges
+    int away_node = -1;        // where that is, into HexMesh::nodes; below 0: no node lies so far away
     double residual = 0;       // fem::Solution
     double unbalance = 0;
     std::vector<fem::SliceFigures> slices; // parallel to Study::slices
+};
+
+/// The largest of Case::away.
+struct Away {
+    double von_mises = 0;                            // Pa
+    double time = 0;                                 // s
+    int node = 0;                                    // its number
+    Eigen::Vector3d place = Eigen::Vector3d::Zero(); // m
 };
 
 /// A case with all that a picture needs.
@@ -66,9 +77,11 @@ struct Study {
     std::string settings; // settings_of what was solved
     std::vector<fem::Slice> slices;
     std::vector<Case> cases;
-    Field worst;                                           // the case with the largest von Mises stress
-    int worst_node = 0;                                    // where it is, of all nodes: its number
-    Eigen::Vector3d worst_place = Eigen::Vector3d::Zero(); // m
+    Field worst;                                                 // the case with the largest von Mises stress
+    int worst_node = 0;                                          // where it is, of all nodes: its number
+    Eigen::Vector3d worst_place = Eigen::Vector3d::Zero();       // m
+    double worst_edge = std::numeric_limits<double>::infinity(); // m, from there to the part's nearest edge
+    std::optional<Away> away;
     std::map<std::string, double> pressed; // by side of the part: its share of all contacts' forces, as sizes
     double patch = 0; // m, mean radius of the circles in which bodies touch, as the forces weigh it; 0: none
     double facet = 0; // m, mean width of the facets beneath them, the root of their area, as the forces weigh it
@@ -80,6 +93,7 @@ struct Study {
     double solve_s = 0;           // s, all cases: displacements, stresses, slices
     observe::Impacts impacts;     // of the run's touches
     std::vector<std::string> warnings;
+    std::vector<std::string> doubts; // doubts_of()
 };
 
 /// What is solved and how, a line each: "element = standard". New ones come last: study.txt of older folders is

@@ -13,6 +13,12 @@ std::string depth_name(const fem::Slice& slice) {
     return fmt::format("{:.4g} mm", 1e3 * slice.depth);
 }
 
+/// Instants are samples, far apart for contacts of a millisecond: a line would make a signal of them. Means follow on
+/// one another.
+sheet::Style style_of(const Study& study) {
+    return study.cases.front().window > 0 ? sheet::Style::line : sheet::Style::points;
+}
+
 /// Titles of means say so.
 std::string titled(const std::string& words, const Study& study) {
     double window = 0; // s; the first may be shorter
@@ -40,8 +46,10 @@ sheet::Figure over_time(const Study& study) {
         const fem::Slice& slice = study.slices[s];
         if (!all && slice.depth > shallowest.at(slice.side))
             continue;
-        sheet::Curve curve{fmt::format("{}, {}", slice.side, depth_name(slice)),
-                           figure.curves.size() < sheet::colors ? sheet::Style::line : sheet::Style::dashes};
+        const sheet::Style style = style_of(study);
+        sheet::Curve curve{
+            fmt::format("{}, {}", slice.side, depth_name(slice)),
+            style == sheet::Style::points || figure.curves.size() < sheet::colors ? style : sheet::Style::dashes};
         for (const Case& now : study.cases)
             curve.add(now.time, 1e-3 * now.slices[s].normal);
         figure.curves.push_back(std::move(curve));
@@ -52,7 +60,7 @@ sheet::Figure over_time(const Study& study) {
 sheet::Figure loads_over_time(const Study& study) {
     sheet::Figure figure{"loads", titled("Force of the media on the part", study), {"time", "s"}, {"force", "N"}};
     for (const auto& [axis, label] : {std::pair{0, "x"}, std::pair{1, "y"}, std::pair{2, "z"}}) {
-        sheet::Curve curve{label};
+        sheet::Curve curve{label, style_of(study)};
         for (const Case& now : study.cases)
             curve.add(now.time, now.force[axis]);
         figure.curves.push_back(std::move(curve));
@@ -64,7 +72,8 @@ sheet::Figure loads_over_time(const Study& study) {
 sheet::Figure average_over_time(const Study& study) {
     sheet::Figure figure{
         "surface-average", "Mean stresses of the part's surface", {"time", "s"}, {"force over all area", "kPa"}};
-    sheet::Curve normal{"normal"}, shear{"shear"}, both{"magnitude"};
+    const sheet::Style style = style_of(study);
+    sheet::Curve normal{"normal", style}, shear{"shear", style}, both{"magnitude", style};
     for (const Case& now : study.cases) {
         normal.add(now.time, 1e-3 * now.surface_normal);
         shear.add(now.time, 1e-3 * now.surface_shear);
@@ -80,7 +89,7 @@ sheet::Figure surface_over_time(const Study& study) {
     for (const auto& [member, label] : {std::pair{&Case::facet_normal, "normal, force over area"},
                                         std::pair{&Case::facet_shear, "shear, force over area"},
                                         std::pair{&Case::von_mises, "von Mises, of all nodes"}}) {
-        sheet::Curve curve{label};
+        sheet::Curve curve{label, style_of(study)};
         for (const Case& now : study.cases)
             curve.add(now.time, 1e-3 * now.*member);
         figure.curves.push_back(std::move(curve));

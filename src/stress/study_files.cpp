@@ -130,8 +130,11 @@ std::string what_differs(const std::string& kept, const std::string& settings) {
     for (std::size_t line = 0; line < std::max(before.size(), now.size()); ++line) {
         const std::string_view was = line < before.size() ? before[line] : "", is = line < now.size() ? now[line] : "";
         if (was != is)
-            words += fmt::format("{}{}, now {}", words.empty() ? "" : "; ", was.empty() ? "nothing" : was,
-                                 is.substr(is.find('=') == std::string_view::npos ? 0 : is.find('=') + 2));
+            words +=
+                fmt::format("{}{}, now {}", words.empty() ? "" : "; ", was.empty() ? "nothing" : was,
+                            is.empty()    ? "nothing"
+                            : was.empty() ? is
+                                          : is.substr(is.find('=') == std::string_view::npos ? 0 : is.find('=') + 2));
     }
     return words;
 }

@@ -244,6 +244,32 @@ std::string in_mm(const Eigen::Vector3d& place) {
     return fmt::format("({:.5g}, {:.5g}, {:.5g}) mm", 1e3 * place.x(), 1e3 * place.y(), 1e3 * place.z());
 }
 
+std::string times_of(const Study& study) {
+    const Case& first = study.cases.front();
+    return fmt::format("from {:.4g} to {:.4g} s", first.time - first.window, study.cases.back().time);
+}
+
+/// What of the worst stress may be an edge's. `edge`: m, Counting::edge.
+void tell_edges(const Study& study, double edge, sheet::Sheet& sheet) {
+    if (study.away)
+        sheet.fact("von_mises_away_from_edges", study.away->von_mises, "Pa");
+    if (!std::isfinite(study.worst_edge))
+        return;
+    sheet.fact("worst_edge_distance", study.worst_edge, "m");
+    if (study.worst_edge > edge) {
+        sheet.say(fmt::format("That node lies {:.3g} mm from the part's nearest edge.", 1e3 * study.worst_edge));
+        return;
+    }
+    sheet.say(fmt::format(
+        "That node lies {:.3g} mm from an edge of the part, within {:.3g} mm: there the circles in which bodies touch "
+        "are clipped and the mesh has its corners, so that this stress is theirs rather than the part's. {}",
+        1e3 * study.worst_edge, 1e3 * edge,
+        study.away ? fmt::format("Farther from all edges the largest is {}, at {:.6g} s, at node {}, {}.",
+                                 format_si(study.away->von_mises, "Pa", 3), study.away->time, study.away->node,
+                                 in_mm(study.away->place))
+                   : "No node lies farther from all edges."));
+}
+
 /// The worst case, where it is and what touches then.
 void tell_worst(const Study& study, sheet::Sheet& sheet) {
     const Case& worst = study.cases[study.worst.index];
@@ -257,10 +283,11 @@ void tell_worst(const Study& study, sheet::Sheet& sheet) {
                             worst.strongest->body, worst.strongest->face, worst.strongest->element,
                             in_mm(worst.strongest->foot), format_si(worst.strongest->normal, "N", 3),
                             format_si(worst.strongest->shear, "N", 3));
-    sheet.say(fmt::format("The largest von Mises stress of all is {}, {}, at node {}, {}.{} The largest deflection of "
-                          "all is {}.",
-                          format_si(worst.von_mises, "Pa", 3), when, study.worst_node, in_mm(study.worst_place), touch,
-                          format_si(largest(study, &Case::deflection), "m", 3)));
+    const std::string of = fmt::format("of the {} {}", study.cases.size(), worst.window > 0 ? "means" : "instants");
+    sheet.say(fmt::format("The largest von Mises stress {0} is {1}, {2}, at node {3}, {4}.{5} The largest deflection "
+                          "{0} is {6}.",
+                          of, format_si(worst.von_mises, "Pa", 3), when, study.worst_node, in_mm(study.worst_place),
+                          touch, format_si(largest(study, &Case::deflection), "m", 3)));
     sheet.fact("worst_time", worst.time, "s");
     sheet.fact("worst_node", study.worst_node);
     sheet.fact("worst_x", study.worst_place.x(), "m");
@@ -293,16 +320,19 @@ void tell_sides(const Study& study, sheet::Sheet& sheet) {
 sheet::Sheet sheet_of(const Study& study, const StudyOptions& options) {
     sheet::Sheet sheet;
     sheet.say(fmt::format(
-        "{} {} of the media on {} {} hexahedra with {} nodes ({} unknowns): factorised in {:.2f} s, loads laid on in "
+        "{} {} of the media, {}, on {} {} hexahedra with {} nodes ({} unknowns): factorised in {:.2f} s, loads laid on "
+        "in "
         "{:.2f} s, solved in {:.2f} s. "
         "Forces left over at free nodes: at most {:.1e} of the case's largest; loads and supports miss equilibrium by "
         "{:.1e} at most.",
-        study.cases.size(), options.means ? "mean loads" : "instants", study.hexes,
+        study.cases.size(), options.means ? "mean loads" : "instants", times_of(study), study.hexes,
         options.formulation == fem::Formulation::standard ? "standard" : "incompatible", study.nodes, study.unknowns,
         study.prepare_s, study.load_s, study.solve_s, largest(study, &Case::residual),
         largest(study, &Case::unbalance)));
     for (const std::string& warning : study.warnings)
         sheet.say("Warning: " + warning + ".");
+    for (const std::string& doubt : study.doubts)
+        sheet.say("Warning: " + doubt + ".");
     sheet.fact("cases", static_cast<double>(study.cases.size()));
     sheet.fact("residual", largest(study, &Case::residual));
     sheet.fact("unbalance", largest(study, &Case::unbalance));
@@ -312,6 +342,7 @@ sheet::Sheet sheet_of(const Study& study, const StudyOptions& options) {
     sheet.fact("load", study.load_s, "s");
     sheet.fact("solve", study.solve_s, "s");
     tell_worst(study, sheet);
+    tell_edges(study, options.counting.edge, sheet);
     if (!options.means)
         tell_contacts(study, sheet);
     tell_patches(study, sheet);

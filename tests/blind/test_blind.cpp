@@ -58,10 +58,10 @@ TEST_CASE(
 
 TEST_CASE("on the solver: what is hidden at 8 standard errors from every rival is named, with its amplitude") {
     // Naming fails at d_sep = 8 with probability Phi(-(8/2 - 3/8)) = 0.02 %.
-    const std::pair<Bench, const char*> hidden[] = {
-        {Bench::drop, "ins.gain"},     {Bench::drop, "ins.low_pass"},     {Bench::drop, "cohesion.work"},
-        {Bench::lane, "roll.coulomb"}, {Bench::lane, "grav.tilt_x"},      {Bench::slope, "fric.weakening"},
-        {Bench::roll, "roll.coulomb"}, {Bench::spin, "fric.weakening"}};
+    const std::pair<Bench, const char*> hidden[] = {{Bench::drop, "ins.gain"},      {Bench::drop, "ins.low_pass"},
+                                                    {Bench::drop, "cohesion.work"}, {Bench::lane, "roll.coulomb"},
+                                                    {Bench::lane, "grav.tilt_x"},   {Bench::slope, "fric.weakening"},
+                                                    {Bench::roll, "roll.coulomb"},  {Bench::spin, "fric.weakening"}};
     for (const auto& [bench, effect] : hidden) {
         Diagnosis diagnosis;
         const Order order{

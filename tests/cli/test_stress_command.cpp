@@ -177,4 +177,92 @@ TEST_CASE("stress refuses scenes without a specimen, folders without loads, and 
     refused({"export", ".", "--to", "abaqus"}, "calculix");
 }
 
+TEST_CASE("a stress run that goes on, or was killed, is not run over: --resume goes on with it") {
+    const Folder folder;
+    put(folder.path / "ball.toml", ball_on_prism);
+    const std::vector<std::string> command{"stress", "ball.toml", "--every",       "0.01",  "--checkpoint-every",
+                                           "0.01",   "--set",     "duration_s=60", "--out", "loads"};
+    const auto with = [&](const std::string& flag) {
+        std::vector<std::string> words = command;
+        words.push_back(flag);
+        return words;
+    };
+    const auto refused = [&](const std::vector<std::string>& words, const std::string& sentence) {
+        const Outcome outcome = tumble_in(folder, words);
+        CHECK(outcome.code == 2);
+        CHECK_MESSAGE(contains(outcome.err, sentence), outcome.err);
+    };
+    Process process(folder.path, command);
+    REQUIRE(eventually([&] {
+        return fs::exists(folder.path / "loads/frames/frame_000003.tumble") &&
+               !fs::is_empty(folder.path / "loads/state");
+    }));
+    for (const auto& words : {command, with("--force"), with("--resume"), {"stress", "loads"}})
+        refused(words, "another run is going on in this folder");
+    process.send(SIGKILL);
+    process.wait();
+    for (const char* file : {"scene.toml", "part.txt"}) // what it was
+        CHECK_MESSAGE(fs::exists(folder.path / "loads" / file), file);
+    refused(command, "holds a run that was killed before it came to its loads");
+    refused(command, "--resume goes on with it, with --force replaces it");
+    refused({"stress", "loads"}, "`tumble stress SCENE --out loads --resume` goes on with it");
+    refused({"export", "loads", "--to", "calculix"}, "--resume` goes on with it");
+    const std::string kept = content_of(folder.path / "loads/frames/frame_000003.tumble");
+    Process resumed(folder.path, with("--resume"));
+    REQUIRE(eventually([&] { return resumed.catches(SIGINT); }));
+    const auto frames = count_files(folder.path / "loads/frames", ".tumble");
+    REQUIRE(eventually([&] { return count_files(folder.path / "loads/frames", ".tumble") > frames; }));
+    resumed.send(SIGINT);
+    const Outcome outcome = resumed.wait();
+    CHECK_MESSAGE(outcome.code == 130, outcome.err);
+    CHECK(content_of(folder.path / "loads/frames/frame_000003.tumble") == kept);
+    refused(command, "`tumble stress loads` solves them again, --force replaces them");
+    fs::create_directory(folder.path / "notes");
+    put(folder.path / "notes/mine.txt", "not of a run");
+    refused({"stress", "ball.toml", "--out", "notes"}, "already holds something");
+}
+
+TEST_CASE("stress refuses before it runs what would leave no instant, and what cannot be written") {
+    const Folder folder;
+    put(folder.path / "ball.toml", ball_on_prism); // 0.3 s
+    const auto refused = [&](const std::vector<std::string>& words, const std::string& sentence) {
+        const Outcome outcome = tumble_in(folder, words);
+        CHECK(outcome.code == 2);
+        CHECK_MESSAGE(contains(outcome.err, sentence), outcome.err);
+    };
+    refused({"stress", "ball.toml", "--from", "8"}, "the run ends at 0.3 s, before it is to be looked at: --from 8");
+    refused({"stress", "ball.toml", "--every", "5"},
+            "no instant of --every 5 lies between 0 s and the run's end at 0.3 s");
+    refused({"stress", "ball.toml", "--until", "0.2"}, "--until is for a folder with loads");
+    refused({"stress", "ball.toml", "--depth", "0.5,1,0.5"}, "a slice 0.5 mm beneath '-x' is asked for twice");
+    CHECK_FALSE(fs::exists(folder.path / "out/ball-stress"));
+    REQUIRE(tumble_in(folder, {"stress", "ball.toml", "--every", "0.1", "--out", "ball"}).code == 0);
+    refused({"stress", "ball", "--out", "/proc/self"}, "cannot be written"); // nobody can make a file there
+}
+
+TEST_CASE("a folder is solved again from a later instant on, and keeps its report and which run it is of") {
+    const Folder folder;
+    put(folder.path / "ball.toml", ball_on_prism);
+    REQUIRE(tumble_in(folder, {"stress", "ball.toml", "--every", "0.1", "--out", "ball"}).code == 0);
+    const Outcome late =
+        tumble_in(folder, {"stress", "ball", "--from", "0.2", "--until", "0.25", "--out", "late", "--pictures"});
+    REQUIRE_MESSAGE(late.code == 0, late.err);
+    CHECK(contains(late.out, content_of(folder.path / "late/report.txt")));
+    CHECK_MESSAGE(contains(late.out, "1 instants of the media, from 0.2 to 0.2 s"), late.out);
+    const std::string settings = content_of(folder.path / "late/study.txt");
+    CHECK_MESSAGE(contains(settings, "run = ../ball\nfrom_s = 0.2\nuntil_s = 0.25\n"), settings);
+    const Outcome none = tumble_in(folder, {"stress", "ball", "--from", "7", "--out", "none"});
+    CHECK(none.code == 2);
+    CHECK_MESSAGE(contains(none.err, "the run has some from 0.1 to 0.3 s"), none.err);
+    CHECK(content_of(folder.path / "ball/report.txt").size() > 100);
+
+    // What --remesh finds wrong is its own, and its file lies where the command is given.
+    const auto remeshed = [&](const std::string& set) {
+        return tumble_in(folder, {"stress", "ball", "--remesh", set, "--out", "other"}).err;
+    };
+    CHECK_MESSAGE(contains(remeshed("alnog=20"), "--remesh alnog"), remeshed("alnog=20"));
+    CHECK_MESSAGE(contains(remeshed("along"), "write --remesh KEY=VALUE"), remeshed("along"));
+    CHECK_MESSAGE(contains(remeshed("inp=finer.inp"), "remesh"), remeshed("inp=finer.inp"));
+}
+
 } // namespace test_stress_command

@@ -58,7 +58,7 @@ TEST_CASE("what is wrong with a file is said at its line") {
     CHECK(problem(changed(cube, "69, 1,2,3,4", "69, 4,3,2,1")).find("element 69 is inside out") != std::string::npos);
     CHECK(problem(changed(cube, "*ELEMENT, TYPE=C3D8", "*ELEMNT, TYPE=C3D8"))
               .starts_with("part.inp:2: no hexahedra come of it; passed over: *HEADING in line 2, *ELEMNT in line 15, "
-                           "*MATERIAL in line 23, *ELASTIC in line 24"));
+                           "*MATERIAL in line 25, *ELASTIC in line 26"));
     CHECK(problem("1, 2, 3\n").starts_with("part.inp:1: data before the first keyword"));
     CHECK(problem("").starts_with("part.inp: the mesh has no hexahedra"));
 }
@@ -120,7 +120,7 @@ TEST_CASE("what is written reads back, and no number is longer than the 20 lette
         for (const std::string_view word : split(line, ','))
             if (!line.starts_with('*'))
                 CHECK(trimmed(word).size() <= 20);
-    CHECK(text.starts_with("** units: m, N, Pa; 28 C3D8 elements of 48 nodes\n*NODE"));
+    CHECK(text.starts_with("** units: m, N, Pa; 28 C3D8 elements of 63 nodes\n*NODE"));
     CHECK(to_inp(mesh, {2e11, 0.3, "C3D8", {}, false, {"a title\nin two lines", "by whom"}}, {})
               .starts_with("** a title in two lines\n** by whom\n** units: m, N, Pa"));
     CHECK(again->hexes == mesh.hexes);

@@ -15,6 +15,22 @@ constexpr std::size_t few_levels = 50;
 constexpr std::size_t flat_run = 3; // equal readings in a row, of a sensor whose steps are fine
 constexpr double one_in_ten_thousand = 1e-4;
 
+/// A factor by which a unit is most often wrong, and what was probably meant; of angles, or of all else.
+struct Slip {
+    double factor;
+    const char* meaning;
+    bool angle = false;
+};
+constexpr Slip usual_slips[] = {{1000, "millimetres or milliseconds read as SI"},
+                                {1e-3, "SI read as a thousandth"},
+                                {100, "centimetres read as metres"},
+                                {57.29578, "degrees read as radians", true},
+                                {1 / 57.29578, "radians read as degrees", true}};
+
+bool is_angle(const std::string& unit) {
+    return unit == "deg" || unit == "rad_s";
+}
+
 void doubt_time(const Record& record, Problems& warnings) {
     std::vector<double> steps;
     for (std::size_t k = 1; k < record.time.size(); ++k)
@@ -118,6 +134,27 @@ Problems equal_columns(const std::vector<Record>& records) {
             seen.emplace_back(&record, &channel);
         }
     }
+    return problems;
+}
+
+Problems unit_slips(const std::vector<Record>& records, const Eigen::VectorXd& predicted) {
+    Problems problems;
+    Eigen::Index row = 0;
+    for (const Record& record : records)
+        for (const Channel& channel : record.channels) {
+            const auto count = static_cast<Eigen::Index>(record.time.size());
+            const auto [lowest, highest] = std::minmax_element(channel.value.begin(), channel.value.end());
+            const auto foretold = predicted.segment(row, count);
+            const double ratio = (*highest - *lowest) / std::max(1e-300, foretold.maxCoeff() - foretold.minCoeff());
+            row += count;
+            for (const auto& [factor, meaning, angle] : usual_slips)
+                if (angle == is_angle(channel.unit) && std::abs(std::log(ratio / factor)) < 0.2)
+                    problems.push_back({.file = record.file.string(),
+                                        .key = channel.head,
+                                        .what = fmt::format("{} spans {:.3g} times what the simulation does: {}?",
+                                                            channel.head, ratio, meaning),
+                                        .fix = "correct the unit in the head of the column"});
+        }
     return problems;
 }
 

@@ -2,6 +2,8 @@
 
 #include "diagnose/measurement.h"
 
+#include <Eigen/Core>
+
 namespace tumble::diagnose {
 
 /// What the readings of a record show without any simulation: gaps and jitter in time, clipping, coarse steps, scatter
@@ -11,5 +13,9 @@ void doubt_record(const Record& record, Problems& warnings);
 /// Columns that hold the same numbers as another one: a copy was stored under two names, and no verdict can be built on
 /// either. Records of held clocks ("time") may agree.
 Problems equal_columns(const std::vector<Record>& records);
+
+/// Scales that differ from what was foretold, record by record and channel by channel, by one of the usual slips of
+/// units: no effect to be diagnosed.
+Problems unit_slips(const std::vector<Record>& records, const Eigen::VectorXd& predicted);
 
 } // namespace tumble::diagnose

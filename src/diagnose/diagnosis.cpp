@@ -1,5 +1,6 @@
 #include "diagnose/diagnosis.h"
 
+#include "diagnose/data_doubts.h"
 #include "diagnose/folds.h"
 
 #include <algorithm>
@@ -22,22 +23,6 @@ constexpr double most_between_repeats = 1.2; // of their scatter over that of th
 constexpr double far_away = 4;               // spreads of what was known beforehand
 constexpr double hidden_share = 0.05; // of an effect, left beside nuisances: less, and its slope is taken further off
 constexpr double seen_well = 3;       // standard errors, then
-
-/// A factor by which a unit is most often wrong, and what was probably meant; of angles, or of all else.
-struct Slip {
-    double factor;
-    const char* meaning;
-    bool angle = false;
-};
-constexpr Slip usual_slips[] = {{1000, "millimetres or milliseconds read as SI"},
-                                {1e-3, "SI read as a thousandth"},
-                                {100, "centimetres read as metres"},
-                                {57.29578, "degrees read as radians", true},
-                                {1 / 57.29578, "radians read as degrees", true}};
-
-bool is_angle(const std::string& unit) {
-    return unit == "deg" || unit == "rad_s";
-}
 
 bool measured_together(const Record& record, const std::vector<std::string>& measures) {
     return std::all_of(measures.begin(), measures.end(), [&](const std::string& measure) {
@@ -128,7 +113,7 @@ private:
         const auto predicted = model_->predict(start);
         if (!predicted)
             return predicted.problems();
-        if (Problems problems = doubt_units(*predicted); !problems.empty())
+        if (Problems problems = unit_slips(model_->records(), *predicted); !problems.empty())
             return problems;
         const std::vector<int> nuisances = first_numbers(model_->nuisances());
         for (const int k : nuisances)
@@ -430,29 +415,6 @@ private:
                 d_.curves.push_back(std::move(curve));
             }
         }
-    }
-
-    /// A scale that differs from the simulation's by one of the usual slips is no effect to be diagnosed.
-    [[nodiscard]] Problems doubt_units(const VectorXd& predicted) const {
-        Problems problems;
-        Eigen::Index row = 0;
-        for (const Record& record : model_->records())
-            for (const Channel& channel : record.channels) {
-                const auto count = static_cast<Eigen::Index>(record.time.size());
-                const auto span = [&](const VectorXd& all) {
-                    return all.segment(row, count).maxCoeff() - all.segment(row, count).minCoeff();
-                };
-                const double ratio = span(model_->readings()) / std::max(1e-300, span(predicted));
-                row += count;
-                for (const auto& [factor, meaning, angle] : usual_slips)
-                    if (angle == is_angle(channel.unit) && std::abs(std::log(ratio / factor)) < 0.2)
-                        problems.push_back({.file = record.file.string(),
-                                            .key = channel.head,
-                                            .what = fmt::format("{} spans {:.3g} times what the simulation does: {}?",
-                                                                channel.head, ratio, meaning),
-                                            .fix = "correct the unit in the head of the column"});
-            }
-        return problems;
     }
 
     void doubt_noise() {

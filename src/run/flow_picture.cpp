@@ -31,6 +31,16 @@ std::string data_of(const observe::FlowField& field, double per_speed) {
     return "$cells << END\n" + cells + "END\n$arrows << END\n" + arrows + "END\n$surface << END\n" + surface + "END\n";
 }
 
+/// An arrow as those of the picture, in units of its axes, and what it stands for, above the key: the sample that
+/// gnuplot would draw beside a title of arrows has a length of its own.
+std::string reference(double length, double speed) {
+    const std::string words = fmt::format("  radial and vertical velocity, {:.3g} mm are {:.3g} m/s", length, speed);
+    return fmt::format("set arrow from character 2,character 2.3 rto first {0:.6g},first 0 filled head size graph "
+                       "0.008,20 lw 1.6 lc rgb '#000000'\n"
+                       "set label {1} at character 2,character 2.3 offset first {0:.6g},first 0\n",
+                       length, sheet::in_gnuplots_quotes(words));
+}
+
 /// The speed whose arrow is as long as 1.2 cells: the fastest mean across the axis, rounded up to 1, 2 or 5.
 double arrow_speed(const observe::FlowField& field) {
     double fastest = 0;
@@ -49,7 +59,9 @@ double arrow_speed(const observe::FlowField& field) {
     return 10 * decade;
 }
 
-std::string script_of(const FlowReport& report, const std::filesystem::path& file, const sheet::Canvas& canvas) {
+} // namespace
+
+std::string flow_script(const FlowReport& report, const std::filesystem::path& file, const sheet::Canvas& canvas) {
     const observe::FlowGrid& grid = report.field.grid();
     const double speed = arrow_speed(report.field);
     const double length = 1.2e3 * std::min(grid.ring_width(), grid.layer_height());
@@ -58,25 +70,21 @@ std::string script_of(const FlowReport& report, const std::filesystem::path& fil
                           sheet::in_gnuplots_quotes(fmt::format("Mean flow from {:.4g} to {:.4g} s",
                                                                 report.replayed.first, report.replayed.last)));
     script += data_of(report.field, length / speed);
+    script += reference(length, speed);
     script += fmt::format("set xrange [0:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\nset size ratio -1\n", 1e3 * grid.radius,
                           1e3 * grid.lo, 1e3 * grid.hi);
     script += "set xlabel 'distance from the axis [mm]'\nset ylabel 'height [mm]'\n"
-              "set cblabel 'tangential velocity [m/s]'\nset key below\n"
-              "set bmargin 5.5\n"
+              "set cblabel 'tangential velocity [m/s]'\nset key at character 1,character 1.1 left center Left reverse\n"
+              "set bmargin 6.5\n"
               "set palette defined (0 '#440154', 0.25 '#3b528b', 0.5 '#21918c', 0.75 '#5ec962', 1 '#fde725')\n"
               "plot $cells using 1:2:3:4:5:6:7 with boxxyerror fillstyle solid noborder lc palette notitle, "
               "$arrows using 1:2:3:4 with vectors filled head size graph 0.008,20 lw 1.6 lc rgb '#000000' "
-              "title ";
-    script +=
-        sheet::in_gnuplots_quotes(fmt::format("radial and vertical velocity, {:.0f} mm are {:.3g} m/s", length, speed));
-    script += ", $surface using 1:2 with lines lw 3 lc rgb '#D55E00' title 'surface'\nunset output\n";
+              "notitle, $surface using 1:2 with lines lw 3 lc rgb '#D55E00' title 'surface'\nunset output\n";
     return script;
 }
 
-} // namespace
-
 Result<Done> draw_flow(const FlowReport& report, const std::filesystem::path& file, const sheet::Canvas& canvas) {
-    return sheet::run_gnuplot(script_of(report, file, canvas), file,
+    return sheet::run_gnuplot(flow_script(report, file, canvas), file,
                               "leave --picture away: the tables need no gnuplot");
 }
 

@@ -54,6 +54,9 @@ Result<std::vector<std::filesystem::path>> write_flow(const FlowReport& report, 
 /// As large as its cells and words are read well on a screen.
 inline const sheet::Canvas flow_canvas{.width_mm = 238, .height_mm = 169};
 
+/// What draw_flow tells gnuplot.
+std::string flow_script(const FlowReport& report, const std::filesystem::path& file, const sheet::Canvas& canvas);
+
 /// The mean field in the plane of radius and height: coloured by the tangential velocity, arrows of radial and vertical
 /// velocity, the surface as a line; through gnuplot, of the kind that the file's name says (sheet/canvas.h).
 /// Problems: gnuplot is missing or failed.

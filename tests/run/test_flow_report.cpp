@@ -117,6 +117,11 @@ TEST_CASE("the picture of a flow says what its colours and arrows are, with unit
     const std::string drawn = test::content_of(folder.path / "flow.svg");
     CHECK(drawn.find("tangential velocity [m/s]") != std::string::npos);
     CHECK(drawn.find("radial and vertical velocity, 60 mm are ") != std::string::npos); // 1.2 layers of 50 mm
+    // The arrow beside these words is as long in the axes' own unit, and gnuplot's own sample of arrows is left out.
+    const std::string script = run::flow_script(*report, folder.path / "flow.svg", run::flow_canvas);
+    CHECK(script.find("rto first 60,first 0 filled head") != std::string::npos);
+    CHECK(script.find("with vectors filled head size graph 0.008,20 lw 1.6 lc rgb '#000000' notitle") !=
+          std::string::npos);
 }
 
 TEST_CASE("a flow about an axis that no body comes near is refused with where it was looked for") {

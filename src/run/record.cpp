@@ -16,7 +16,7 @@ constexpr double share_of_step = 0.25;     // of the scene's step, for impacts
 constexpr double steps_of_trial = 4;       // of those, one step of the trial that finds an impact's beginning and end
 constexpr double share_of_rub = 1.0 / 256; // of those again, for impacts that friction turns
 constexpr double steps_of_row = 4;         // of the scene, between two rows of a sphere that is shaken
-constexpr double rows_of_impact = 24; // spins and ways along a wall change within it: read between its rows they follow
+constexpr double rows_of_impact = 24;      // of those: spins and ways along a wall that change within are read between
 
 /// What is read of every row, and along which axes.
 struct Watched {
@@ -157,7 +157,7 @@ private:
                 if (impact->lasts > 0) {
                     step *= impact->rubs ? share_of_rub : 1;
                     step = impact->lasts / std::max(1.0, std::round(impact->lasts / step));
-                    row = std::min(row, impact->lasts / rows_of_impact);
+                    row = impact->rubs ? std::min(row, impact->lasts / rows_of_impact) : row;
                 }
             }
             if (impact->begins > 0) { // in the middle of a step, unless the wall is there already

@@ -29,6 +29,11 @@ void resolve_marks(const View& view, const Resolving& to) {
     std::vector<std::string> names;
     for (const BodyTemplate& body : to.scene.bodies)
         names.push_back(body.name);
+    for (auto trail = marks.trails.begin(); trail != marks.trails.end(); ++trail)
+        if (std::find(marks.trails.begin(), trail, *trail) != trail) {
+            to.refuse(view, "trails", fmt::format("'{}' is given twice", *trail), "name each body once");
+            break;
+        }
     for (const std::string& trail : marks.trails)
         if (!is_number(trail) && std::find(names.begin(), names.end(), trail) == names.end())
             to.refuse(view, "trails", fmt::format("no body is called '{}'", trail),
@@ -109,8 +114,14 @@ void resolve_render(const View& view, const Resolving& to) {
         to.refuse(view, view.written("clip_lo_m") ? "clip_lo_m" : "clip_hi_m", "a clip needs both of its corners",
                   "give clip_lo_m and clip_hi_m");
     render.clip_cuts = view.flag("clip_cuts");
-    const bool has_place = view.written("eye_m") || view.written("target_m");
-    if (render.camera == "free" && has_place && render.eye == render.target)
+    const bool has_eye = view.written("eye_m"), has_target = view.written("target_m");
+    if (render.camera == "free" && has_eye != has_target)
+        to.refuse(view, has_eye ? "eye_m" : "target_m",
+                  has_eye ? "a free camera that stands somewhere needs what it looks at"
+                          : "a free camera that looks at something needs where it stands",
+                  fmt::format("give {} too, or neither to look from the front, right and above",
+                              has_eye ? "target_m" : "eye_m"));
+    else if (render.camera == "free" && has_eye && render.eye == render.target)
         to.refuse(view, "camera", "a free camera stands where it looks at",
                   "give eye_m and target_m, two different points, or neither to look from the front, right and above");
     resolve_marks(view, to);

@@ -56,12 +56,16 @@ void check_size(const View& view, const Paper& paper, const Resolving& to) {
                   fmt::format("choose them so that each side has {} to {}", fewest_pixels, most_pixels));
     const double room = std::min(paper.width_mm / least_units_wide, paper.height_mm / least_units_high); // mm a unit
     // Numbers at scales are 17 units from their lowest to their highest reach, 1.164 of their size in points.
-    const double most = std::floor(2 * room * 17 / 1.164 / 25.4 * 72) / 2;
+    const double points_a_unit = 17 / 1.164 / 25.4 * 72; // and a mm
+    const double most = std::floor(2 * room * points_a_unit) / 2;
+    const double needed = std::ceil(2 * paper.font_pt) / 2 / points_a_unit; // mm a unit
     if (paper.font_pt > most)
         to.refuse(view, "font_pt",
                   fmt::format("letters of {:.3g} pt leave no room for the scene in {:.4g} x {:.4g} mm", paper.font_pt,
                               paper.width_mm, paper.height_mm),
-                  fmt::format("take at most {:.3g} pt, or a larger picture", most));
+                  fmt::format("take at most {:.3g} pt, or at least {:.0f} x {:.0f} mm", most,
+                              std::max(paper.width_mm, std::ceil(needed * least_units_wide)),
+                              std::max(paper.height_mm, std::ceil(needed * least_units_high))));
 }
 
 void resolve_size(const View& view, const Resolving& to) {

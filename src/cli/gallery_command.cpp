@@ -169,8 +169,7 @@ void add_gallery_command(CLI::App& program, Action& action) {
         ->add_option("--run", arguments->runs,
                      "A run of the table that is there already, such as bowl-full=out/bowl; others are run")
         ->type_name("NAME=DIR")
-        ->expected(1)
-        ->take_all();
+        ->allow_extra_args(false);
     command->add_flag("--quick", arguments->quick, "Leave out what takes minutes")->excludes(only);
     command->add_flag("--list", arguments->list, "Only say which there are, and the commands that make them");
     command->add_flag("--json", arguments->json, "Print the list as JSON");

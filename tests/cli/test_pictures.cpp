@@ -98,7 +98,8 @@ TEST_CASE("a picture's name ends as one of the kinds that there are, in whatever
         CHECK_MESSAGE(drawn.code == 0, drawn.err);
         CHECK(fs::is_regular_file(folder.path / name));
     }
-    const Outcome one = tumble_in(folder, {"render", "ball", "--strip", "1", "--size", "320x240", "--out", "one.PNG", "--quiet"});
+    const Outcome one =
+        tumble_in(folder, {"render", "ball", "--strip", "1", "--size", "320x240", "--out", "one.PNG", "--quiet"});
     CHECK_MESSAGE(one.code == 0, one.err);
     CHECK(content_of(folder.path / "one.PNG").starts_with("\x89PNG"));
     fs::create_directory(folder.path / "of.txt"); // a folder that is there may be called so

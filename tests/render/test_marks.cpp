@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
-#include <map>
 #include <numbers>
 #include <set>
 
@@ -393,66 +391,6 @@ TEST_CASE("a trail stays within the clip and breaks where whoever looks leaps in
     for (int k = 57; k < 57 + 4 * 12; k += 12)
         drawing.maker.take_in(frame_at(k), drawing.view());
     CHECK(length(drawing.maker.patches(frame_at(93), drawing.view())) == about(0.06 + 0.01 + 0.12, 0.001));
-}
-
-TEST_CASE("a trail breaks where a frame is missing of a known pace, or its body was away or is another now") {
-    const auto layout = spheres({0.01});
-    const auto frame_at = [&](int k, std::int64_t id = 3) {
-        observe::Frame frame = empty_frame(layout);
-        frame.time = 0.01 * k;
-        add_body(frame, 0, {0, 0, 0.01 * k - 0.4});
-        frame.id[0] = id;
-        return frame;
-    };
-    const auto length_with = [&](std::optional<double> pace, const std::vector<observe::Frame>& frames) {
-        scene::Marks marks = trails({layout->shapes[0].name});
-        Drawing drawing(marks);
-        if (pace)
-            drawing.maker.expect_pace(*pace);
-        for (const observe::Frame& frame : frames)
-            drawing.maker.take_in(frame, drawing.view());
-        const Vector3d ink = drawing.maker.key(*layout, drawing.view()).trails[0].color;
-        double sum = 0;
-        std::vector<Patch> lines = drawing.maker.patches(frames.back(), drawing.view());
-        std::erase_if(lines, [&](const Patch& patch) { return patch.color != ink; });
-        for (const Patch& line : without_dot(lines))
-            sum += length_of(line);
-        return sum / per_metre;
-    };
-    const std::vector<observe::Frame> one_missing{frame_at(0), frame_at(1), frame_at(3), frame_at(4)};
-    CHECK(length_with(0.01, one_missing) == about(0.02));
-    CHECK(length_with({}, one_missing) == about(0.04)); // as somebody looks who was a little late
-    CHECK(length_with(0.01, {frame_at(0), frame_at(1), frame_at(2), frame_at(3)}) == about(0.03));
-    CHECK(length_with(0.01, {frame_at(0), frame_at(2)}) == 0); // the first step is none
-    CHECK(length_with(0.01, {frame_at(0), frame_at(1), empty_frame(layout), frame_at(3)}) == 0); // back to t = 0
-    observe::Frame nobody = empty_frame(layout);
-    nobody.time = 0.02;
-    CHECK(length_with(0.01, {frame_at(0), frame_at(1), nobody, frame_at(3), frame_at(4)}) == about(0.02));
-    CHECK(length_with({}, {frame_at(0), frame_at(1), frame_at(2, 4), frame_at(3, 4)}) == about(0.02));
-}
-
-TEST_CASE("trails without a colour of their own in the key are of one that no other has, and the key shows it") {
-    const auto layout = spheres({0.01});
-    observe::Frame frame = empty_frame(layout);
-    scene::Marks marks;
-    for (int b = 0; b < 9; ++b) {
-        add_body(frame, 0, {0, 0.05 * b - 0.2, 0});
-        marks.trails.push_back(std::to_string(b));
-    }
-    Drawing drawing(marks);
-    drawing.of(frame);
-    const MarkKey key = drawing.maker.key(*layout, drawing.view());
-    REQUIRE(key.trails.size() == 4);
-    REQUIRE(key.more_color);
-    std::map<std::string, int> dots; // by colour
-    for (const Stroke& stroke : drawing.maker.strokes(frame, drawing.view()))
-        if (stroke.kind == Stroke::Kind::dot)
-            ++dots[fmt::format("{:.2f} {:.2f} {:.2f}", stroke.ink.color.x(), stroke.ink.color.y(),
-                               stroke.ink.color.z())];
-    CHECK(dots.size() == 5);
-    CHECK(dots[fmt::format("{0:.2f} {0:.2f} {0:.2f}", key.more_color->x())] == 5);
-    marks.trails.resize(5);
-    CHECK(!Drawing(marks).maker.key(*layout, drawing.view()).more_color);
 }
 
 TEST_CASE("another clip is another mean field") {

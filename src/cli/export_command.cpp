@@ -77,7 +77,7 @@ int export_it(ExportArguments& arguments) {
         return refuse(
             {{.what = "nothing to export to", .fix = "give --vtk DIR, --dump FILE or both, or --to calculix"}},
             arguments.json, wrong);
-    if (const auto problem = read_time_range(arguments.time, options.when.from, options.when.to))
+    if (const auto problem = read_time_range(arguments.time, options.when.from, options.when.to, arguments.run))
         return refuse({*problem}, arguments.json, wrong);
     options.when.stop = &watch_for_stop();
     ProgressLine line(arguments.quiet);

@@ -1,5 +1,6 @@
 #include "cli/flag_checks.h"
 
+#include "base/ending.h"
 #include "base/text.h"
 
 #include <algorithm>
@@ -65,7 +66,7 @@ CLI::Validator one_of(std::vector<std::string> words) {
 CLI::Validator ends_in(std::vector<std::string> endings) {
     const std::string mark = fmt::format("*{}", fmt::join(endings, "|*"));
     return {[endings = std::move(endings)](std::string& text) {
-                const std::string own = std::filesystem::path(text).extension().string();
+                const std::string own = ending_of(text);
                 if (std::find(endings.begin(), endings.end(), own) != endings.end())
                     return std::string();
                 return fmt::format("'{}' does not end in {}", excerpt(text), fmt::join(endings, " or "));

@@ -153,7 +153,7 @@ int tell_flow(FlowArguments& arguments) {
                             .fix = "give the lower one first, as in --heights 0,0.16"}},
                           arguments.json, wrong);
     }
-    if (const auto problem = read_time_range(arguments.time, options.when.from, options.when.to))
+    if (const auto problem = read_time_range(arguments.time, options.when.from, options.when.to, arguments.run))
         return refuse({*problem}, arguments.json, wrong);
     const auto canvas = canvas_of(arguments.canvas, run::flow_canvas);
     if (!canvas)

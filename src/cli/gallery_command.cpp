@@ -1,9 +1,11 @@
+#include "base/text.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/flag_checks.h"
 #include "cli/gallery_workshop.h"
 #include "cli/stop_flag.h"
+#include "run/run_folder.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -28,6 +30,11 @@ std::string minutes_in_words(int minutes) {
     return minutes == 0 ? "" : minutes < 100 ? fmt::format("{} min", minutes) : fmt::format("{:.1f} h", minutes / 60.0);
 }
 
+bool is_filled(const std::filesystem::path& folder, const GalleryRun& run) {
+    std::error_code ignored;
+    return run.words.front() == "run" ? run::find_run(folder).ok() : std::filesystem::is_directory(folder, ignored);
+}
+
 Result<GivenRuns> read_runs(const std::vector<std::string>& words) {
     GivenRuns given;
     Problems problems;
@@ -38,10 +45,22 @@ Result<GivenRuns> read_runs(const std::vector<std::string>& words) {
         const std::size_t equals = word.find('=');
         const std::string name = word.substr(0, equals);
         const std::filesystem::path folder = equals == std::string::npos ? "" : word.substr(equals + 1);
-        if (folder.empty() || std::find(names.begin(), names.end(), name) == names.end())
-            problems.push_back({.what = fmt::format("--run {} names no run of the gallery and its folder", word),
+        const auto run = std::find_if(gallery_runs().begin(), gallery_runs().end(),
+                                      [&](const GalleryRun& one) { return one.name == name; });
+        const std::string guess = did_you_mean(name, names);
+        const auto refuse_it = [&](const std::string& what) {
+            problems.push_back({.what = fmt::format("--run {}: {}", excerpt(word), what),
                                 .fix = fmt::format("write --run NAME=DIR with one of {}", fmt::join(names, ", "))});
-        else if (!std::filesystem::is_directory(folder))
+        };
+        if (equals == std::string::npos)
+            refuse_it("there is no = between a name and a folder");
+        else if (run == gallery_runs().end())
+            refuse_it(fmt::format("the gallery has no run '{}'{}", excerpt(name), guess.empty() ? "" : "; " + guess));
+        else if (folder.empty())
+            refuse_it("no folder is named");
+        else if (given.contains(name))
+            refuse_it("this run is given twice");
+        else if (!is_filled(folder, *run))
             problems.push_back({.file = folder.string(),
                                 .what = fmt::format("is no folder that the run {} has filled", name),
                                 .fix = "leave --run away, and it is run anew; `tumble gallery --list` says how"});
@@ -59,12 +78,17 @@ int list_pictures(bool json) {
     std::vector<std::vector<std::string>> rows;
     for (const GalleryPicture& picture : gallery_pictures()) {
         const GalleryRecipe recipe = recipe_of(picture);
+        std::vector<std::string> runs;
+        for (const GalleryRun* run : runs_of(picture))
+            runs.push_back(run->name);
         items.push_back({{"file", picture.file},
                          {"shows", picture.shows},
                          {"minutes", minutes_of(picture)},
+                         {"runs", runs},
                          {"commands", recipe.commands},
                          {"result", recipe.result}});
-        rows.push_back({picture.file, picture.shows, minutes_in_words(minutes_of(picture)), recipe.commands.back()});
+        rows.push_back({picture.file, picture.shows, minutes_in_words(minutes_of(picture)),
+                        runs.empty() ? "" : fmt::format("run {}", fmt::join(runs, ", ")), recipe.commands.back()});
     }
     if (json)
         say_json(items);
@@ -144,7 +168,8 @@ void add_gallery_command(CLI::App& program, Action& action) {
     command
         ->add_option("--run", arguments->runs,
                      "A run of the table that is there already, such as bowl-full=out/bowl; others are run")
-        ->type_name("NAME=DIR");
+        ->type_name("NAME=DIR")
+        ->allow_extra_args(false);
     command->add_flag("--quick", arguments->quick, "Leave out what takes minutes")->excludes(only);
     command->add_flag("--list", arguments->list, "Only say which there are, and the commands that make them");
     command->add_flag("--json", arguments->json, "Print the list as JSON");

@@ -8,6 +8,7 @@
 #include "cli/time_range.h"
 #include "run/series_plot.h"
 #include "run/target.h"
+#include "sheet/gnuplot.h"
 
 #include <fmt/format.h>
 #include <memory>
@@ -55,7 +56,7 @@ nlohmann::ordered_json json_of(const run::SeriesPlot& plot, const std::filesyste
 Result<run::SeriesPlot> read_plot(const PlotArguments& arguments) {
     run::SeriesPlotOptions options;
     options.measures = arguments.measures;
-    if (const auto problem = read_time_range(arguments.time, options.from, options.to))
+    if (const auto problem = read_time_range(arguments.time, options.from, options.to, arguments.runs.front()))
         return *problem;
     if (!arguments.labels.empty())
         for (const std::string_view label : split(arguments.labels, ','))
@@ -83,7 +84,9 @@ int plot_runs(const PlotArguments& arguments) {
     if (const auto problem = target.claim(arguments.force, file.extension().string()))
         return refused({*problem});
     if (const auto made = make_folder(std::filesystem::absolute(file).parent_path()); !made)
-        return refused(made.problems(), failed);
+        return refused(made.problems());
+    if (const auto place = sheet::check_writable(file); !place)
+        return refused(place.problems());
     if (const auto drawn = sheet::draw(plot->stack, file, *canvas); !drawn)
         return refused(drawn.problems(), failed);
     target.keep();

@@ -1,3 +1,4 @@
+#include "base/ending.h"
 #include "base/text.h"
 #include "cli/command.h"
 #include "cli/console.h"
@@ -19,6 +20,7 @@
 #include <fmt/format.h>
 #include <memory>
 #include <optional>
+#include <set>
 #include <thread>
 
 namespace tumble::cli {
@@ -96,7 +98,7 @@ int draw_both(const RenderArguments& arguments, const scene::Scene& scene) {
     options.settings = scene.render;
     options.overwrite = arguments.force;
     options.when.stop = &watch_for_stop();
-    if (const auto problem = read_time_range(arguments.time, options.when.from, options.when.to))
+    if (const auto problem = read_time_range(arguments.time, options.when.from, options.when.to, arguments.what))
         return refuse({*problem}, arguments.json, wrong);
     if (!arguments.labels.empty()) {
         const std::size_t comma = arguments.labels.find(',');
@@ -114,15 +116,54 @@ int draw_both(const RenderArguments& arguments, const scene::Scene& scene) {
     return tell_drawn(done, options.targets, options.settings, arguments);
 }
 
+/// A name that ends as files do which nothing here writes, and which would become a folder's; a folder that is there
+/// may be called what it likes.
+std::optional<Problem> refuse_ending(const RenderArguments& arguments, bool scene) {
+    static const std::set<std::string> others{".jpg",  ".jpeg", ".gif",  ".bmp", ".tif",  ".tiff", ".webp", ".eps",
+                                              ".ps",   ".txt",  ".csv",  ".doc", ".docx", ".avi",  ".mov",  ".mkv",
+                                              ".webm", ".mpg",  ".mpeg", ".wmv", ".toml", ".json"};
+    const std::string ending = ending_of(arguments.out);
+    std::error_code ignored;
+    if (std::filesystem::is_directory(arguments.out, ignored))
+        return std::nullopt;
+    if (ending == ".mp4")
+        return Problem{.file = arguments.out.string(),
+                       .what = "is the name of a video, and --out is for pictures",
+                       .fix = fmt::format("write --video {}", arguments.out.string())};
+    if (scene && ending == ".png")
+        return Problem{.file = arguments.out.string(),
+                       .what = "is the name of a picture, and --out names the folder of a scene's run here",
+                       .fix = "run the scene first, then give the run's folder, with --strip 1 for one picture"};
+    if (!others.contains(ending))
+        return std::nullopt;
+    return Problem{.file = arguments.out.string(),
+                   .what = fmt::format("pictures are not written as {}", ending),
+                   .fix = scene ? "name a folder: --out is that of the run"
+                                : "name a folder, for PNG files of all frames; or a file, in .svg or .pdf for the last "
+                                  "frame in two dimensions, in .png with --strip or --sections"};
+}
+
+std::optional<Problem> refuse_video(const std::filesystem::path& video) {
+    if (video.empty() || ending_of(video) == ".mp4")
+        return std::nullopt;
+    const bool picture = ending_of(video) == ".png" || render::is_drawing_file(video);
+    std::filesystem::path named = video;
+    return Problem{.file = video.string(),
+                   .what = picture ? "is the name of a picture, and --video makes an MP4 file"
+                                   : "a video is an MP4 file, and this name has another ending",
+                   .fix = fmt::format("call it {}{}", named.replace_extension(".mp4").string(),
+                                      picture ? "; --out is for pictures" : "")};
+}
+
 std::optional<Problem> refuse_with_one_file(const RenderArguments& arguments) {
     std::error_code ignored;
-    if (arguments.out.extension() != ".png" || std::filesystem::is_directory(arguments.out, ignored))
+    if (ending_of(arguments.out) != ".png" || std::filesystem::is_directory(arguments.out, ignored))
         return std::nullopt;
     return Problem{.file = arguments.out.string(),
                    .what = "is the name of a picture, and all frames go to a folder",
                    .fix = arguments.beside.empty()
                               ? "--strip 1 draws the last frame alone into that file; or name a folder"
-                              : "name a folder; --time A:B chooses the frames"};
+                              : "name a folder; --time A: leaves the frames from A on, such as the last alone"};
 }
 
 std::optional<Problem> refuse_with_lines(const RenderArguments& arguments) {
@@ -216,9 +257,14 @@ int redraw_run(RenderArguments& arguments) {
     const Result<scene::Scene> scene = arguments.scene.load();
     if (!scene)
         return refuse(scene.problems(), arguments.json, wrong);
-    if (const auto problem = refuse_with_lines(arguments))
-        return refuse({*problem}, arguments.json, wrong);
+    for (const auto& problem :
+         {refuse_ending(arguments, false), refuse_video(arguments.video), refuse_with_lines(arguments)})
+        if (problem)
+            return refuse({*problem}, arguments.json, wrong);
     const bool in_parts = !arguments.strip.empty() || !arguments.sections.empty();
+    if (arguments.scene.flags.contains("render.plot_measure") && (in_parts || !arguments.beside.empty()) &&
+        !arguments.quiet)
+        note("warning: strips, sections and pairs have no small plot: --plot is left out; `tumble plot` draws one");
     if (const auto problem = refuse_with_one_file(arguments); problem && !in_parts)
         return refuse({*problem}, arguments.json, wrong);
     if (!arguments.beside.empty() && !in_parts)
@@ -236,7 +282,7 @@ int redraw_run(RenderArguments& arguments) {
     options.overwrite = arguments.force;
     options.when.duration = scene->duration;
     options.when.stop = &watch_for_stop();
-    const auto problem = read_time_range(arguments.time, options.when.from, options.when.to);
+    const auto problem = read_time_range(arguments.time, options.when.from, options.when.to, arguments.what);
     if (problem)
         return refuse({*problem}, arguments.json, wrong);
     if (in_parts)
@@ -267,6 +313,9 @@ int draw_scene(RenderArguments& arguments) {
                         .what = "a drawing shows a run that is over, and this is a scene",
                         .fix = "run it first, then give the run's folder; --out names the run's folder here"}},
                       arguments.json, wrong);
+    for (const auto& problem : {refuse_ending(arguments, true), refuse_video(arguments.video)})
+        if (problem)
+            return refuse({*problem}, arguments.json, wrong);
     if (!arguments.time.empty())
         return refuse({{.what = "--time chooses among the frames of a run, and this is a scene",
                         .fix = "run it first, then give the run's folder; or use --set duration_s=..."}},

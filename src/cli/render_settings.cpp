@@ -87,9 +87,10 @@ void add_render_settings(CLI::App& command, SceneArguments& arguments) {
             to_sets(all, text);
         };
     };
-    add("--eye", "X,Y,Z", "1,1,0.5", "Place of the free camera, m; takes the free camera without --camera",
+    add("--eye", "X,Y,Z", "1,1,0.5 --target 0,0,0",
+        "Place of the free camera, m, with --target; takes the free camera without --camera",
         free_camera(list("render.eye_m")));
-    add("--target", "X,Y,Z", "0,0,0", "What the free camera looks at, m; the same",
+    add("--target", "X,Y,Z", "0,0,0 --eye 1,1,0.5", "What the free camera looks at, m, with --eye; the same",
         free_camera(list("render.target_m")));
     add("--turn", "DEG_S", "90", "Degrees that it goes around per second of the scene; the same",
         free_camera(number("render.turn_deg_s")));
@@ -118,7 +119,13 @@ void add_render_settings(CLI::App& command, SceneArguments& arguments) {
         });
     add("--background", "dark|white", "white", "Behind the picture", word("render.background"));
     add("--plot", "MEASURE", "kinetic_energy", "Measure in the small plot, or a column of a tracer, as tracer:sensor_y",
-        word("render.plot_measure"));
+        [](std::vector<std::string>& all, const std::string& text) {
+            const bool chosen = std::any_of(all.begin(), all.end(),
+                                            [](const std::string& set) { return set.starts_with("render.plot="); });
+            if (!chosen) // paper has none unless it is asked for
+                all.emplace_back("render.plot=true");
+            all.push_back("render.plot_measure=" + quoted(text));
+        });
     const auto for_print = [](std::vector<std::string>& all) {
         const bool chosen = std::any_of(all.begin(), all.end(),
                                         [](const std::string& set) { return set.starts_with("render.style="); });

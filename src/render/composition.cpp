@@ -182,6 +182,31 @@ OverlayContent Composition::content(const observe::Frame& frame, const PlotLine&
     return words;
 }
 
+Bare Composition::bareness(const observe::Frame& frame) const {
+    const auto clip = clip_of(settings, *layout);
+    const Area& window = arrangement.window;
+    Bare bare = Bare::without_bodies;
+    for (std::size_t b = 0; b < frame.bodies(); ++b) {
+        const Vector3d& place = frame.position[b];
+        if (!place.allFinite()) {
+            continue;
+        }
+        const double radius = reach[static_cast<std::size_t>(frame.shape[b])];
+        const bool kept = !clip || clip->exteriorDistance(place) <= (settings.clip_cuts ? radius : 0);
+        bare = std::max(bare, kept ? Bare::out_of_view : Bare::clipped_away);
+        if (!kept || (camera.perspective && camera.to_view(place).z() >= 0)) {
+            continue;
+        }
+        const Eigen::Vector2d seen = camera.to_picture(place);
+        const double pixels = radius * camera.pixels_per_metre(place);
+        if (seen.x() + pixels > window.left && seen.x() - pixels < window.right && seen.y() + pixels > window.top &&
+            seen.y() - pixels < window.bottom) {
+            return Bare::no;
+        }
+    }
+    return bare;
+}
+
 MarkView Composition::mark_view() const {
     return {camera, arrangement.window, arrangement.unit, style.theme, clip_of(settings, *layout), settings.clip_cuts};
 }

@@ -2,6 +2,7 @@
 
 #include "base/problem.h"
 #include "observe/frame.h"
+#include "render/bare.h"
 #include "render/camera.h"
 #include "render/layout.h"
 #include "render/marks.h"
@@ -50,6 +51,9 @@ struct Composition {
 
     /// What is written on the picture of that frame, taken in last. `plot` must outlive it.
     [[nodiscard]] OverlayContent content(const observe::Frame& frame, const PlotLine& plot, const Legend& legend) const;
+
+    /// Whether bodies of the frame taken in last are to be seen.
+    [[nodiscard]] Bare bareness(const observe::Frame& frame) const;
 
     [[nodiscard]] MarkView mark_view() const;
     /// Pixels, of the outlines of discs and of walls in two dimensions.

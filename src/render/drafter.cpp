@@ -69,6 +69,7 @@ Drawing Drafter::draw(const observe::Frame& frame, const PlotLine& plot) {
     const std::vector<std::uint32_t> colors = page_.take_in(frame, legend);
     Drawing drawing = blank_drawing(page_.settings, page_.settings.height, page_.style.theme);
     drawing.shapes.emplace_back(GroupBegin{"scene", Vector2d::Zero(), page_.arrangement.window});
+    drawing.bare = page_.bareness(frame);
     add_bodies(frame, colors, drawing);
     add_walls(frame, drawing);
     add_marks(frame, drawing);

@@ -16,6 +16,7 @@ public:
     /// As those of Painter.
     void fit(const Eigen::AlignedBox3d& box) { page_.fit(box); }
     void foresee(const observe::Frame& frame);
+    void expect_pace(double every) { page_.mark_maker.expect_pace(every); }
     void pass_over(const observe::Frame& frame);
     Drawing draw(const observe::Frame& frame, const PlotLine& plot = {});
     Result<Done> restyle(const scene::Render& settings) { return page_.restyle(settings); }

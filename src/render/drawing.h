@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/area.h"
+#include "render/bare.h"
 #include "render/color_map.h"
 #include "render/pen.h"
 
@@ -88,6 +89,7 @@ struct Drawing {
     Eigen::Vector3d background = Eigen::Vector3d::Ones();
     std::vector<Shape> shapes;
     std::vector<Crowded> crowded{}; // as in Picture
+    Bare bare = Bare::no;
 };
 
 } // namespace tumble::render

@@ -92,6 +92,7 @@ static void draw_arrow(Pen& pen, double left, double y, double length, const Eig
 static MarkKey fitted(MarkKey key, int rows) {
     for (; key.rows() > rows && !key.trails.empty(); key.trails.pop_back()) {
         ++key.more_trails;
+        key.more_color.reset();
     }
     return key;
 }
@@ -121,15 +122,17 @@ void draw_key(Pen& pen, const Area& area, const MarkKey& key, const Theme& theme
                             pen.triangle({area.left, y}, {right, y - half}, {right, y + half}, theme.chain);
                         }});
     }
+    const auto line_of = [&](const Eigen::Vector3d& color) {
+        return [&pen, &area, right, u, color](double y) { pen.line({area.left, y}, {right, y}, 2.4 * u, color); };
+    };
     for (const MarkKey::Trail& trail : shown.trails) {
-        rows.push_back({trail.name,
-                        [&](double y) {
-                            pen.line({area.left, y}, {right, y}, 2.4 * u, trail.color);
-                        },
-                        true});
+        rows.push_back({trail.name, line_of(trail.color), true});
     }
     if (shown.more_trails > 0) {
         rows.push_back({fmt::format("and {} more", shown.more_trails)});
+        if (shown.more_color) {
+            rows.back().sample = line_of(*shown.more_color);
+        }
     }
     if (shown.since) {
         rows.push_back({fmt::format("since t = {:.4g} s", *shown.since)});

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace tumble::render {
@@ -17,10 +15,6 @@ using Eigen::Vector3d;
 // Units of pixels.
 constexpr double trail_thickness = 2.4;
 constexpr double trail_dot = 4.5;
-// A trail of more steps is thinned out; a plot, too, has no more points.
-constexpr std::size_t most_steps = 4000;
-// A step of so many usual ones is a jump of whoever looks, not the way of a body.
-constexpr double leap = 8;
 // Lines of the weakest contacts would only be a haze: those below this share of the legend's force are left out.
 constexpr double weakest_chain = 0.01;
 // What a single body did that flew by is no mean: cells with less than this share of what cells hold are left out.
@@ -30,8 +24,16 @@ constexpr double emptiest_cell = 0.1;
 constexpr std::array<std::array<double, 3>, 5> trail_colors{
     {{0.90, 0.62, 0.00}, {0.34, 0.71, 0.91}, {0.84, 0.37, 0.00}, {0.80, 0.47, 0.65}, {0.00, 0.62, 0.45}}};
 
-static Vector3d trail_color(std::size_t trail) {
-    return Vector3d(trail_colors[trail % trail_colors.size()].data());
+/// Of so many trails those that have a row and a colour of their own in the key; the last row of more says how many
+/// they are.
+static std::size_t trails_named(std::size_t trails) {
+    return trails > trail_colors.size() ? trail_colors.size() - 1 : trails;
+}
+
+Vector3d MarkMaker::trail_color(std::size_t trail) const {
+    constexpr double grey = 0.5; // of those that the key does not tell apart
+    return trail < trails_named(wanted_.trails.size()) ? Vector3d(trail_colors.at(trail).data())
+                                                       : Vector3d::Constant(grey);
 }
 
 static bool same_view(const Camera& a, const Camera& b) {
@@ -192,84 +194,6 @@ void MarkMaker::take_in(const observe::Frame& frame, const MarkView& view) {
         beyond_ = std::any_of(forces.begin(), forces.end(), [&](double force) { return force > force_; });
     }
     follow(frame);
-}
-
-/// Index of the body that a trail is of: one of that name, the first, or of that id.
-static std::optional<std::size_t> body_of(const observe::Frame& frame, const std::string& trail) {
-    const bool number = std::all_of(trail.begin(), trail.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
-    for (std::size_t b = 0; b < frame.bodies(); ++b) {
-        const observe::FrameShape& shape = frame.layout->shapes[static_cast<std::size_t>(frame.shape[b])];
-        if (shape.name == trail || (number && std::to_string(frame.id[b]) == trail)) {
-            return b;
-        }
-    }
-    return std::nullopt;
-}
-
-/// Whether the way to a frame of that time is that of somebody who moves about in time. What seemed to be a leap and
-/// comes again is the new pace.
-bool MarkMaker::leaps_to(double time) {
-    const double way = time - std::exchange(followed_, time).value_or(time);
-    if (!(way > 0)) {
-        return false; // back or the same frame again: what lies after it goes
-    }
-    const bool far = usual_ > 0 && way > leap * usual_;
-    if (!far || leapt_) {
-        usual_ = usual_ > 0 && !far ? usual_ + 0.1 * (way - usual_) : way;
-    }
-    leapt_ = far;
-    return far;
-}
-
-/// m, of a step from the straight line between its neighbours.
-static double distance_from_line(const Vector3d& place, const Vector3d& from, const Vector3d& to) {
-    const Vector3d way = to - from;
-    const double length = way.squaredNorm();
-    const double along = length > 0 ? std::clamp((place - from).dot(way) / length, 0.0, 1.0) : 0;
-    return (place - from - along * way).norm();
-}
-
-/// Takes out a few of the steps, of no two neighbours both: those that lie closest to the straight line past them.
-/// False where there are none.
-template <class Step> static bool thin_out(std::vector<Step>& trail) {
-    constexpr std::size_t share =
-        16; // fewer at once keep the shape better: those that are left get new lines to lie on
-    std::vector<std::pair<double, std::size_t>> offset;
-    for (std::size_t k = 1; k + 1 < trail.size(); k += 2) {
-        if (!trail[k].leapt && !trail[k + 1].leapt) {
-            offset.emplace_back(distance_from_line(trail[k].place, trail[k - 1].place, trail[k + 1].place), k);
-        }
-    }
-    const auto kept = offset.begin() + static_cast<std::ptrdiff_t>((offset.size() + share - 1) / share);
-    if (kept != offset.end()) {
-        std::nth_element(offset.begin(), kept, offset.end());
-    }
-    std::vector<bool> goes(trail.size());
-    for (auto one = offset.begin(); one != kept; ++one) {
-        goes[one->second] = true;
-    }
-    std::size_t k = 0;
-    return std::erase_if(trail, [&](const Step&) { return goes[k++]; }) > 0;
-}
-
-void MarkMaker::follow(const observe::Frame& frame) {
-    trails_.resize(wanted_.trails.size());
-    const bool back = followed_ && frame.time < *followed_;
-    const bool leapt = leaps_to(frame.time);
-    for (std::size_t t = 0; t < trails_.size(); ++t) {
-        Trail& trail = trails_[t];
-        while (!trail.empty() && trail.back().time >= frame.time) {
-            trail.pop_back();
-        }
-        if (const auto body = body_of(frame, wanted_.trails[t]); body && frame.position[*body].allFinite()) {
-            // Whoever goes back may land where a leap went over.
-            const bool amid = back && !trail.empty() && frame.time - trail.back().time > leap * usual_;
-            trail.push_back({frame.time, frame.position[*body], leapt || amid});
-        }
-        for (bool full = trail.size() > most_steps; full && trail.size() > most_steps / 4 * 3;) {
-            full = thin_out(trail);
-        }
-    }
 }
 
 std::vector<Stroke> MarkMaker::strokes(const observe::Frame& frame, const MarkView& view) const {
@@ -462,11 +386,6 @@ void MarkMaker::add_trails(const observe::Frame& frame, const MarkView& view, st
     }
 }
 
-/// Of so many trails those that have a row of their own in the key; the last row of more says how many they are.
-static std::size_t trails_named(std::size_t trails) {
-    return trails > trail_colors.size() ? trail_colors.size() - 1 : trails;
-}
-
 MarkKey MarkMaker::key(const observe::FrameLayout& layout, const MarkView& view) const {
     MarkKey key;
     if (wanted_.arrows != "none") {
@@ -477,6 +396,9 @@ MarkKey MarkMaker::key(const observe::FrameLayout& layout, const MarkView& view)
     }
     const std::size_t named_trails = trails_named(wanted_.trails.size());
     key.more_trails = static_cast<int>(wanted_.trails.size() - named_trails);
+    if (key.more_trails > 0) {
+        key.more_color = trail_color(named_trails);
+    }
     for (const Trail& trail : trails_) {
         if (!trail.empty()) {
             key.since = std::min(key.since.value_or(trail.front().time), trail.front().time);

@@ -39,10 +39,11 @@ struct MarkKey {
     };
     std::optional<Arrow> arrow;
     std::optional<Chain> chain;
-    std::vector<Trail> trails;     // those with a row of their own
-    int more_trails = 0;           // beside them
-    std::optional<double> since;   // s, where the first of all trails begins
-    std::vector<std::string> clip; // where bodies are left out or cut open, a row each
+    std::vector<Trail> trails;                   // those with a row of their own
+    int more_trails = 0;                         // beside them, all of one colour
+    std::optional<Eigen::Vector3d> more_color{}; // theirs, where none of the named ones was left out
+    std::optional<double> since;                 // s, where the first of all trails begins
+    std::vector<std::string> clip;               // where bodies are left out or cut open, a row each
 
     /// The mean has a second row for its time, trails together one for theirs.
     [[nodiscard]] int rows() const;
@@ -74,12 +75,18 @@ constexpr double chain_thickness = 8;
 /// N, of the contacts that press; pulls make no chains.
 std::vector<double> pressing_forces(const std::vector<observe::FrameContact>& contacts);
 
+/// Index of the body that a trail is of: one of that name, the first, or of that id.
+std::optional<std::size_t> body_of(const observe::Frame& frame, const std::string& trail);
+
 /// The marks of a row of frames, given in the order of their time; one that is earlier than the one before begins the
 /// trails anew.
 class MarkMaker {
 public:
     explicit MarkMaker(const scene::Marks& wanted = {}) : wanted_(wanted) {}
 
+    /// The frames come every so many seconds (above 0): trails break where one is missing. Without it only where the
+    /// way in time is many times as long as usual, as for somebody who looks here and there.
+    void expect_pace(double every) { pace_ = every; }
     /// Other marks from now on; scales and trails that stay as they were go on.
     void restyle(const scene::Marks& wanted);
     [[nodiscard]] bool any() const;
@@ -108,6 +115,7 @@ private:
     struct Step {
         double time = 0;                                 // s
         Eigen::Vector3d place = Eigen::Vector3d::Zero(); // m
+        std::int64_t id = 0;                             // of the body
         bool leapt = false;                              // nothing is known of the way from the step before
     };
     using Trail = std::vector<Step>;
@@ -120,6 +128,8 @@ private:
     void add_to_field(const observe::Frame& frame, const MarkView& view);
     void follow(const observe::Frame& frame);
     bool leaps_to(double time);
+    [[nodiscard]] double longest_step() const;
+    [[nodiscard]] Eigen::Vector3d trail_color(std::size_t trail) const;
     [[nodiscard]] std::vector<FieldArrow> means() const;
     [[nodiscard]] std::vector<double> mean_speeds() const;
     void add_arrows(const observe::Frame& frame, const MarkView& view, std::vector<Stroke>& strokes) const;
@@ -139,6 +149,7 @@ private:
     bool foreseen_ = false;
     std::vector<Trail> trails_;      // parallel to wanted_.trails
     std::optional<double> followed_; // s, of the last frame
+    std::optional<double> pace_;     // s, that is known to lie between frames
     double usual_ = 0;               // s, from frame to frame
     bool leapt_ = false;             // to the last frame
 };

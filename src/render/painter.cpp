@@ -210,6 +210,10 @@ void Painter::foresee(const observe::Frame& frame) {
     inside_->mark_maker.foresee(frame, inside_->mark_view());
 }
 
+void Painter::expect_pace(double every) {
+    inside_->mark_maker.expect_pace(every);
+}
+
 void Painter::pass_over(const observe::Frame& frame) {
     const GlContext::Current current(inside_->context);
     inside_->settle_with_letters(frame);
@@ -256,6 +260,7 @@ Picture Painter::draw(const observe::Frame& frame, const PlotLine& plot) {
     in.clock.lap("letters");
     Picture picture = read_picture(canvas);
     picture.dots_per_metre = dots_per_metre(in.settings);
+    picture.bare = in.bareness(frame);
     if (in.overlay) {
         picture.crowded = in.overlay->crowded();
     }

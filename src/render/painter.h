@@ -40,6 +40,9 @@ public:
     /// pictures. Without it the field is the mean of the frames up to the one drawn.
     void foresee(const observe::Frame& frame);
 
+    /// Before the first picture: frames come every so many seconds (MarkMaker::expect_pace).
+    void expect_pace(double every);
+
     /// frame.layout must be the painter's. With an empty label the plot's place stays free. A frame without bodies
     /// shows its walls.
     Picture draw(const observe::Frame& frame, const PlotLine& plot = {});

@@ -200,6 +200,11 @@ template <class Medium> void PairPainterOf<Medium>::foresee(std::size_t side, co
     inside_->artists.at(side).foresee(frame);
 }
 
+template <class Medium> void PairPainterOf<Medium>::expect_pace(double every) {
+    for (auto& artist : inside_->artists)
+        artist.expect_pace(every);
+}
+
 template <class Medium> void PairPainterOf<Medium>::pass_over(std::size_t side, const observe::Frame& frame) {
     inside_->artists.at(side).pass_over(frame);
 }

@@ -23,6 +23,7 @@ public:
 
     /// As those of Painter, for the left (0) or the right (1).
     void foresee(std::size_t side, const observe::Frame& frame);
+    void expect_pace(double every);
     void pass_over(std::size_t side, const observe::Frame& frame);
 
     /// The time shown is the left frame's.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/bare.h"
 #include "render/pen.h"
 
 #include <cstdint>
@@ -14,6 +15,7 @@ struct Picture {
     std::vector<std::uint8_t> rgba;
     double dots_per_metre = 0;      // of paper; 0: nobody said
     std::vector<Crowded> crowded{}; // numbers and units on it that are cut
+    Bare bare = Bare::no;
 };
 
 } // namespace tumble::render

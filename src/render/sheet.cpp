@@ -63,6 +63,7 @@ Picture PictureSheet::put_together(std::span<const Picture> parts, std::span<con
     }
     picture.dots_per_metre = in.dots;
     picture.crowded = in.overlay->crowded();
+    picture.bare = bare_of(parts);
     return picture;
 }
 
@@ -82,6 +83,7 @@ Drawing DrawingSheet::put_together(std::span<const Drawing> parts, std::span<con
     DrawingPen pen(drawing, lettering_.unit);
     write_panels(pen, content, lettering_, theme_);
     drawing.crowded = pen.crowded();
+    drawing.bare = bare_of(parts);
     return drawing;
 }
 

@@ -249,6 +249,10 @@ template <class Medium> void StripPainterOf<Medium>::foresee(const observe::Fram
     inside_->artist.foresee(frame);
 }
 
+template <class Medium> void StripPainterOf<Medium>::expect_pace(double every) {
+    inside_->artist.expect_pace(every);
+}
+
 template <class Medium> void StripPainterOf<Medium>::pass_over(const observe::Frame& frame) {
     inside_->artist.pass_over(frame);
 }

@@ -29,6 +29,7 @@ public:
 
     /// As those of Painter, for frames in between.
     void foresee(const observe::Frame& frame);
+    void expect_pace(double every);
     void pass_over(const observe::Frame& frame);
 
     /// Another clip from the next cell on, and another mean field. Problems: those of Painter::restyle.

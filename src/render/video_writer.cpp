@@ -1,11 +1,11 @@
 #include "render/video_writer.h"
 
 #include "base/child_process.h"
+#include "base/ending.h"
 #include "base/text.h"
 #include "render/file_swap.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <chrono>
 #include <fcntl.h>
@@ -80,9 +80,7 @@ Result<VideoWriter> VideoWriter::open(const std::filesystem::path& file, int wid
                                            height, frames_per_second),
                        .fix = "take at least 2 x 2 pixels and a positive rate"};
     }
-    std::string ending = file.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-    if (ending != ".mp4") {
+    if (ending_of(file) != ".mp4") {
         return Problem{.file = file.string(),
                        .what = "a video is an MP4 file, and this name has another ending",
                        .fix = "call it " + std::filesystem::path(file).replace_extension(".mp4").string()};

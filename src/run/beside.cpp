@@ -135,6 +135,8 @@ void draw_all(const Comparison& shown, const BesideOptions& options, render::Pai
     }
     if (const Problems problems = files.finish().problems(); done.reason.empty())
         done.reason = problems;
+    for (std::string& warning : files.warnings())
+        done.warnings.push_back(std::move(warning));
 }
 
 /// The last moment; trails come from those before it.
@@ -154,7 +156,12 @@ void draw_last(const Comparison& shown, const BesideOptions& options, render::Pa
     if (!done.reason.empty())
         return;
     done.reason = show_moment(shown.moments.back(), shown.recordings, done, [&](const auto& left, const auto& right) {
-                      return save_readable(drafter.draw(left, right), options.settings, options.targets.drawing);
+                      render::Drawing drawing = drafter.draw(left, right);
+                      BareWatch watch;
+                      watch.take(drawing.bare);
+                      for (std::string& warning : watch.warnings())
+                          done.warnings.push_back(std::move(warning));
+                      return save_readable(std::move(drawing), options.settings, options.targets.drawing);
                   }).problems();
     tell(1, 1);
 }
@@ -168,6 +175,11 @@ Result<render::PairPainterOf<Medium>> open_pair(const Comparison& shown, const s
     if (!painter)
         return painter.problems();
     painter->fit(recordings[0].bounds.merged(recordings[1].bounds));
+    // Frames that stand beside each other come at the pace of the run that has fewer of them.
+    if (const double pace =
+            std::max(pace_of(recordings[0].frames).value_or(0), pace_of(recordings[1].frames).value_or(0));
+        pace > 0)
+        painter->expect_pace(pace);
     for (std::size_t side = 0; settings.marks.arrows == "field" && side < 2; ++side)
         for (const Moment& moment : shown.moments)
             if (const auto frame = observe::read_frame(side == 0 ? moment.left : moment.right, recordings[side].layout))

@@ -3,6 +3,7 @@
 #include "base/make_folder.h"
 #include "observe/frame_file.h"
 #include "render/drafter.h"
+#include "run/picture_files.h"
 
 namespace tumble::run {
 
@@ -16,18 +17,23 @@ public:
         : drafter_(std::move(drafter)), settings_(std::move(settings)), file_(std::move(file)), last_(last) {}
 
     Result<Done> take(const Shot& shot) override {
-        if (shot.number == last_)
-            return save_readable(drafter_.draw(shot.frame, shot.plot), settings_, file_);
+        if (shot.number == last_) {
+            render::Drawing drawing = drafter_.draw(shot.frame, shot.plot);
+            watch_.take(drawing.bare);
+            return save_readable(std::move(drawing), settings_, file_);
+        }
         drafter_.pass_over(shot.frame);
         return Done{};
     }
     Result<Done> finish() override { return Done{}; }
+    [[nodiscard]] std::vector<std::string> warnings() const override { return watch_.warnings(); }
 
 private:
     render::Drafter drafter_;
     scene::Render settings_;
     fs::path file_;
     std::int64_t last_ = 0;
+    BareWatch watch_;
 };
 
 } // namespace
@@ -38,6 +44,8 @@ Result<std::unique_ptr<FrameSink>> keep_drawing(const scene::Render& settings, c
     if (!drafter)
         return of_run(drafter.problems(), recording.folder.root);
     drafter->fit(recording.bounds);
+    if (const auto pace = pace_of(recording.frames))
+        drafter->expect_pace(*pace);
     if (settings.marks.arrows == "field")
         for (const RecordedFrame& one : recording.frames)
             if (const Result<observe::Frame> frame = observe::read_frame(one.file, recording.layout))

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace tumble::run {
@@ -26,6 +27,8 @@ public:
     virtual Result<Done> take(const Shot& shot) = 0;
     /// After the last frame; also after a failure elsewhere, to make the best of what came so far.
     virtual Result<Done> finish() { return Done{}; }
+    /// What whoever asked for it should know of what was kept.
+    [[nodiscard]] virtual std::vector<std::string> warnings() const { return {}; }
 };
 
 using FrameSinks = std::vector<std::unique_ptr<FrameSink>>;

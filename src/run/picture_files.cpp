@@ -16,6 +16,12 @@ Result<Done> save(render::Picture picture, const std::filesystem::path& file) {
     return writer.finish();
 }
 
+std::vector<std::string> BareWatch::warnings() const {
+    if (pictures_ == 0 || seen_)
+        return {};
+    return {render::bare_words(first_, pictures_ == 1 ? "this picture" : "any of these pictures")};
+}
+
 Result<PictureFiles> PictureFiles::open(const scene::Render& settings, const PictureTargets& targets) {
     PictureFiles files;
     files.settings_ = settings;
@@ -38,6 +44,7 @@ Result<PictureFiles> PictureFiles::open(const scene::Render& settings, const Pic
 Result<Done> PictureFiles::add(render::Picture picture, std::int64_t number, bool again) {
     if (auto room = render::check_room(picture.crowded, settings_); !room)
         return room;
+    watch_.take(picture.bare);
     if (video_)
         if (Result<Done> added = video_->add(picture); !added)
             return added;

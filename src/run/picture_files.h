@@ -7,6 +7,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace tumble::run {
 
@@ -15,6 +17,22 @@ struct PictureTargets {
     std::filesystem::path folder;    // PNG files frame_000000.png and so on
     std::filesystem::path video;     // MP4
     std::filesystem::path drawing{}; // SVG or PDF, of the last frame, in place of the others
+};
+
+/// Looks whether bodies are to be seen in any of the pictures that belong together.
+class BareWatch {
+public:
+    void take(render::Bare bare) {
+        seen_ = seen_ || bare == render::Bare::no;
+        first_ = pictures_++ == 0 ? bare : first_;
+    }
+    /// One where there are pictures, and none of them shows a body.
+    [[nodiscard]] std::vector<std::string> warnings() const;
+
+private:
+    std::int64_t pictures_ = 0;
+    bool seen_ = false;
+    render::Bare first_ = render::Bare::no;
 };
 
 /// One picture as a PNG file; makes the folder where it is missing. Problems: what the system says.
@@ -33,12 +51,14 @@ public:
     Result<Done> add(render::Picture picture, std::int64_t number, bool again = false);
     /// Waits until all is written.
     Result<Done> finish();
+    [[nodiscard]] std::vector<std::string> warnings() const { return watch_.warnings(); }
 
 private:
     [[nodiscard]] std::filesystem::path file_of(std::int64_t number) const;
     [[nodiscard]] bool is_drawn(std::int64_t number) const;
 
     scene::Render settings_;
+    BareWatch watch_;
     std::filesystem::path folder_;
     std::optional<render::PngWriter> png_;
     std::optional<render::VideoWriter> video_;

@@ -19,6 +19,7 @@ public:
         return files_.add(painter_.draw(shot.frame, shot.plot), shot.number, shot.again);
     }
     Result<Done> finish() override { return files_.finish(); }
+    [[nodiscard]] std::vector<std::string> warnings() const override { return files_.warnings(); }
 
 private:
     render::Painter painter_;
@@ -36,6 +37,9 @@ Result<std::unique_ptr<FrameSink>> keep_pictures(const scene::Render& settings,
         return painter.problems();
     if (!fit.isEmpty())
         painter->fit(fit);
+    if (to_come)
+        if (const auto pace = pace_of(to_come->frames))
+            painter->expect_pace(*pace);
     if (to_come && settings.marks.arrows == "field")
         for (const RecordedFrame& recorded : to_come->frames)
             if (const Result<observe::Frame> frame = observe::read_frame(recorded.file, to_come->layout))

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
 
 namespace tumble::run {
 
@@ -112,7 +114,51 @@ Problems nothing_to_show(const std::filesystem::path& root, const Survey& found)
     return problems;
 }
 
+/// Where frames are missing that are not among the damaged ones, which are told of one by one.
+std::vector<std::string> gaps_of(const Survey& found) {
+    constexpr double longest = 1.5; // of the usual time between frames
+    const std::optional<double> pace = pace_of(found.wanted);
+    std::set<std::int64_t> damaged;
+    for (const Problem& problem : found.damaged)
+        damaged.insert(observe::frame_number(problem.file).value_or(-1));
+    std::int64_t missing = 0;
+    std::string first;
+    int places = 0;
+    for (std::size_t k = 1; k < found.wanted.size(); ++k) {
+        const RecordedFrame &before = found.wanted[k - 1], &after = found.wanted[k];
+        const std::int64_t from = observe::frame_number(before.file).value_or(0) + 1;
+        const std::int64_t to = observe::frame_number(after.file).value_or(from);
+        const auto told = std::distance(damaged.lower_bound(from), damaged.lower_bound(std::max(from, to)));
+        if (!pace || after.time - before.time <= longest * *pace || (told > 0 && told == to - from))
+            continue;
+        missing += std::max(to - from - told, std::int64_t{0});
+        if (places++ == 0)
+            first = fmt::format("between t = {:.6g} and {:.6g} s", before.time, after.time);
+    }
+    if (places == 0)
+        return {};
+    const std::string others =
+        places < 2 ? "" : fmt::format(" and in {} other place{}", places - 1, places > 2 ? "s" : "");
+    return {fmt::format("frames are missing {}{}{}: trails have gaps there, and means go without them", first, others,
+                        missing > 0 ? fmt::format(", {} in all", missing) : "")};
+}
+
 } // namespace
+
+std::optional<double> pace_of(const std::vector<RecordedFrame>& frames) {
+    std::vector<double> ways;
+    for (std::size_t k = 1; k < frames.size(); ++k)
+        ways.push_back(frames[k].time - frames[k - 1].time);
+    if (ways.empty())
+        return std::nullopt;
+    if (ways.size() == 1) { // which may be the one where others are missing
+        const auto from = observe::frame_number(frames[0].file), to = observe::frame_number(frames[1].file);
+        return ways[0] / static_cast<double>(from && to ? std::max(*to - *from, std::int64_t{1}) : 1);
+    }
+    const auto middle = ways.begin() + static_cast<std::ptrdiff_t>((ways.size() - 1) / 2);
+    std::nth_element(ways.begin(), middle, ways.end());
+    return *middle;
+}
 
 Result<Recording> open_recording(const std::filesystem::path& root, const ReplayOptions& options, Reading reading) {
     const Result<RunFolder> folder = find_run(root);
@@ -127,6 +173,8 @@ Result<Recording> open_recording(const std::filesystem::path& root, const Replay
     Recording recording{*folder, *layout, found.wanted, unfinished(*folder), found.bounds};
     for (const Problem& problem : found.damaged)
         recording.warnings.push_back(left_out({problem}));
+    for (std::string& gap : gaps_of(found))
+        recording.warnings.push_back(std::move(gap));
     return recording;
 }
 
@@ -182,9 +230,12 @@ Replayed replay(const Recording& recording, const ReplayOptions& options, const 
         ++replayed.frames;
         tell(replayed.frames, all);
     }
-    for (const auto& sink : sinks)
+    for (const auto& sink : sinks) {
         if (const Problems more = sink->finish().problems(); problems.empty())
             problems = more;
+        for (std::string& warning : sink->warnings())
+            replayed.warnings.push_back(std::move(warning));
+    }
     return replayed;
 }
 

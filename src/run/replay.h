@@ -58,6 +58,9 @@ struct Recording {
 /// times heads are enough.
 enum class Reading { whole, heads };
 
+/// s, that usually lie between frames; nothing where there are not two of them.
+std::optional<double> pace_of(const std::vector<RecordedFrame>& frames);
+
 /// Frames sit at the steps nearest to their times, so half a step counts as no difference. Problems: no run's folder, a
 /// broken layout, no readable frame in the stretch of time.
 Result<Recording> open_recording(const std::filesystem::path& root, const ReplayOptions& options,
@@ -67,12 +70,15 @@ Result<Recording> open_recording(const std::filesystem::path& root, const Replay
 /// not.
 Result<std::array<double, 2>> colors_for(std::span<const Recording> recordings, const std::string& color);
 
+/// Problems: trails of bodies that the last frames of none of the recordings have, two trails of one body.
+Result<Done> check_trails(std::span<const Recording> recordings, const std::vector<std::string>& trails);
+
 /// Marks whose scales, where they were left open, hold what all frames of the recordings have: 98th percentiles, as for
 /// colours. The mean field's scale stays open: it belongs to a camera. Problems: force chains where no frame has
 /// contacts.
 Result<scene::Marks> marks_for(std::span<const Recording> recordings, const scene::Marks& marks);
 
-/// Settings whose range of colours and marks hold for all frames of the recordings. Problems: those of the two above.
+/// Settings whose range of colours and marks hold for all frames of the recordings. Problems: those of the three above.
 Result<scene::Render> settle_scales(std::span<const Recording> recordings, const scene::Render& settings);
 
 /// Hands every frame to every sink in order, under the number it has in the run, and finishes them.

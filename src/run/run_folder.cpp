@@ -314,13 +314,23 @@ bool holds_only_a_run(const fs::path& root) {
     return !error;
 }
 
+bool holds_stresses(const fs::path& root) {
+    std::error_code ignored;
+    return fs::exists(root / "study.txt", ignored) || fs::exists(root / "part.txt", ignored);
+}
+
 Result<RunFolder> find_run(const fs::path& root) {
     const RunFolder run{root};
     std::error_code error;
     if (!fs::is_directory(root, error))
         return wrong(root, "there is no such folder", "give the folder that `tumble run` made, such as out/drop");
     for (const fs::path& needed : {run.scene(), observe::layout_path(run.frames())})
-        if (!fs::exists(needed, error))
+        if (!fs::exists(needed, error) && holds_stresses(root))
+            return wrong(root, "holds the stresses of a part, and no frames of its own",
+                         fmt::format("`tumble stress {} --pictures` draws them; frames of the bodies lie in the folder "
+                                     "that was run, which study.txt names",
+                                     root.string()));
+        else if (!fs::exists(needed, error))
             return wrong(root, fmt::format("is not the folder of a run: {} is missing", needed.filename().string()),
                          "give the folder that `tumble run` made, such as out/drop");
     return run;

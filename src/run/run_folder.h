@@ -73,6 +73,9 @@ std::int64_t count_pictures(const std::filesystem::path& folder);
 /// Whether all that lies in the folder is of the kinds that a run puts there.
 bool holds_only_a_run(const std::filesystem::path& root);
 
+/// Whether `tumble stress` has filled the folder.
+bool holds_stresses(const std::filesystem::path& root);
+
 /// Whether the folder holds what a run leaves (scene and frames). Problems name what is missing.
 Result<RunFolder> find_run(const std::filesystem::path& root);
 

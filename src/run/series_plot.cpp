@@ -58,6 +58,13 @@ Result<RunSeries> read_run(const fs::path& root, const SeriesPlotOptions& option
     const Result<RunFolder> folder = find_run(root);
     if (!folder)
         return folder.problems();
+    if (std::error_code ignored; !fs::exists(folder->series(), ignored) && holds_stresses(root))
+        return Problem{.file = root.string(),
+                       .what = "holds what `tumble stress` recorded, and no series of measures",
+                       .fix = fmt::format("its numbers over time stand in bulk.csv, cases.csv and slices.csv there; "
+                                          "`tumble stress {} --pictures` draws the stresses, and `tumble run` makes a "
+                                          "series",
+                                          root.string())};
     Result<observe::Series> whole = observe::read_series(folder->series());
     if (!whole)
         return whole.problems();
@@ -209,10 +216,10 @@ sheet::Panel panel_of(const std::vector<RunSeries>& runs, const Group& group, do
             if (!values)
                 continue;
             const bool labelled = several && (panel.traces.empty() || panel.traces.back().ink.color != m);
-            sheet::Trace trace{
-                {labelled ? group.measures[m].label : "", by_dashes || runs.size() == 1 ? m : r, by_dashes ? r : 0},
-                *runs[r].series.find("time_s"),
-                *values};
+            const std::size_t color = by_dashes || runs.size() == 1 ? m : r;
+            sheet::Trace trace{{labelled ? group.measures[m].label : "", color, by_dashes ? r : color / sheet::colors},
+                               *runs[r].series.find("time_s"),
+                               *values};
             scale(trace.x, time_factor);
             scale(trace.y, unit.factor);
             panel.traces.push_back(std::move(trace));
@@ -266,8 +273,28 @@ std::vector<sheet::Ink> legend_of(const std::vector<RunSeries>& runs, bool by_da
     std::vector<sheet::Ink> legend;
     for (std::size_t r = 0; r < runs.size() && runs.size() > 1; ++r)
         legend.push_back({runs[r].label, by_dashes ? std::optional<std::size_t>() : std::optional(r),
-                          by_dashes ? r : std::size_t{0}});
+                          by_dashes ? r : r / sheet::colors});
     return legend;
+}
+
+/// Warnings where lines look alike.
+std::vector<std::string> told_apart(const std::vector<Group>& groups, std::size_t runs, bool several) {
+    std::size_t measures = 0;
+    for (const Group& group : groups)
+        measures = std::max(measures, group.measures.size());
+    const bool by_dashes = several && runs > 1;
+    std::vector<std::string> warnings;
+    const auto warn = [&](std::size_t count, std::size_t most, const char* what, const char* by) {
+        if (count > most)
+            warnings.push_back(fmt::format("{} {} have only {} {} between them: some look alike; plot fewer at a time",
+                                           count, what, most, by));
+    };
+    if (by_dashes) {
+        warn(measures, sheet::colors, "measures in one plot", "colours");
+        warn(runs, sheet::dash_patterns, "runs", "kinds of dashes");
+    } else
+        warn(std::max(measures, runs), sheet::colors * sheet::dash_patterns, "lines", "colours and dashes");
+    return warnings;
 }
 
 } // namespace
@@ -325,6 +352,8 @@ Result<SeriesPlot> plot_series(const std::vector<fs::path>& roots, const SeriesP
     plot.first = first;
     plot.last = last;
     const bool several = std::any_of(groups.begin(), groups.end(), [](const Group& one) { return one.several(); });
+    for (std::string& warning : told_apart(groups, runs->size(), several))
+        plot.warnings.push_back(std::move(warning));
     const render::DisplayUnit time = render::display_unit("s", {first, last});
     plot.stack.title = common_title(*runs);
     plot.stack.x = {"time", time.unit};

@@ -1,9 +1,14 @@
+#include "base/text.h"
 #include "observe/frame_file.h"
 #include "render/color_range.h"
 #include "render/marks.h"
 #include "run/replay.h"
 
 #include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <map>
+#include <set>
 
 namespace tumble::run {
 
@@ -25,7 +30,67 @@ struct Widest {
     }
 };
 
+/// Of a recording's last frame, which has all bodies that those before it have.
+struct LastBodies {
+    observe::Frame frame;
+    std::map<std::size_t, std::string> followed; // by what trail
+
+    [[nodiscard]] bool has_name(const std::string& name) const {
+        return std::any_of(frame.layout->shapes.begin(), frame.layout->shapes.end(),
+                           [&](const observe::FrameShape& shape) { return shape.name == name; });
+    }
+};
+
+Problem twice(const std::string& one, const std::string& other) {
+    return {.key = "render.trails",
+            .what = one == other ? fmt::format("the trail of '{}' is asked for twice", one)
+                                 : fmt::format("the trails of '{}' and '{}' are those of one body", one, other),
+            .fix = "name each body once"};
+}
+
+Problem nobody(const std::string& trail, const observe::Frame& frame) {
+    std::set<std::string> names;
+    for (const int shape : frame.shape)
+        names.insert(frame.layout->shapes[static_cast<std::size_t>(shape)].name);
+    std::string known = "there are no bodies in this time";
+    if (frame.bodies() > 0) {
+        const auto [lo, hi] = std::minmax_element(frame.id.begin(), frame.id.end());
+        known = fmt::format("take an id from {} to {}, or {} for the first of that name", *lo, *hi,
+                            fmt::join(names, " or "));
+    }
+    return {.key = "render.trails",
+            .what = fmt::format("there is no body '{}' whose trail could be drawn, up to t = {:.6g} s", excerpt(trail),
+                                frame.time),
+            .fix = known};
+}
+
 } // namespace
+
+Result<Done> check_trails(std::span<const Recording> recordings, const std::vector<std::string>& trails) {
+    if (trails.empty())
+        return Done{};
+    std::vector<LastBodies> last;
+    for (const Recording& recording : recordings)
+        if (const auto frame = observe::read_frame(recording.frames.back().file, recording.layout))
+            last.push_back({*frame, {}});
+    Problems problems;
+    for (const std::string& trail : trails) {
+        // A body whose name the scene has may come later; a frame that cannot be read is told of elsewhere.
+        bool found = last.empty();
+        for (LastBodies& bodies : last)
+            if (const auto body = render::body_of(bodies.frame, trail)) {
+                const auto [same, fresh] = bodies.followed.emplace(*body, trail);
+                if (!fresh && !found)
+                    problems.push_back(twice(same->second, trail));
+                found = true;
+            }
+        if (!found && !last.front().has_name(trail))
+            problems.push_back(nobody(trail, last.front().frame));
+    }
+    if (!problems.empty())
+        return problems;
+    return Done{};
+}
 
 Result<scene::Marks> marks_for(std::span<const Recording> recordings, const scene::Marks& marks) {
     scene::Marks settled = marks;
@@ -56,6 +121,8 @@ Result<scene::Render> settle_scales(std::span<const Recording> recordings, const
             return colors.problems();
         settled.range = *colors;
     }
+    if (const auto found = check_trails(recordings, settings.marks.trails); !found)
+        return found.problems();
     auto marks = marks_for(recordings, settings.marks);
     if (!marks)
         return marks.problems();

@@ -1,5 +1,6 @@
 #include "run/strip.h"
 
+#include "base/ending.h"
 #include "base/make_folder.h"
 #include "observe/frame_file.h"
 #include "render/clip.h"
@@ -156,6 +157,10 @@ Problems for_parts(const Recording& recording, const std::vector<Part>& parts, c
     return {};
 }
 
+void append_all(std::vector<std::string>& all, const std::vector<std::string>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+}
+
 template <class Painter> void foresee_all(const Recording& recording, const scene::Render& settings, Painter& painter) {
     if (settings.marks.arrows == "field")
         for (const RecordedFrame& recorded : recording.frames)
@@ -180,6 +185,8 @@ Result<Replayed> draw_in_one(const Recording& recording, const std::vector<Part>
         settings.view ? Eigen::AlignedBox3d(settings.view->lo, settings.view->hi) : recording.bounds, plan);
     if (!painter)
         return of_run(painter.problems(), recording.folder.root);
+    if (const auto pace = pace_of(recording.frames))
+        painter->expect_pace(*pace);
     if (!options.sections) // each of which has a field of its own
         foresee_all(recording, settings, *painter);
     Replayed done;
@@ -196,8 +203,13 @@ Result<Replayed> draw_in_one(const Recording& recording, const std::vector<Part>
             return Done{};
         },
         [&](const observe::Frame& frame) { painter->pass_over(frame); });
-    if (done.reason.empty() && !done.stopped)
-        done.reason = save_readable(painter->finish(), settings, options.out).problems();
+    if (done.reason.empty() && !done.stopped) {
+        auto work = painter->finish();
+        BareWatch watch;
+        watch.take(work.bare);
+        append_all(done.warnings, watch.warnings());
+        done.reason = save_readable(std::move(work), settings, options.out).problems();
+    }
     return done;
 }
 
@@ -207,11 +219,14 @@ Result<Replayed> draw_apart(const Recording& recording, const std::vector<Part>&
     if (!painter)
         return painter.problems();
     painter->fit(recording.bounds);
+    if (const auto pace = pace_of(recording.frames))
+        painter->expect_pace(*pace);
     if (!options.sections)
         foresee_all(recording, settings, *painter);
     if (const auto made = make_folder(options.out); !made)
         return made.problems();
     render::PngWriter writer;
+    BareWatch watch;
     Replayed done;
     done.warnings = recording.warnings;
     done.reason = for_parts(
@@ -226,6 +241,7 @@ Result<Replayed> draw_apart(const Recording& recording, const std::vector<Part>&
                 foresee_all(recording, settings, *painter);
             const char* kind = part.clip ? "section" : "instant";
             auto picture = painter->draw(frame);
+            watch.take(picture.bare);
             if (auto room = render::check_room(picture.crowded, settings); !room)
                 return room;
             return writer.add(options.out / fmt::format("{}_{}.png", kind, done.frames + 1), std::move(picture));
@@ -233,6 +249,7 @@ Result<Replayed> draw_apart(const Recording& recording, const std::vector<Part>&
         [&](const observe::Frame& frame) { painter->pass_over(frame); });
     if (const Problems problems = writer.finish().problems(); done.reason.empty())
         done.reason = problems;
+    append_all(done.warnings, watch.warnings());
     return done;
 }
 
@@ -251,7 +268,7 @@ Result<Replayed> draw_strip(const fs::path& run, const StripOptions& options, co
     const auto settings = settle_scales(std::array{only(*recording, *parts)}, wanted);
     if (!settings)
         return settings.problems();
-    const bool as_lines = render::is_drawing_file(options.out), in_one = options.out.extension() == ".png";
+    const bool as_lines = render::is_drawing_file(options.out), in_one = ending_of(options.out) == ".png";
     Target target(options.out);
     if (const auto problem = target.claim(options.redraw.overwrite, ".png"))
         return *problem;

@@ -33,7 +33,7 @@ KeyTable render() {
     table.keys = {
         word("camera", {"front", "top", "side", "free"},
              "front looks along x at the trough's cross-section, top down on it, side across it; free is placed by "
-             "`eye_m` and `target_m`; without both it looks from the front, right and above.")
+             "`eye_m` and `target_m`, both or neither; without them it looks from the front, right and above.")
             .in_3d()
             .otherwise(std::string("front")),
         word("projection", {"orthographic", "perspective"}, "Parallel or with vanishing points.")

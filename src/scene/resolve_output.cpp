@@ -29,6 +29,11 @@ void resolve_marks(const View& view, const Resolving& to) {
     std::vector<std::string> names;
     for (const BodyTemplate& body : to.scene.bodies)
         names.push_back(body.name);
+    for (auto trail = marks.trails.begin(); trail != marks.trails.end(); ++trail)
+        if (std::find(marks.trails.begin(), trail, *trail) != trail) {
+            to.refuse(view, "trails", fmt::format("'{}' is given twice", *trail), "name each body once");
+            break;
+        }
     for (const std::string& trail : marks.trails)
         if (!is_number(trail) && std::find(names.begin(), names.end(), trail) == names.end())
             to.refuse(view, "trails", fmt::format("no body is called '{}'", trail),
@@ -51,12 +56,16 @@ void check_size(const View& view, const Paper& paper, const Resolving& to) {
                   fmt::format("choose them so that each side has {} to {}", fewest_pixels, most_pixels));
     const double room = std::min(paper.width_mm / least_units_wide, paper.height_mm / least_units_high); // mm a unit
     // Numbers at scales are 17 units from their lowest to their highest reach, 1.164 of their size in points.
-    const double most = std::floor(2 * room * 17 / 1.164 / 25.4 * 72) / 2;
+    const double points_a_unit = 17 / 1.164 / 25.4 * 72; // and a mm
+    const double most = std::floor(2 * room * points_a_unit) / 2;
+    const double needed = std::ceil(2 * paper.font_pt) / 2 / points_a_unit; // mm a unit
     if (paper.font_pt > most)
         to.refuse(view, "font_pt",
                   fmt::format("letters of {:.3g} pt leave no room for the scene in {:.4g} x {:.4g} mm", paper.font_pt,
                               paper.width_mm, paper.height_mm),
-                  fmt::format("take at most {:.3g} pt, or a larger picture", most));
+                  fmt::format("take at most {:.3g} pt, or at least {:.0f} x {:.0f} mm", most,
+                              std::max(paper.width_mm, std::ceil(needed * least_units_wide)),
+                              std::max(paper.height_mm, std::ceil(needed * least_units_high))));
 }
 
 void resolve_size(const View& view, const Resolving& to) {
@@ -109,8 +118,14 @@ void resolve_render(const View& view, const Resolving& to) {
         to.refuse(view, view.written("clip_lo_m") ? "clip_lo_m" : "clip_hi_m", "a clip needs both of its corners",
                   "give clip_lo_m and clip_hi_m");
     render.clip_cuts = view.flag("clip_cuts");
-    const bool has_place = view.written("eye_m") || view.written("target_m");
-    if (render.camera == "free" && has_place && render.eye == render.target)
+    const bool has_eye = view.written("eye_m"), has_target = view.written("target_m");
+    if (render.camera == "free" && has_eye != has_target)
+        to.refuse(view, has_eye ? "eye_m" : "target_m",
+                  has_eye ? "a free camera that stands somewhere needs what it looks at"
+                          : "a free camera that looks at something needs where it stands",
+                  fmt::format("give {} too, or neither to look from the front, right and above",
+                              has_eye ? "target_m" : "eye_m"));
+    else if (render.camera == "free" && has_eye && render.eye == render.target)
         to.refuse(view, "camera", "a free camera stands where it looks at",
                   "give eye_m and target_m, two different points, or neither to look from the front, right and above");
     resolve_marks(view, to);

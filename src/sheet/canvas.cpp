@@ -1,5 +1,6 @@
 #include "sheet/canvas.h"
 
+#include "base/ending.h"
 #include "sheet/gnuplot.h"
 #include "sheet/show.h"
 
@@ -29,7 +30,7 @@ std::string in_pixels(const std::string& terminal, const Canvas& canvas, double 
 } // namespace
 
 Result<Done> check_drawable(const std::filesystem::path& file) {
-    const std::string ending = file.extension().string();
+    const std::string ending = ending_of(file);
     if (ending == ".png" || ending == ".svg" || ending == ".pdf")
         return Done{};
     return Problem{.file = file.string(),
@@ -40,16 +41,16 @@ Result<Done> check_drawable(const std::filesystem::path& file) {
 // Rounded: a mitred corner sticks out of a sharp turn, and lines that only end there leave a notch.
 std::string open_canvas(const Canvas& canvas, const std::filesystem::path& file) {
     std::string terminal;
-    if (file.extension() == ".pdf")
+    if (ending_of(file) == ".pdf")
         // Its lines of width 1 are half a point, and without a scale its letters half of what is asked for.
         terminal = fmt::format("set terminal pdfcairo size {:.6g}cm,{:.6g}cm font 'DejaVu Sans,{:.4g}' fontscale 1 "
                                "linewidth 1.5 background 'white' noenhanced rounded\n",
                                canvas.width_mm / 10, canvas.height_mm / 10, canvas.font_pt / cairo_letter);
-    else if (file.extension() == ".svg")
+    else if (ending_of(file) == ".svg")
         terminal = in_pixels("svg", canvas, screen_dpi, canvas.font_pt / pt_per_inch * screen_dpi);
     else
         terminal = in_pixels("pngcairo", canvas, canvas.dpi, canvas.font_pt / pt_per_inch * canvas.dpi / cairo_letter);
-    return terminal + fmt::format("set output {}\n", in_gnuplots_quotes(file.string()));
+    return terminal + fmt::format("set output {}\n", in_gnuplots_quotes(growing(file).string()));
 }
 
 double width_of(const std::string& text) {

@@ -23,8 +23,8 @@ struct Canvas {
 /// Problems: gnuplot is not asked for such files: .png, .svg and .pdf are known.
 Result<Done> check_drawable(const std::filesystem::path& file);
 
-/// Gnuplot's lines that open the file, by its extension, with DejaVu Sans, words as they stand and lines of 0.26 mm
-/// for a width of 1.
+/// Gnuplot's lines that open the file under the name by which it grows (sheet/gnuplot.h), by its ending, with DejaVu
+/// Sans, words as they stand and lines of 0.26 mm for a width of 1.
 std::string open_canvas(const Canvas& canvas, const std::filesystem::path& file);
 
 /// About how wide the text is, ems: letters of DejaVu Sans are 0.6 wide on average, hardly any text has more.

@@ -1,20 +1,58 @@
 #include "sheet/gnuplot.h"
 
 #include "base/child_process.h"
+#include "base/ending.h"
+#include "base/remedy.h"
 #include "base/text.h"
 #include "sheet/sheet.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <fstream>
+#include <unistd.h>
+#include <utility>
 
 namespace tumble::sheet {
 
 namespace {
 
 constexpr std::chrono::seconds patience{60};
+
+Problem cannot_be_written(const std::filesystem::path& file, int error, std::string what = {}) {
+    return {.file = file.string(),
+            .what = what.empty() ? fmt::format("cannot write the file: {}", std::strerror(error)) : std::move(what),
+            .fix = remedy(error)};
+}
+
+/// Gnuplot does not say that it could not write all of a file.
+bool is_whole(const std::filesystem::path& file, const std::string& ending) {
+    const std::string mark = ending == ".svg" ? "</svg>" : ending == ".pdf" ? "%%EOF" : "IEND";
+    std::ifstream content(file, std::ios::binary | std::ios::ate);
+    const std::streamoff size = content.tellg(), read = std::min<std::streamoff>(size, 64);
+    std::string last(static_cast<std::size_t>(std::max<std::streamoff>(read, 0)), '\0');
+    content.seekg(size - read);
+    return size > 0 && content.read(last.data(), read) && last.find(mark) != std::string::npos;
+}
+
+/// Taken away at the end, if it is still there.
+class Leftover {
+public:
+    explicit Leftover(std::filesystem::path file) : file_(std::move(file)) {}
+    Leftover(const Leftover&) = delete;
+    Leftover& operator=(const Leftover&) = delete;
+    ~Leftover() {
+        std::error_code ignored;
+        std::filesystem::remove(file_, ignored);
+    }
+
+private:
+    std::filesystem::path file_;
+};
 
 } // namespace
 
@@ -34,7 +72,28 @@ std::string color_of(std::size_t index) {
     return table[index % colors];
 }
 
-Result<Done> run_gnuplot(const std::string& script, const std::filesystem::path& file, const std::string& without) {
+std::filesystem::path growing(const std::filesystem::path& file) {
+    return file.string() + ".part";
+}
+
+Result<Done> check_writable(const std::filesystem::path& file) {
+    std::error_code ignored;
+    int error = std::filesystem::is_directory(file, ignored) ? EISDIR : 0;
+    const int probe = error == 0 ? ::open(growing(file).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666) : -1;
+    if (error == 0 && probe < 0)
+        error = errno;
+    if (error != 0)
+        return cannot_be_written(file, error);
+    ::close(probe);
+    ::unlink(growing(file).c_str());
+    return Done{};
+}
+
+Result<Done> run_gnuplot(const std::string& script, const std::filesystem::path& file, const std::string& without,
+                         const std::string& tail) {
+    if (Result<Done> place = check_writable(file); !place)
+        return place;
+    const Leftover leftover(growing(file));
     ChildProcess gnuplot({"gnuplot"});
     if (gnuplot.error() == ENOENT)
         return Problem{.what = "gnuplot, which draws the figures, is not installed",
@@ -42,9 +101,16 @@ Result<Done> run_gnuplot(const std::string& script, const std::filesystem::path&
     if (gnuplot.error() != 0)
         return Problem{.what = fmt::format("gnuplot could not be started: {}", std::strerror(gnuplot.error()))};
     const bool fed = gnuplot.feed({reinterpret_cast<const std::uint8_t*>(script.data()), script.size()});
-    if (gnuplot.wait(patience) == 0 && fed)
-        return Done{};
-    return Problem{.file = file.string(), .what = "gnuplot failed: " + excerpt(trimmed(gnuplot.printed()), 300)};
+    if (gnuplot.wait(patience) != 0 || !fed)
+        return Problem{.file = file.string(), .what = "gnuplot failed: " + excerpt(trimmed(gnuplot.printed()), 300)};
+    const bool whole = is_whole(growing(file), ending_of(file));
+    if (!whole || (!tail.empty() && !(std::ofstream(growing(file), std::ios::app) << tail << std::flush)))
+        return cannot_be_written(file, ENOSPC, "gnuplot could not write it to its end, as on a disk that is full");
+    std::error_code error;
+    std::filesystem::rename(growing(file), file, error);
+    if (error)
+        return cannot_be_written(file, error.value());
+    return Done{};
 }
 
 } // namespace tumble::sheet

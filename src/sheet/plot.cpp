@@ -1,5 +1,6 @@
 #include "sheet/plot.h"
 
+#include "base/ending.h"
 #include "base/hash.h"
 #include "base/make_folder.h"
 #include "sheet/gnuplot.h"
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <fstream>
 #include <limits>
 
 namespace tumble::sheet {
@@ -138,13 +138,9 @@ std::string gnuplot_script(const Figure& figure, const std::filesystem::path& fi
 }
 
 Result<Done> draw(const Figure& figure, const std::filesystem::path& file, const Canvas& canvas) {
-    if (Result<Done> drawn = run_gnuplot(gnuplot_script(figure, file, canvas), file,
-                                         "leave --out away: the text and --json need no gnuplot");
-        !drawn)
-        return drawn;
-    if (file.extension() == ".svg" && !(std::ofstream(file, std::ios::app) << mark_of(figure) << '\n'))
-        return Problem{.file = file.string(), .what = "cannot be written to its end"};
-    return Done{};
+    return run_gnuplot(gnuplot_script(figure, file, canvas), file,
+                       "leave --out away: the text and --json need no gnuplot",
+                       ending_of(file) == ".svg" ? mark_of(figure) + "\n" : "");
 }
 
 Result<std::vector<std::filesystem::path>> draw_all(const Sheet& sheet, const std::filesystem::path& folder,

@@ -56,7 +56,8 @@ struct Curve {
         y.push_back(value);
     }
 };
-constexpr std::size_t colors = 6; // that curves get in turn
+constexpr std::size_t colors = 6;        // that curves get in turn
+constexpr std::size_t dash_patterns = 5; // the first is a solid line
 struct Figure {
     std::string name; // of its files, without extension
     std::string title;

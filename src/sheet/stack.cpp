@@ -232,7 +232,7 @@ public:
     }
 
     static std::string pen(const Ink& ink) {
-        return fmt::format("lw 1.5 dt {} lc rgb '{}'", ink.dashes % 5 + 1,
+        return fmt::format("lw 1.5 dt {} lc rgb '{}'", ink.dashes % dash_patterns + 1,
                            ink.color ? color_of(*ink.color) : "#000000");
     }
 

@@ -32,7 +32,13 @@ TEST_CASE("render takes the free camera where an eye or a target is given, and a
     const Folder folder;
     put(folder.path / "ball.toml", bouncing_ball(0.02));
     REQUIRE(tumble_in(folder, {"run", "ball.toml", "--out", "a", "--quiet"}).code == 0);
-    const Outcome eye = tumble_in(folder, {"render", "a", "--eye", "0.3,0.3,0.3", "--size", "320x180", "--quiet"});
+    const Outcome half = tumble_in(folder, {"render", "a", "--eye", "0.3,0.3,0.3", "--size", "320x180", "--quiet"});
+    CHECK(half.code == 2);
+    CHECK(contains(half.err, "--eye 0.3,0.3,0.3"));
+    CHECK(contains(half.err, "give target_m too"));
+    CHECK(contains(half.err, "for example --eye 1,1,0.5 --target 0,0,0"));
+    const Outcome eye =
+        tumble_in(folder, {"render", "a", "--eye", "0.3,0.3,0.3", "--target", "0,0,0", "--size", "320x180", "--quiet"});
     CHECK_MESSAGE(eye.code == 0, eye.err);
     CHECK(fs::exists(folder.path / "a/redrawn/free_speed"));
     const Outcome side =

@@ -45,11 +45,29 @@ TEST_CASE("a run that is there already is taken as it is, and costs no minutes")
     CHECK(made.err.find("run drum") == std::string::npos);
     CHECK(fs::exists(folder.path / "pictures/arrows.png"));
     CHECK(content_of(folder.path / "there/run.json") == before);
-    for (const char* wrong : {"drum", "drum=", "drums=there"}) {
+    for (const auto& [wrong, words] :
+         {std::pair{"drum", "--run drum: there is no = between a name and a folder"},
+          {"drum=", "--run drum=: no folder is named"},
+          {"drums=there", "--run drums=there: the gallery has no run 'drums'; did you mean"},
+          {"=there", "the gallery has no run ''"}}) {
         const Outcome refused = tumble_in(folder, {"gallery", "--out", "pictures", "--run", wrong});
         CHECK(refused.code == 2);
+        CHECK(contains(refused.err, words));
         CHECK(contains(refused.err, "write --run NAME=DIR with one of drum, "));
     }
+    const Outcome twice =
+        tumble_in(folder, {"gallery", "--out", "pictures", "--run", "drum=there", "--run", "drum=there"});
+    CHECK(twice.code == 2);
+    CHECK(contains(twice.err, "given twice"));
+    fs::create_directory(folder.path / "empty");
+    CHECK(contains(tumble_in(folder, {"gallery", "--out", "pictures", "--run", "drum=empty"}).err,
+                   "is no folder that the run drum has filled"));
+    // What follows the one value of --run is a picture.
+    const Outcome named = tumble_in(folder, {"gallery", "--out", "more", "--run", "drum=there", "arrows.png"});
+    CHECK_MESSAGE(named.code == 0, named.err);
+    CHECK(named.out == "1 picture in more\n");
+    const Outcome listed = tumble_in(folder, {"gallery", "--list"});
+    CHECK(contains(listed.out, "run drum, smooth"));
     const Outcome missing = tumble_in(folder, {"gallery", "--out", "pictures", "--run", "bowl-full=nowhere"});
     CHECK(missing.code == 2);
     CHECK(contains(missing.err, "is no folder that the run bowl-full has filled"));

@@ -62,6 +62,11 @@ TEST_CASE(
     CHECK_MESSAGE(svg.code == 0, svg.err);
     CHECK(contains(svg.out, "a.svg: 1 picture from t = "));
     CHECK(contains(content_of(folder.path / "a.svg"), "width=\"85mm\" height=\"60mm\""));
+    CHECK(content_of(folder.path / "a.svg").find("kinetic energy") == std::string::npos);
+    const Outcome plot = tumble_in(
+        folder, {"render", "disc", "--size-mm", "160x100", "--plot", "kinetic_energy", "--out", "plot.svg", "--quiet"});
+    CHECK_MESSAGE(plot.code == 0, plot.err);
+    CHECK(contains(content_of(folder.path / "plot.svg"), "kinetic energy"));
     const Outcome pdf = tumble_in(folder, {"render", "disc", "--out", "new/a.pdf", "--json"});
     CHECK_MESSAGE(pdf.code == 0, pdf.err);
     CHECK(nlohmann::json::parse(pdf.out)["pictures"] == "new/a.pdf");
@@ -79,6 +84,108 @@ TEST_CASE(
         CHECK(refused.code == 2);
         CHECK_MESSAGE(contains(refused.err, words), refused.err);
         CHECK(!fs::exists(folder.path / "b.svg"));
+    }
+}
+
+TEST_CASE("a picture's name ends as one of the kinds that there are, in whatever letters, and a video's as a video's") {
+    const Folder folder;
+    put(folder.path / "disc.toml", lying_disc);
+    put(folder.path / "ball.toml", bouncing_ball(0.02));
+    for (const char* scene : {"disc", "ball"})
+        REQUIRE(tumble_in(folder, {"run", std::string(scene) + ".toml", "--out", scene, "--quiet"}).code == 0);
+    for (const char* name : {"a.SVG", "a.Pdf"}) {
+        const Outcome drawn = tumble_in(folder, {"render", "disc", "--out", name, "--quiet"});
+        CHECK_MESSAGE(drawn.code == 0, drawn.err);
+        CHECK(fs::is_regular_file(folder.path / name));
+    }
+    const Outcome one =
+        tumble_in(folder, {"render", "ball", "--strip", "1", "--size", "320x240", "--out", "one.PNG", "--quiet"});
+    CHECK_MESSAGE(one.code == 0, one.err);
+    CHECK(content_of(folder.path / "one.PNG").starts_with("\x89PNG"));
+    fs::create_directory(folder.path / "of.txt"); // a folder that is there may be called so
+    CHECK(tumble_in(folder, {"render", "disc", "--out", "of.txt", "--quiet"}).code == 0);
+    for (const auto& [flags, words] :
+         {std::pair{std::vector<std::string>{"disc", "--out", "x.jpg"}, "pictures are not written as .jpg"},
+          {{"disc", "--strip", "2", "--out", "x.JPG"}, "pictures are not written as .jpg"},
+          {{"disc", "--out", "x.txt"}, "in .png with --strip or --sections"},
+          {{"disc", "--out", "x.mp4"}, "write --video x.mp4"},
+          {{"disc", "--out", "x.PNG"}, "--strip 1 draws the last frame alone"},
+          {{"disc", "--video", "x.png"}, "call it x.mp4; --out is for pictures"},
+          {{"disc", "--video", "x"}, "call it x.mp4"},
+          {{"disc", "--beside", "disc", "--out", "x.png"}, "--time A: leaves the frames from A on"},
+          {{"disc", "--beside", "disc", "--out", "x.gif"}, "pictures are not written as .gif"},
+          {{"disc.toml", "--out", "x.png"}, "--out names the folder of a scene's run"},
+          {{"disc.toml", "--video", "x.avi"}, "call it x.mp4"}}) {
+        std::vector<std::string> all{"render"};
+        all.insert(all.end(), flags.begin(), flags.end());
+        const Outcome refused = tumble_in(folder, all);
+        CAPTURE(words);
+        CHECK(refused.code == 2);
+        CHECK_MESSAGE(contains(refused.err, words), refused.err);
+        for (const char* name : {"x", "x.jpg", "x.JPG", "x.txt", "x.mp4", "x.PNG", "x.png", "x.gif", "x.avi", "out"})
+            CHECK(!fs::exists(folder.path / name));
+    }
+}
+
+TEST_CASE("trails are of bodies that the run has, each once") {
+    const Folder folder;
+    put(folder.path / "disc.toml", lying_disc);
+    REQUIRE(tumble_in(folder, {"run", "disc.toml", "--out", "disc", "--quiet"}).code == 0);
+    for (const auto& [trails, words] : {std::pair{"7", "there is no body '7' whose trail could be drawn"},
+                                        {"7", "take an id from 0 to 0, or disc"},
+                                        {"0,0", "'0' is given twice"},
+                                        {"disc,0", "are those of one body"},
+                                        {"dsic", "no body is called 'dsic'"}})
+        for (const std::vector<std::string>& more :
+             std::vector<std::vector<std::string>>{{"--out", "x"},
+                                                   {"--out", "x", "--strip", "2"},
+                                                   {"--out", "x.svg"},
+                                                   {"--beside", "disc", "--out", "x"}}) {
+            std::vector<std::string> all{"render", "disc", "--trails", trails};
+            all.insert(all.end(), more.begin(), more.end());
+            const Outcome refused = tumble_in(folder, all);
+            CAPTURE(words);
+            CHECK(refused.code == 2);
+            CHECK_MESSAGE(contains(refused.err, words), refused.err);
+            CHECK(!fs::exists(folder.path / "x"));
+            CHECK(!fs::exists(folder.path / "x.svg"));
+        }
+}
+
+TEST_CASE("plot says where a file cannot be written, and leaves no part of one" *
+          doctest::skip(std::system("gnuplot --version >/dev/null 2>&1") != 0)) {
+    const Folder folder;
+    put(folder.path / "disc.toml", lying_disc);
+    REQUIRE(tumble_in(folder, {"run", "disc.toml", "--out", "a", "--quiet"}).code == 0);
+    put(folder.path / "file", "");
+    fs::create_directory(folder.path / "folder.png");
+    fs::create_directory(folder.path / "taken.png.part"); // where the picture would grow
+    for (const auto& [file, words] : {std::pair{"file/a.png", "file: cannot be made"},
+                                      {"/proc/tumble/a.png", "/proc/tumble: cannot be made"},
+                                      {"/proc/a.png", "/proc/a.png: cannot write the file"},
+                                      {"folder.png", "folder.png: cannot write the file: Is a directory"},
+                                      {"taken.png", "taken.png: cannot write the file: Is a directory"}}) {
+        const Outcome refused = tumble_in(folder, {"plot", "a", "--out", file});
+        CHECK(refused.code == 2);
+        CHECK_MESSAGE(contains(refused.err, words), refused.err);
+        CHECK(!fs::is_regular_file(folder.path / file));
+    }
+    const Outcome large = tumble_in(folder, {"plot", "a", "--out", "a.PDF", "--quiet"});
+    CHECK_MESSAGE(large.code == 0, large.err);
+    CHECK(content_of(folder.path / "a.PDF").starts_with("%PDF"));
+    for (const auto& entry : fs::directory_iterator(folder.path))
+        if (entry.path().extension() == ".part")
+            CHECK(entry.path().filename() == "taken.png.part");
+}
+
+TEST_CASE("a folder that tumble stress filled is no run to draw or plot, and what does is said") {
+    const Folder folder;
+    fs::create_directories(folder.path / "s");
+    put(folder.path / "s/study.txt", "");
+    for (const char* command : {"render", "plot"}) {
+        const Outcome refused = tumble_in(folder, {command, "s"});
+        CHECK(refused.code == 2);
+        CHECK_MESSAGE(contains(refused.err, "`tumble stress s --pictures` draws them"), refused.err);
     }
 }
 

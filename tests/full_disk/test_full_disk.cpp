@@ -2,6 +2,7 @@
 #include "cli/process.h"
 
 #include <cstdio>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <sys/mount.h>
 
@@ -114,6 +115,20 @@ TEST_CASE("a disk that runs full while a run is redrawn or exported has code 1, 
         CHECK(outcome.code == 1);
         CHECK(contains(outcome.err, "No space left on device"));
         CHECK_FALSE(outcome.err.find("--out") != std::string::npos);
+        CHECK(fs::is_empty(folder.path / "disk"));
+    }
+}
+
+TEST_CASE("a disk that runs full while a plot is drawn has code 1, and leaves no part of it" *
+          doctest::skip(std::system("gnuplot --version >/dev/null 2>&1") != 0)) {
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(0.5));
+    REQUIRE(tumble_in(folder, {"run", "ball.toml", "--quiet"}).code == 0);
+    const SmallDisk disk(folder.path / "disk", "8k");
+    for (const char* file : {"disk/a.png", "disk/a.svg", "disk/a.pdf"}) {
+        const Outcome plotted = tumble_in(folder, {"plot", "out/ball", "--out", file});
+        CHECK(plotted.code == 1);
+        CHECK(contains(plotted.err, "as on a disk that is full"));
         CHECK(fs::is_empty(folder.path / "disk"));
     }
 }

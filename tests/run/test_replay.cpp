@@ -197,6 +197,81 @@ TEST_CASE("frames of a killed run that cannot be read are left out with a warnin
     CHECK_FALSE(content_of(options.text_dump).empty());
 }
 
+TEST_CASE("where frames are missing is told, once, and not where the run merely ends between two of them") {
+    const Folder folder;
+    run::RunOptions running;
+    running.folder = folder.path / "ball";
+    run::RunListener listener;
+    // Frames at 0, 2, 4, ... 20 ms and at the end.
+    REQUIRE(run::run_scene(loaded(falling_ball, {"render.every_s=0.002", "duration_s=0.021"}), running, listener).ok());
+    const auto warnings = [&](const run::ReplayOptions& when = {}) {
+        const auto recording = run::open_recording(running.folder, when, run::Reading::heads);
+        REQUIRE(recording.ok());
+        CHECK(run::pace_of(recording->frames) == about(0.002));
+        return recording->warnings;
+    };
+    CHECK(warnings().empty());
+    const auto frames = observe::list_frames(running.folder / "frames");
+    REQUIRE(frames.size() == 12);
+    fs::remove(frames[3]);
+    CHECK(warnings() == std::vector<std::string>{"frames are missing between t = 0.004 and 0.008 s, 1 in all: trails "
+                                                 "have gaps there, and means go without them"});
+    CHECK(warnings({.from = 0.004, .to = 0.008}).size() == 1); // of two frames that are not neighbours
+    CHECK(warnings({.from = 0.01}).empty());
+    fs::remove(frames[6]);
+    fs::remove(frames[7]);
+    CHECK(warnings()[0].starts_with("frames are missing between t = 0.004 and 0.008 s and in 1 other place, 3 in all"));
+}
+
+TEST_CASE("a trail of a body that the run has not is refused with those there are, and so are two of one body") {
+    const Folder folder;
+    const auto recording = run::open_recording(finished_run(folder), {});
+    REQUIRE(recording.ok());
+    const auto problems = [&](const std::vector<std::string>& trails) {
+        return run::check_trails({&*recording, 1}, trails).problems();
+    };
+    CHECK(problems({}).empty());
+    CHECK(problems({"0"}).empty());
+    CHECK(problems({"ball"}).empty());
+    for (const char* nobody : {"1", "00", "bell"}) {
+        REQUIRE(problems({"0", nobody}).size() == 1);
+        CHECK(problems({"0", nobody})[0].key == "render.trails");
+        CHECK(problems({"0", nobody})[0].what.starts_with(std::string("there is no body '") + nobody + "'"));
+        CHECK(problems({"0", nobody})[0].fix == "take an id from 0 to 0, or ball for the first of that name");
+    }
+    REQUIRE(problems({"ball", "0"}).size() == 1);
+    CHECK(problems({"ball", "0"})[0].what == "the trails of 'ball' and '0' are those of one body");
+}
+
+TEST_CASE("pictures in which no body is to be seen are told, with why") {
+    const Folder folder;
+    const fs::path run = finished_run(folder);
+    const auto warned = [&](const std::vector<std::string>& sets, double to = 1) {
+        run::RedrawOptions options;
+        options.settings = loaded(falling_ball, sets).render;
+        options.settings.plot_measure = "centre_of_mass_y"; // which the run has kept
+        options.targets.folder = folder.path / "drawn";
+        options.overwrite = true;
+        options.when.to = to;
+        const auto done = run::redraw(run, options, silent);
+        REQUIRE_MESSAGE(done.ok(), to_string(done.problems()));
+        return done->warnings.empty() ? std::string() : done->warnings.back();
+    };
+    CHECK(warned({}) == "");
+    const std::vector<std::string> low{"render.clip_lo_m=[-1,-1,-1]", "render.clip_hi_m=[1,0.4,1]"};
+    CHECK(warned(low).starts_with("no body is to be seen in any of these pictures: the clip or cut leaves none"));
+    CHECK(warned(low, 0).starts_with("no body is to be seen in this picture: "));
+    // The ball is at first at 0.5 m, falls by 2 mm and has a radius of 10 mm: cut open at 0.495 m it is seen.
+    CHECK(warned({"render.clip_lo_m=[-1,-1,-1]", "render.clip_hi_m=[1,0.495,1]", "render.clip_cuts=true"}) == "");
+    for (const char* projection : {"orthographic", "perspective"})
+        CHECK(warned({"render.camera=free", "render.eye_m=[0.3,0.1,0]", "render.target_m=[0,0,0]",
+                      std::string("render.projection=") + projection, "render.field_of_view_deg=20"})
+                  .find("all lie outside of what the camera shows") != std::string::npos);
+    CHECK(warned({"render.camera=free", "render.eye_m=[0,0.5,0.3]", "render.target_m=[0,0.5,1]",
+                  "render.projection=perspective"})
+              .find("all lie outside") != std::string::npos); // behind the eye
+}
+
 TEST_CASE("an opened run knows its frames' times; where heads were enough, what is damaged is found when it is read") {
     const Folder folder;
     const fs::path run = finished_run(folder);

@@ -5,6 +5,8 @@
 #include "scenes.h"
 
 #include <doctest/doctest.h>
+#include <set>
+#include <utility>
 
 namespace test_series_plot {
 
@@ -131,6 +133,22 @@ TEST_CASE("several runs lie over each other in colours of their own, by their na
     CHECK(dashed.stack.panels[0].traces[3].ink.dashes == 1);
     CHECK(!dashed.stack.legend[1].color);
     CHECK(dashed.stack.legend[1].dashes == 1);
+}
+
+TEST_CASE("more runs than there are colours get dashes too, and a warning says where lines look alike all the same") {
+    const Folder folder;
+    const std::vector<fs::path> eight(8, fallen(folder.path / "a"));
+    const run::SeriesPlot one = plotted(eight, {.measures = {"centre_of_mass_y"}});
+    std::set<std::pair<std::size_t, std::size_t>> looks;
+    for (const sheet::Trace& trace : one.stack.panels[0].traces)
+        looks.emplace(trace.ink.color.value() % sheet::colors, trace.ink.dashes % sheet::dash_patterns);
+    CHECK(looks.size() == 8);
+    CHECK(one.stack.legend[7].dashes == one.stack.panels[0].traces[7].ink.dashes);
+    CHECK(one.warnings.empty());
+    const run::SeriesPlot several = plotted(eight, {.measures = {"centre_of_mass"}});
+    REQUIRE(several.warnings.size() == 1);
+    CHECK(several.warnings[0].starts_with("8 runs have only 5 kinds of dashes between them"));
+    CHECK(plotted({eight.begin(), eight.begin() + 5}, {.measures = {"centre_of_mass"}}).warnings.empty());
 }
 
 TEST_CASE("what only one of two runs has is plotted of that, with a warning; a folder that is no run is refused") {

@@ -246,11 +246,19 @@ TEST_CASE("bytes that are no text are refused by line, not by a crash") {
     CHECK(scene.problems()[0].line == 1);
 }
 
-TEST_CASE("a free camera without a place is taken, and one with only half of it too") {
-    for (const char* more : {"[render]\ncamera = \"free\"", "[render]\ncamera = \"free\"\neye_m = [1, 0, 0]"}) {
+TEST_CASE("a free camera without a place is taken, one with only half of it is not, unless another camera is") {
+    const std::string free = "[render]\ncamera = \"free\"\n";
+    for (const std::string& more : {free, free + "eye_m = [1, 0, 0]\ntarget_m = [0, 0, 0]",
+                                    std::string("[render]\ncamera = \"side\"\neye_m = [1, 0, 0]")}) {
         const auto scene = load(more);
         REQUIRE_MESSAGE(scene, to_string(scene.problems()));
         CHECK(scene->render.target == Vector3d::Zero());
+    }
+    for (const auto& [half, other] : {std::pair{"eye_m", "give target_m too"}, {"target_m", "give eye_m too"}}) {
+        const auto scene = load(free + half + " = [1, 0, 0]");
+        REQUIRE(scene.problems().size() == 1);
+        CHECK(scene.problems()[0].key == std::string("render.") + half);
+        CHECK(scene.problems()[0].fix.starts_with(other));
     }
 }
 

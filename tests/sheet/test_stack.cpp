@@ -53,6 +53,8 @@ TEST_CASE("a canvas has the size in print that is asked for, and letters of so m
     CHECK(open_canvas(column, "a.png").starts_with("set terminal pngcairo size 1004,709 font 'DejaVu Sans,25'"));
     CHECK(open_canvas(column, "a.pdf").starts_with("set terminal pdfcairo size 8.5cm,6cm font 'DejaVu Sans,6'"));
     CHECK(check_drawable("a.pdf").ok());
+    CHECK(check_drawable("a.PDF").ok());
+    CHECK(open_canvas(column, "a.PDF").starts_with("set terminal pdfcairo"));
     CHECK(!check_drawable("a.jpg").ok());
 }
 

@@ -108,6 +108,8 @@ int keep_picture(const ViewArguments& arguments, view::Studio& studio, const sce
     view::StillWishes wishes{.step = scene.step(), .every = scene.render.every, .tab = arguments.tab};
     if (const auto problem = read_time_range(arguments.time, wishes.from, wishes.to))
         return refuse({*problem}, arguments.json, wrong);
+    if (const auto shown = studio.source().find(wishes.from, wishes.to); !shown)
+        return refuse(shown.problems(), arguments.json, wrong);
     const auto picture = view::take_still(studio, wishes, &watch_for_stop());
     if (stop_wanted(&watch_for_stop()))
         return stop_code();

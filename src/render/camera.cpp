@@ -184,8 +184,12 @@ static Result<Vector3d> direction_of(const scene::Render& settings) {
     return Vector3d(1.0, -0.55, -0.75);
 }
 
+double view_height(const Area& area, const std::optional<Held>& held) {
+    return held && held->shape > 0 ? std::min(area.height(), area.width() / held->shape) : area.height();
+}
+
 Result<Camera> make_camera(const scene::Render& settings, const Eigen::AlignedBox3d& box, const Area& area, double time,
-                           bool held) {
+                           const std::optional<Held>& held) {
     const auto direction = direction_of(settings);
     if (!direction) {
         return direction.problems();
@@ -211,7 +215,7 @@ Result<Camera> make_camera(const scene::Render& settings, const Eigen::AlignedBo
     if (settings.camera == "free" && settings.eye != settings.target) {
         camera.eye = turns ? Vector3d(settings.target + turn * (settings.eye - settings.target)) : settings.eye;
         camera.target = settings.target;
-        camera.scale = 0.5 * area.height() / std::tan(0.5 * field_of_view);
+        camera.scale = 0.5 * view_height(area, held) / std::tan(0.5 * field_of_view);
         if (!camera.perspective) {
             camera.scale /= (settings.target - settings.eye).norm();
         }

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace tumble::render {
@@ -63,14 +64,23 @@ Eigen::AlignedBox3d bounds_of(const observe::Frame& frame);
 /// Free room between what a camera fits and the edge of its area, as a share of the area.
 constexpr double camera_margin = 0.03;
 
+/// A hand chose what is seen, in an area of that shape: all that could be seen there stays in sight.
+struct Held {
+    double shape = 0; // width over height; 0: that of the area itself
+};
+
+/// Pixels of an area that the field of view of a free camera spans upright: the area's height, or as much of it as
+/// keeps in sight what a hand chose.
+double view_height(const Area& area, const std::optional<Held>& held);
+
 /// The camera that settings ask for. front looks along +x (y up, z to the right), side along -z (y up, x to the right),
 /// top along -y (x to the right, z downwards); they fit `box` (m) into `area` with a small margin. free takes eye,
 /// target and field of view (of the area's height), target in the area's middle; without eye and target it looks at the
 /// box from the front, right and above. In an area narrower than 6:5 a free camera with an eye opens wider, as far as
-/// the box needs it and one of 6:5 would show of it, unless it is `held` by a hand that chose what is seen. Where
-/// settings have it turn, it is the one of that time (s), and what it fits fits from all around, at one scale. Problems
-/// name an unknown camera or projection and a free camera without direction.
+/// the box needs it and one of 6:5 would show of it, unless it is `held` by a hand. Where settings have it turn, it is
+/// the one of that time (s), and what it fits fits from all around, at one scale. Problems name an unknown camera or
+/// projection and a free camera without direction.
 Result<Camera> make_camera(const scene::Render& settings, const Eigen::AlignedBox3d& box, const Area& area,
-                           double time = 0, bool held = false);
+                           double time = 0, const std::optional<Held>& held = {});
 
 } // namespace tumble::render

@@ -22,6 +22,10 @@ std::string plane_words(int axis, double place, bool above) {
                        place < 0 && number != "0" ? "\u2212" : "", number);
 }
 
+std::string section_words(int axis, double place, bool above, bool cuts) {
+    return (cuts ? "cut: " : "shown: ") + plane_words(axis, place, above);
+}
+
 std::vector<std::string> clip_words(const Eigen::AlignedBox3d& clip, bool cuts, const observe::FrameLayout& layout) {
     std::vector<std::string> rows;
     for (int axis = 0; axis < 3; ++axis) {
@@ -30,7 +34,7 @@ std::vector<std::string> clip_words(const Eigen::AlignedBox3d& clip, bool cuts, 
         for (const bool above : {true, false}) {
             const double place = above ? clip.min()[axis] : clip.max()[axis];
             if (place > lo + least && place < hi - least) {
-                rows.push_back((cuts ? "cut: " : "shown: ") + plane_words(axis, place, above));
+                rows.push_back(section_words(axis, place, above, cuts));
             }
         }
     }

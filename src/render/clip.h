@@ -17,8 +17,11 @@ std::optional<Eigen::AlignedBox3d> clip_of(const scene::Render& settings, const 
 /// what lies above it.
 std::string plane_words(int axis, double place, bool above);
 
-/// What a clip shows, a row for each face that cuts through the scene's domain: "cut: z ≤ 27 mm" where it cuts bodies
-/// open, "shown: z ≤ 27 mm" where those whose centres lie beyond are left out.
+/// The same with what the plane does: "cut: z ≤ 27 mm" where it cuts bodies open, "shown: z ≤ 27 mm" where those whose
+/// centres lie beyond are left out.
+std::string section_words(int axis, double place, bool above, bool cuts);
+
+/// What a clip shows, section_words for each face that cuts through the scene's domain.
 std::vector<std::string> clip_words(const Eigen::AlignedBox3d& clip, bool cuts, const observe::FrameLayout& layout);
 
 } // namespace tumble::render

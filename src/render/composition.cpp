@@ -68,8 +68,10 @@ OverlayContent Composition::expected_content(const Camera& seen) const {
 /// Settles panels and camera for what has been fitted.
 void Composition::arrange() {
     const auto look = [&](const Area& area) { return *make_camera(settings, box(), area, 0, held); };
+    // What a hand chose grows with the area's height alone: which arrangement is the better one it cannot tell.
+    const std::optional<Held> of_shape = held && held->shape > 0 ? held : std::nullopt;
     const auto zoom = [&](const Area& area) {
-        const Camera tried = look(area);
+        const Camera tried = *make_camera(settings, box(), area, 0, of_shape);
         return tried.pixels_per_metre(tried.target);
     };
     const int rows = key_rows(settings, *layout);

@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace tumble::render {
@@ -30,7 +31,7 @@ struct Composition {
 
     Eigen::AlignedBox3d fitted;
     bool arranged = false;
-    bool held = false; // the camera, by a hand
+    std::optional<Held> held; // the camera, by a hand
     Layout arrangement;
     Camera camera;
     Span span; // of the colours, SI

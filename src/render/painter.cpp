@@ -136,8 +136,8 @@ Result<Done> Painter::restyle(const scene::Render& settings) {
     return inside_->restyle(settings);
 }
 
-void Painter::hold_camera(bool on) {
-    inside_->held = on;
+void Painter::hold_camera(const std::optional<Held>& held) {
+    inside_->held = held;
 }
 
 void Painter::fit(const AlignedBox3d& box) {

@@ -14,6 +14,7 @@
 #include "scene/scene.h"
 
 #include <memory>
+#include <optional>
 
 namespace tumble::render {
 
@@ -55,8 +56,9 @@ public:
     /// open() about camera and colours; nothing has changed then.
     Result<Done> restyle(const scene::Render& settings);
 
-    /// While a hand holds the camera a narrow picture shows what the hand chose, and no more (render/camera.h).
-    void hold_camera(bool on);
+    /// While a hand holds the camera a narrow picture shows what the hand chose, and no more; without a value none
+    /// holds it. Takes effect with the next restyle() or arrangement.
+    void hold_camera(const std::optional<Held>& held);
 
     /// From the next picture on, pictures are of that size (pixels); what counts on from the frames so far, trails and
     /// scales, stays. Problems: those of open() about the size; nothing has changed then.

@@ -31,7 +31,7 @@ private:
 Result<std::unique_ptr<FrameSink>> keep_pictures(const scene::Render& settings,
                                                  std::shared_ptr<const observe::FrameLayout> layout,
                                                  const PictureTargets& targets, const Eigen::AlignedBox3d& fit,
-                                                 const Recording* to_come) {
+                                                 const Recording* to_come, const std::optional<render::Held>& held) {
     Result<render::Painter> painter = render::Painter::open(settings, std::move(layout));
     if (!painter)
         return painter.problems();
@@ -40,6 +40,7 @@ Result<std::unique_ptr<FrameSink>> keep_pictures(const scene::Render& settings,
     if (to_come)
         if (const auto pace = pace_of(to_come->frames))
             painter->expect_pace(*pace);
+    painter->hold_camera(held);
     if (to_come && settings.marks.arrows == "field")
         for (const RecordedFrame& recorded : to_come->frames)
             if (const Result<observe::Frame> frame = observe::read_frame(recorded.file, to_come->layout))

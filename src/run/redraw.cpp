@@ -44,7 +44,8 @@ Result<Replayed> redraw(const fs::path& run, const RedrawOptions& options, const
     FrameSinks sinks;
     const bool as_lines = !options.targets.drawing.empty();
     auto sink = as_lines ? keep_drawing(*settings, *recording, options.targets.drawing)
-                         : keep_pictures(*settings, recording->layout, options.targets, recording->bounds, &*recording);
+                         : keep_pictures(*settings, recording->layout, options.targets, recording->bounds, &*recording,
+                                         options.held);
     if (!sink)
         return sink.problems();
     sinks.push_back(std::move(*sink));

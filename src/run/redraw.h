@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/camera.h"
 #include "run/picture_files.h"
 #include "run/replay.h"
 #include "scene/scene.h"
@@ -14,6 +15,7 @@ struct RedrawOptions {
     PictureTargets targets;
     bool overwrite = false;
     ReplayOptions when;
+    std::optional<render::Held> held{}; // the camera, by a hand of a view
 };
 
 /// The run's layout with title and walls as the options have them.

@@ -53,9 +53,14 @@ std::vector<std::string> unfinished(const RunFolder& folder) {
     return {fmt::format("this run {}; run.json knows of t = {:.6g} s", became, json["time_s"].get<double>())};
 }
 
-/// s by which a frame may miss the time that it stands for, roundings included.
+/// s, roundings included.
 double slack_of(const observe::FrameHead& frame) {
     return frame.step > 0 ? 0.5 * (1 + 1e-9) * frame.time / static_cast<double>(frame.step) : 0;
+}
+
+/// s from a frame to a stretch of time.
+double away_from(double time, double from, double to) {
+    return std::max({from - time, time - to, 0.0});
 }
 
 /// Frames and what is wrong with others, read once from first to last.
@@ -63,10 +68,7 @@ struct Survey {
     std::vector<RecordedFrame> wanted;
     Eigen::AlignedBox3d bounds; // m, of the wanted
     Problems damaged;
-    double first = std::numeric_limits<double>::infinity(); // s
-    double last = -std::numeric_limits<double>::infinity(); // s
-    double nearest = 0;                                     // s
-    double away = std::numeric_limits<double>::infinity();  // s, of the nearest to the stretch of time
+    std::vector<double> times; // s, of all that can be read
 };
 
 Survey survey(const RunFolder& folder, const std::shared_ptr<const observe::FrameLayout>& layout,
@@ -79,8 +81,8 @@ Survey survey(const RunFolder& folder, const std::shared_ptr<const observe::Fram
             append(found.damaged, head.problems());
             continue;
         }
-        const double away = std::max({options.from - head->time, head->time - options.to, 0.0});
-        const bool wanted = away <= slack_of(*head);
+        const RecordedFrame recorded{file, head->time, head->contacts, slack_of(*head)};
+        const bool wanted = is_within(recorded, options.from, options.to);
         if (wanted && reading == Reading::whole) {
             const Result<observe::Frame> frame = observe::read_frame(file, layout);
             if (!frame) {
@@ -89,26 +91,18 @@ Survey survey(const RunFolder& folder, const std::shared_ptr<const observe::Fram
             }
             bounds.take_in(*frame);
         }
-        found.first = std::min(found.first, head->time);
-        found.last = std::max(found.last, head->time);
-        if (away < found.away)
-            found.nearest = head->time;
-        found.away = std::min(found.away, away);
+        found.times.push_back(head->time);
         if (wanted)
-            found.wanted.push_back({file, head->time, head->contacts});
+            found.wanted.push_back(recorded);
     }
     found.bounds = bounds.box();
     return found;
 }
 
-Problems nothing_to_show(const std::filesystem::path& root, const Survey& found) {
+Problems nothing_to_show(const std::filesystem::path& root, const Survey& found, const ReplayOptions& options) {
     Problems problems = found.damaged;
-    if (found.first <= found.last)
-        problems.insert(problems.begin(),
-                        {.file = root.string(),
-                         .what = "there is no readable frame in the time asked for",
-                         .fix = fmt::format("the nearest is at {:.6g} s; they go from {:.6g} to {:.6g} s",
-                                            found.nearest, found.first, found.last)});
+    if (!found.times.empty())
+        problems.insert(problems.begin(), refuse_time(root.string(), found.times, options.from, options.to));
     else if (problems.empty())
         problems.push_back({.file = root.string(), .what = "this run has kept no frame", .fix = "run the scene again"});
     return problems;
@@ -160,6 +154,20 @@ std::optional<double> pace_of(const std::vector<RecordedFrame>& frames) {
     return *middle;
 }
 
+bool is_within(const RecordedFrame& frame, double from, double to) {
+    return away_from(frame.time, from, to) <= frame.slack;
+}
+
+Problem refuse_time(const std::string& run, const std::vector<double>& times, double from, double to) {
+    const auto [first, last] = std::minmax_element(times.begin(), times.end());
+    const auto nearest = std::min_element(times.begin(), times.end(), [&](double a, double b) {
+        return away_from(a, from, to) < away_from(b, from, to);
+    });
+    return {.file = run,
+            .what = "there is no readable frame in the time asked for",
+            .fix = fmt::format("the nearest is at {:.6g} s; they go from {:.6g} to {:.6g} s", *nearest, *first, *last)};
+}
+
 Result<Recording> open_recording(const std::filesystem::path& root, const ReplayOptions& options, Reading reading) {
     const Result<RunFolder> folder = find_run(root);
     if (!folder)
@@ -169,7 +177,7 @@ Result<Recording> open_recording(const std::filesystem::path& root, const Replay
         return layout.problems();
     const Survey found = survey(*folder, *layout, options, reading);
     if (found.wanted.empty())
-        return nothing_to_show(root, found);
+        return nothing_to_show(root, found, options);
     Recording recording{*folder, *layout, found.wanted, unfinished(*folder), found.bounds};
     for (const Problem& problem : found.damaged)
         recording.warnings.push_back(left_out({problem}));

@@ -42,6 +42,7 @@ struct RecordedFrame {
     std::filesystem::path file;
     double time = 0;       // s
     bool contacts = false; // it has kept who touches whom
+    double slack = 0;      // s by which it may miss the time that it stands for: half a step
 };
 
 /// An opened run: its layout and the frames in the wanted stretch of time.
@@ -61,7 +62,15 @@ enum class Reading { whole, heads };
 /// s, that usually lie between frames; nothing where there are not two of them.
 std::optional<double> pace_of(const std::vector<RecordedFrame>& frames);
 
-/// Frames sit at the steps nearest to their times, so half a step counts as no difference. Problems: no run's folder, a
+/// Whether a frame lies in a stretch of time (s): frames sit at the steps nearest to their times, so half a step counts
+/// as no difference.
+bool is_within(const RecordedFrame& frame, double from, double to);
+
+/// Why nothing can be shown of a stretch of time in which no frame lies; `times` (all s) are those of the run's frames,
+/// one at least.
+Problem refuse_time(const std::string& run, const std::vector<double>& times, double from, double to);
+
+/// With the frames that lie in the stretch of time. Problems: no run's folder, a
 /// broken layout, no readable frame in the stretch of time.
 Result<Recording> open_recording(const std::filesystem::path& root, const ReplayOptions& options,
                                  Reading reading = Reading::whole);

@@ -108,7 +108,7 @@ Result<std::vector<Part>> sections(const Recording& recording, const StripOption
         scene::Box clip =
             settings.clip.value_or(scene::Box{Eigen::Vector3d::Constant(-1e4), Eigen::Vector3d::Constant(1e4)});
         (upwards ? clip.lo : clip.hi)[axis] = cut;
-        parts.push_back({last, clip, render::plane_words(axis, cut, upwards), frame->time});
+        parts.push_back({last, clip, render::section_words(axis, cut, upwards, settings.clip_cuts), frame->time});
     }
     return parts;
 }

@@ -15,24 +15,24 @@ namespace tumble::view {
 /// How pictures are to look, from that number on: a frame is drawn some time after it was shot.
 class FilmLooks {
 public:
-    void set(std::int64_t shot, const scene::Render& look) {
+    void set(std::int64_t shot, const FilmLook& look) {
         const std::lock_guard lock(mutex_);
         looks_[shot] = look;
     }
     /// If another begins with that picture.
-    std::optional<scene::Render> take(std::int64_t shot) {
+    std::optional<FilmLook> take(std::int64_t shot) {
         const std::lock_guard lock(mutex_);
         const auto found = looks_.find(shot);
         if (found == looks_.end())
             return std::nullopt;
-        scene::Render look = std::move(found->second);
+        FilmLook look = std::move(found->second);
         looks_.erase(found);
         return look;
     }
 
 private:
     std::mutex mutex_;
-    std::map<std::int64_t, scene::Render> looks_;
+    std::map<std::int64_t, FilmLook> looks_;
 };
 
 namespace {
@@ -43,9 +43,11 @@ public:
         : painter_(std::move(painter)), files_(std::move(files)), looks_(std::move(looks)) {}
 
     Result<Done> take(const run::Shot& shot) override {
-        if (const auto look = looks_->take(shot.number))
-            if (Result<Done> styled = painter_.restyle(*look); !styled)
+        if (const auto look = looks_->take(shot.number)) {
+            painter_.hold_camera(look->held);
+            if (Result<Done> styled = painter_.restyle(look->settings); !styled)
                 return styled;
+        }
         return files_.add(painter_.draw(shot.frame, shot.plot), shot.number);
     }
     Result<Done> finish() override { return files_.finish(); }
@@ -65,32 +67,31 @@ struct Film::Inside {
         : looks(std::move(shared)), queue(std::move(sinks)) {}
 };
 
-Film::Film(std::unique_ptr<Inside> inside, const scene::Render& look, run::Schedule schedule,
-           std::filesystem::path file)
+Film::Film(std::unique_ptr<Inside> inside, const FilmLook& look, run::Schedule schedule, std::filesystem::path file)
     : inside_(std::move(inside)), look_(look), schedule_(schedule), file_(std::move(file)) {}
 Film::~Film() = default;
 
-Result<std::unique_ptr<Film>> Film::open(const scene::Render& settings,
-                                         std::shared_ptr<const observe::FrameLayout> layout,
+Result<std::unique_ptr<Film>> Film::open(const FilmLook& look, std::shared_ptr<const observe::FrameLayout> layout,
                                          const std::filesystem::path& file, const Eigen::AlignedBox3d& bounds,
                                          double step) {
-    Result<render::Painter> painter = render::Painter::open(settings, std::move(layout));
+    Result<render::Painter> painter = render::Painter::open(look.settings, std::move(layout));
     if (!painter)
         return painter.problems();
     painter->fit(bounds);
-    Result<run::PictureFiles> files = run::PictureFiles::open(settings, {.folder = {}, .video = file});
+    painter->hold_camera(look.held);
+    Result<run::PictureFiles> files = run::PictureFiles::open(look.settings, {.folder = {}, .video = file});
     if (!files)
         return files.problems();
     auto looks = std::make_shared<FilmLooks>();
     run::FrameSinks sinks;
     sinks.push_back(std::make_unique<FilmSink>(std::move(*painter), std::move(*files), looks));
     auto inside = std::make_unique<Inside>(std::move(looks), std::move(sinks));
-    return std::unique_ptr<Film>(new Film(std::move(inside), settings, run::Schedule(settings.every, step), file));
+    return std::unique_ptr<Film>(new Film(std::move(inside), look, run::Schedule(look.settings.every, step), file));
 }
 
-void Film::restyle(const scene::Render& settings) {
-    look_ = settings;
-    inside_->looks->set(shots_, settings);
+void Film::restyle(const FilmLook& look) {
+    look_ = look;
+    inside_->looks->set(shots_, look);
 }
 
 bool Film::shoot(std::int64_t step, observe::Frame frame) {

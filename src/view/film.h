@@ -3,7 +3,7 @@
 #include "base/problem.h"
 #include "observe/frame.h"
 #include "run/schedule.h"
-#include "scene/scene.h"
+#include "view/source.h"
 
 #include <Eigen/Geometry>
 #include <cstdint>
@@ -19,8 +19,7 @@ class Film {
 public:
     /// `bounds` (m) is what must be in the picture, `step` the length of the simulation's steps, s. Problems: those of
     /// the painter, a video that cannot be made.
-    static Result<std::unique_ptr<Film>> open(const scene::Render& settings,
-                                              std::shared_ptr<const observe::FrameLayout> layout,
+    static Result<std::unique_ptr<Film>> open(const FilmLook& look, std::shared_ptr<const observe::FrameLayout> layout,
                                               const std::filesystem::path& file, const Eigen::AlignedBox3d& bounds,
                                               double step);
     Film(const Film&) = delete;
@@ -32,8 +31,8 @@ public:
     [[nodiscard]] bool due(std::int64_t step) const { return schedule_.due(step); }
 
     /// From the next picture on with another camera and other colours; size and rate stay.
-    void restyle(const scene::Render& settings);
-    [[nodiscard]] bool shows_contacts() const { return look_.marks.chains; }
+    void restyle(const FilmLook& look);
+    [[nodiscard]] bool shows_contacts() const { return look_.settings.marks.chains; }
 
     /// False when the video has failed; close() says why.
     bool shoot(std::int64_t step, observe::Frame frame);
@@ -43,10 +42,10 @@ public:
 
 private:
     struct Inside;
-    Film(std::unique_ptr<Inside> inside, const scene::Render& look, run::Schedule schedule, std::filesystem::path file);
+    Film(std::unique_ptr<Inside> inside, const FilmLook& look, run::Schedule schedule, std::filesystem::path file);
 
     std::unique_ptr<Inside> inside_;
-    scene::Render look_;
+    FilmLook look_;
     run::Schedule schedule_;
     std::filesystem::path file_;
     std::int64_t shots_ = 0;

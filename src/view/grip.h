@@ -15,6 +15,9 @@ public:
     /// Takes note of what a message presses or lets go. False for one key more than is ever held at once.
     bool note(const Message& message);
 
+    [[nodiscard]] bool holds(int button) const { return buttons_.contains(button); }
+    [[nodiscard]] bool holds_any_button() const { return !buttons_.empty(); }
+
     /// The messages that let go of all that is held: buttons where they were pressed, then keys. Then none is.
     [[nodiscard]] std::vector<Message> let_go();
 

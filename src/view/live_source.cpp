@@ -59,6 +59,15 @@ public:
     [[nodiscard]] bool can_change() const override { return can_change_; }
     [[nodiscard]] bool can_show_contacts() const override { return true; }
 
+    [[nodiscard]] Result<Stretch> find(double from, double to) override {
+        const double end = state().last;
+        if (to < 0 || from > end)
+            return Problem{.file = text_.file.string(),
+                           .what = "this scene has nothing in the time asked for",
+                           .fix = fmt::format("it goes from 0 to {:.6g} s", end)};
+        return Stretch{std::max(from, 0.0), std::min(to, end)};
+    }
+
     MomentPtr newest() override {
         const std::lock_guard lock(mutex_);
         orders_.look = true;
@@ -68,6 +77,8 @@ public:
         const std::lock_guard lock(mutex_);
         SourceState state = state_;
         state.playing = orders_.play;
+        if (!state.playing) // at once: what the panel says of it takes a line, and all below moves
+            state.pace = state.steps_per_s = 0;
         state.speed = orders_.speed;
         state.filming = (state.filming || orders_.film) && !orders_.film_ends;
         return state;
@@ -93,14 +104,14 @@ public:
             orders_.contacts = on;
         });
     }
-    void film(const scene::Render& settings, const std::filesystem::path& file) override {
+    void film(const FilmLook& look, const std::filesystem::path& file) override {
         order([&] {
-            orders_.film = {settings, file};
+            orders_.film = {look, file};
             orders_.film_ends = false; // whatever is filmed now ends with this
         });
     }
-    void restyle_film(const scene::Render& settings) override {
-        order([&] { orders_.film_look = settings; });
+    void restyle_film(const FilmLook& look) override {
+        order([&] { orders_.film_look = look; });
     }
     void film_no_more() override {
         order([&] { orders_.film_ends = true; });
@@ -116,8 +127,8 @@ private:
         std::int64_t steps = 0;
         double speed = 0;
         std::optional<std::vector<scene::Override>> changes;
-        std::optional<std::pair<scene::Render, std::filesystem::path>> film;
-        std::optional<scene::Render> film_look;
+        std::optional<std::pair<FilmLook, std::filesystem::path>> film;
+        std::optional<FilmLook> film_look;
         bool film_ends = false;
 
         [[nodiscard]] bool any() const {
@@ -326,9 +337,9 @@ private:
             state_.trouble = problems.empty() ? "" : "this change was not taken up: " + to_string(problems.front());
     }
 
-    void begin_film(const scene::Render& settings, const std::filesystem::path& file) {
+    void begin_film(const FilmLook& look, const std::filesystem::path& file) {
         end_film();
-        auto film = Film::open(settings, layout_, file, bounds_, running_.step());
+        auto film = Film::open(look, layout_, file, bounds_, running_.step());
         if (!film) {
             tell_of_film(to_string(film.problems().front()));
             return;

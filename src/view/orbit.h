@@ -21,7 +21,7 @@ public:
     void push(double right, double down);
     /// Nearer by a factor above 1, so that what lies under the place (pixels from the area's middle) stays there.
     void zoom(double factor, double right, double down);
-    /// The height of the area that the scene is fitted into changed, pixels.
+    /// What the field of view spans upright changed (render::view_height), pixels.
     void resize(double area_height) { height_ = area_height; }
 
     void write(scene::Render& settings) const;

@@ -37,6 +37,16 @@ public:
     [[nodiscard]] bool can_change() const override { return false; }
     [[nodiscard]] bool can_show_contacts() const override { return has_contacts_; }
 
+    [[nodiscard]] Result<Stretch> find(double from, double to) override {
+        const auto is_in = [&](const run::RecordedFrame& frame) { return run::is_within(frame, from, to); };
+        const auto& frames = recording_.frames;
+        const auto first = std::find_if(frames.begin(), frames.end(), is_in);
+        if (first == frames.end())
+            return run::refuse_time(folder_.string(), times_, from, to);
+        const auto last = std::find_if(frames.rbegin(), frames.rend(), is_in);
+        return Stretch{first->time, last->time};
+    }
+
     MomentPtr newest() override {
         tick();
         const std::size_t wanted = frame_at(clock_);
@@ -92,7 +102,7 @@ public:
         clock_ = std::clamp(time, times_.front(), times_.back());
     }
 
-    void film(const scene::Render& settings, const std::filesystem::path& file) override {
+    void film(const FilmLook& look, const std::filesystem::path& file) override {
         {
             const std::lock_guard lock(mutex_);
             if (filming_)
@@ -101,7 +111,7 @@ public:
         }
         stop_film_ = false;
         try {
-            thread_ = std::jthread([this, settings, file] { make_film(settings, file); });
+            thread_ = std::jthread([this, look, file] { make_film(look, file); });
         } catch (const std::exception& error) { // the system refuses a thread
             tell_of_film(problem_of(error).what);
         }
@@ -127,9 +137,9 @@ private:
         return time - times_[index - 1] <= times_[index] - time ? index - 1 : index;
     }
 
-    void make_film(const scene::Render& settings, const std::filesystem::path& file) {
+    void make_film(const FilmLook& look, const std::filesystem::path& file) {
         try {
-            tell_of_film(redraw(settings, file));
+            tell_of_film(redraw(look, file));
             news_();
         } catch (const std::exception& error) {
             tell_of_film(problem_of(error).what);
@@ -137,9 +147,10 @@ private:
     }
 
     /// A sentence about what has become of it.
-    std::string redraw(const scene::Render& settings, const std::filesystem::path& file) const {
+    std::string redraw(const FilmLook& look, const std::filesystem::path& file) const {
         run::RedrawOptions options = words_;
-        options.settings = settings;
+        options.settings = look.settings;
+        options.held = look.held;
         options.targets.video = file;
         options.when.stop = &stop_film_;
         options.when.duration = times_.back();

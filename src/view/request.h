@@ -18,6 +18,6 @@ void set_limits(RequestParser& parser, const Limits& limits);
 
 /// The answer to a request whose reading ended with `failed`: 400, 413 and 431 where it is none or too large, else what
 /// the guard says. Nothing: the connection ended or was silent, and nobody waits for a word.
-std::optional<Answer> answer_to(const RequestParser& parser, error_code failed, Guard& guard);
+std::optional<Answer> answer_to(const RequestParser& parser, error_code failed, Guard& guard, const Limits& limits);
 
 } // namespace tumble::view

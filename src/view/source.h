@@ -1,7 +1,9 @@
 #pragma once
 
 #include "base/books.h"
+#include "base/problem.h"
 #include "observe/frame.h"
+#include "render/camera.h"
 #include "scene/override.h"
 #include "scene/scene.h"
 
@@ -39,6 +41,17 @@ struct SourceState {
     std::string filmed;        // sentence about the last video
 };
 
+/// How a film's pictures are to look.
+struct FilmLook {
+    scene::Render settings;
+    std::optional<render::Held> held{}; // the camera, by a hand
+};
+
+/// Of time, s; of a recorded run the times of its first and last frame.
+struct Stretch {
+    double from = 0, to = 0;
+};
+
 /// What a view shows: a simulation at work, or a run that is over. None of these calls waits for a step.
 class Source {
 public:
@@ -61,6 +74,9 @@ public:
     [[nodiscard]] virtual bool can_seek() const = 0;
     virtual void seek(double /*time*/) {}
 
+    /// What can be shown of a stretch of time, s. Problem: nothing; says from when to when there is something.
+    [[nodiscard]] virtual Result<Stretch> find(double from, double to) = 0;
+
     /// Whether moments can say who touches whom, and whether they are wanted to.
     [[nodiscard]] virtual bool can_show_contacts() const = 0;
     virtual void show_contacts(bool /*on*/) {}
@@ -69,10 +85,10 @@ public:
     [[nodiscard]] virtual bool can_change() const = 0;
     virtual void change(std::vector<scene::Override> /*changes*/) {}
 
-    /// Films from here on (a recorded run: all of it) with these settings, until film_no_more.
-    virtual void film(const scene::Render& settings, const std::filesystem::path& file) = 0;
+    /// Films from here on (a recorded run: all of it) with this look, until film_no_more.
+    virtual void film(const FilmLook& look, const std::filesystem::path& file) = 0;
     /// A film of a simulation goes on with another camera and other colours.
-    virtual void restyle_film(const scene::Render& /*settings*/) {}
+    virtual void restyle_film(const FilmLook& /*look*/) {}
     virtual void film_no_more() = 0;
 };
 

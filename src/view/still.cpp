@@ -48,26 +48,24 @@ Result<Done> open_tab(Studio& studio, const std::string& tab) {
 }
 
 /// Frame by frame, so that a trail passes none over.
-Result<Done> go_through_run(Studio& studio, const StillWishes& wishes, StopFlag stop) {
+Result<Done> go_through_run(Studio& studio, const Stretch& seen, StopFlag stop) {
     Source& source = studio.source();
-    source.seek(wishes.from);
     while (true) {
-        if (Result<Done> seen = see(studio); !seen)
-            return seen;
+        if (Result<Done> drawn = see(studio); !drawn)
+            return drawn;
         const SourceState state = source.state();
         const Result<Done> goes = check_on(source, stop);
-        if (!goes || state.ended || state.time >= wishes.to)
+        if (!goes || state.ended || state.time >= seen.to)
             return goes;
         source.step(1);
     }
 }
 
-Result<Done> simulate(Studio& studio, const StillWishes& wishes, StopFlag stop) {
+Result<Done> simulate(Studio& studio, const Stretch& shown, const StillWishes& wishes, StopFlag stop) {
     Source& source = studio.source();
-    const double end = std::min(wishes.to, source.state().last);
-    const auto steps_to = [&](double time) { return std::llround(std::min(time, end) / wishes.step); };
+    const auto steps_to = [&](double time) { return std::llround(std::min(time, shown.to) / wishes.step); };
     for (std::int64_t shot = 0;; ++shot) {
-        const double time = wishes.from + static_cast<double>(shot) * wishes.every;
+        const double time = shown.from + static_cast<double>(shot) * wishes.every;
         const std::int64_t target = steps_to(time);
         source.step(target - source.newest()->frame.step);
         while (source.newest()->frame.step < target) {
@@ -77,7 +75,7 @@ Result<Done> simulate(Studio& studio, const StillWishes& wishes, StopFlag stop) 
         }
         if (Result<Done> seen = see(studio); !seen)
             return seen;
-        if (time >= end)
+        if (time >= shown.to)
             return Done{};
     }
 }
@@ -85,11 +83,15 @@ Result<Done> simulate(Studio& studio, const StillWishes& wishes, StopFlag stop) 
 } // namespace
 
 Result<render::Picture> take_still(Studio& studio, const StillWishes& wishes, StopFlag stop) {
+    const Result<Stretch> stretch = studio.source().find(wishes.from, wishes.to);
+    if (!stretch)
+        return stretch.problems();
+    studio.source().seek(stretch->from); // before anything is drawn: what was seen leaves its trail
     if (!wishes.tab.empty())
         if (const Result<Done> opened = open_tab(studio, wishes.tab); !opened)
             return opened.problems();
     const Result<Done> there =
-        studio.source().can_seek() ? go_through_run(studio, wishes, stop) : simulate(studio, wishes, stop);
+        studio.source().can_seek() ? go_through_run(studio, *stretch, stop) : simulate(studio, *stretch, wishes, stop);
     if (!there)
         return there.problems();
     while (true) { // until what moved has been drawn once more as what rests

@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 
 namespace tumble::view {
 
@@ -53,6 +54,10 @@ public:
     [[nodiscard]] Source& source() { return *source_; }
 
 private:
+    static constexpr int least_width = 320, least_height = 200; // pixels
+    static constexpr int most_side = 2560;                      // of a phone held upright the height
+    static constexpr int settling_passes = 3; // what Dear ImGui sizes by itself is right in the second frame
+
     Studio(std::unique_ptr<Source> source, const SceneText& text, const scene::Scene& scene, Plots plots,
            const StudioOptions& options);
 
@@ -65,11 +70,13 @@ private:
     void set_camera(const std::string& name);
     Result<Done> open_painter();
     Result<Done> open_panel();
+    Result<Done> open_window();
+    Result<Done> take_size();
     void pass_panel();
     void draw_scene();
     [[nodiscard]] bool is_at_rest() const;
     void grant(const Wishes& wishes);
-    [[nodiscard]] scene::Render film_settings();
+    [[nodiscard]] FilmLook film_look();
     void begin_film();
     void keep_picture();
     void name_kept();
@@ -90,8 +97,8 @@ private:
     Controls controls_;
     Plots plots_;
     std::shared_ptr<const observe::FrameLayout> layout_;
-    int width_, height_; // pixels, panel included
-    double ratio_ = 1;   // of screen pixels to pixels of the page
+    Resized window_;       // panel included
+    Resized drawn_window_; // as it could be drawn last
 
     std::optional<render::Painter> painter_;
     std::optional<render::PanelCanvas> panel_;
@@ -101,8 +108,9 @@ private:
     bool resized_ = false;       // and not yet drawn so
     Hands hands_;
     std::optional<Orbit> orbit_;
+    render::Held held_;          // where there is an orbit
     std::optional<int> dragged_; // button that holds the camera
-    bool panel_holds_ = false;   // a press that began in the panel
+    std::set<int> panel_holds_;  // buttons pressed in the panel
     Eigen::Vector2d pointer_ = Eigen::Vector2d::Zero();
     bool types_ = false; // a field of the panel takes letters
 

@@ -44,7 +44,7 @@ void Visitor::leave() {
 void Visitor::hear(error_code failed) {
     if (!stream_.socket().is_open()) // made to leave
         return;
-    const std::optional<Answer> answer = answer_to(*parser_, failed, *shared_.guard);
+    const std::optional<Answer> answer = answer_to(*parser_, failed, *shared_.guard, shared_.limits);
     if (!answer)
         return;
     if (answer->status == 101 || answer->status == 200)

@@ -70,6 +70,8 @@ bool Watcher::take(const std::string& text) {
     if (!message)
         return false;
     if (!std::holds_alternative<FrameSeen>(*message)) {
+        if (!take_hand(*message))
+            return true;
         if (!grip_.note(*message))
             return false;
         shared_.listener.message(*message);
@@ -79,6 +81,23 @@ bool Watcher::take(const std::string& text) {
         return false;
     --under_way_;
     offer();
+    return true;
+}
+
+/// There is one hand for all browsers, which the one that pressed last has until it lets go: what the others hold is
+/// let go of before, and their moves do not count meanwhile. Whether the message does.
+bool Watcher::take_hand(const Message& message) {
+    if (const auto* released = std::get_if<PointerReleased>(&message))
+        return grip_.holds(released->button);
+    const bool presses = std::holds_alternative<PointerPressed>(message);
+    if (!presses && !std::holds_alternative<PointerMoved>(message))
+        return true;
+    for (Watcher* other : shared_.watching)
+        if (other != this && other->grip_.holds_any_button()) {
+            if (!presses)
+                return false;
+            other->let_go();
+        }
     return true;
 }
 

@@ -25,6 +25,7 @@ public:
 private:
     void read();
     bool take(const std::string& text);
+    bool take_hand(const Message& message);
     void let_go();
     void close();
 

@@ -1,4 +1,5 @@
 #include "process.h"
+#include "video.h"
 
 #include <map>
 #include <nlohmann/json.hpp>
@@ -270,10 +271,8 @@ TEST_CASE("Ctrl-C, SIGTERM or a closed terminal while bodies are still being pla
 }
 
 TEST_CASE("the video of a resumed run is whole") {
-    if (std::system("ffmpeg -version > /dev/null 2>&1") != 0) {
-        MESSAGE("skipped: ffmpeg is not installed");
+    if (!can_check_videos())
         return;
-    }
     const Folder folder;
     put(folder.path / "crowd.toml", crowd);
     REQUIRE(tumble_in(folder, {"run", "crowd.toml", "--out", "whole", "--video", "--quiet"}).code == 0);
@@ -284,6 +283,8 @@ TEST_CASE("the video of a resumed run is whole") {
     const Outcome resumed = tumble_in(folder, {"run", "crowd.toml", "--resume", "--quiet"});
     CHECK_MESSAGE(resumed.code == 0, resumed.err);
     check_same(content_of_run(folder.path / "whole"), folder.path / "out/crowd");
+    CHECK(probed(folder.path / "out/crowd/video.mp4", "nb_read_frames") ==
+          summary_in(folder.path / "out/crowd")["frames"].dump());
 }
 
 TEST_CASE("flags that contradict each other are refused") {

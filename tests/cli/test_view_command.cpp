@@ -100,6 +100,14 @@ TEST_CASE("view draws what a browser would show into a file, of a scene and of a
          {std::vector<std::string>{"view", "ball.toml", "--time", ":0.02"}, {"view", "ball.toml", "--tab", "Look"}})
         CHECK(contains(tumble_in(folder, wrong).err, "add --picture F.png"));
     CHECK(tumble_in(folder, {"view", "ball.toml", "--picture", "live.jpg"}).code == 2);
+    const Outcome late = tumble_in(folder, {"view", "out/ball", "--picture", "x.png", "--time", "7:8"});
+    CHECK(late.code == 2);
+    CHECK(contains(late.err, "they go from 0 to 0.1 s"));
+    CHECK(late.err == tumble_in(folder, {"render", "out/ball", "--out", "x", "--time", "7:8"}).err); // the same rule
+    const Outcome never = tumble_in(folder, {"view", "ball.toml", "--picture", "x.png", "--time", "7:8"});
+    CHECK(never.code == 2);
+    CHECK(contains(never.err, "it goes from 0 to 0.1 s"));
+    CHECK_FALSE(std::filesystem::exists(folder.path / "x.png"));
     CHECK(tumble_in(folder, {"view", "ball.toml", "--picture", "x.png", "--tab", "Lock"}).code == 2);
 }
 

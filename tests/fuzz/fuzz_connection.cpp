@@ -101,7 +101,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         set_limits(parser, limits);
         error_code failed;
         http::read_header(connection, buffer, parser, failed);
-        const std::optional<Answer> answer = answer_to(parser, failed, guard);
+        const std::optional<Answer> answer = answer_to(parser, failed, guard, limits);
         if (!answer)
             break;
         static const std::set<int> known{101, 200, 400, 403, 404, 405, 413, 426, 431};

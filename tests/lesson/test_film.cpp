@@ -3,6 +3,7 @@
 #include "lesson/film.h"
 #include "lesson/stage.h"
 #include "taught.h"
+#include "video.h"
 
 #include <algorithm>
 
@@ -53,6 +54,8 @@ TEST_CASE("a film leaves its picture, and its video where ffmpeg is") {
     const auto shot = shoot(film, folder.path / "flights.mp4");
     REQUIRE_MESSAGE(shot.ok(), to_string(shot.problems()));
     CHECK(test::content_of(folder.path / "flights.mp4").substr(4, 4) == "ftyp");
+    if (test::can_check_videos())
+        CHECK(test::probed(folder.path / "flights.mp4", "nb_read_frames") == "11"); // from 0 to 0.2 s every 20 ms
 }
 
 TEST_CASE("lessons where motion teaches something have a film") {

@@ -154,7 +154,7 @@ TEST_CASE("in a narrow picture a free camera opens wider, as far as the box need
     settings.field_of_view_deg = 90;
     const auto scale_for = [&](double half, const Area& into, bool held = false) {
         const AlignedBox3d wide(Vector3d(-half, -1, -1), Vector3d(half, 1, 1));
-        return make_camera(settings, wide, into, 0, held)->scale;
+        return make_camera(settings, wide, into, 0, held ? std::optional(Held{}) : std::nullopt)->scale;
     };
     const double least = 100.0 / 12;
     CHECK(scale_for(2, narrow) == about(20)); // 40 of the half width of 100 pixels
@@ -162,6 +162,13 @@ TEST_CASE("in a narrow picture a free camera opens wider, as far as the box need
     CHECK(scale_for(100, narrow) == about(least));
     CHECK(scale_for(100, narrow, true) == about(20)); // whoever holds it chose what is seen
     CHECK(scale_for(100, {0, 0, 480, 400}) == about(20));
+    // What it chose in an area of another shape stays in sight: 10 m up and down, and as much more to the sides.
+    const auto held_in = [&](double shape, const Area& into) {
+        return make_camera(settings, box, into, 0, Held{shape})->scale;
+    };
+    CHECK(held_in(0.5, narrow) == about(20));
+    CHECK(held_in(1.25, narrow) == about(100.0 / 12.5));
+    CHECK(held_in(1.25, {0, 0, 1000, 400}) == about(20));
     settings.turn_deg_s = 10;
     CHECK(scale_for(2, narrow) == about(least)); // it must not breathe on its way
     settings.turn_deg_s = 0;

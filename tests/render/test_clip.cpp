@@ -67,6 +67,8 @@ TEST_CASE("a plane is named by its axis, its place in mm and the side that is sh
     CHECK(plane_words(1, -1e-20, true) == "y \u2265 0 mm");
     CHECK(plane_words(2, 1.2345678, false) == "z \u2264 1234.6 mm");
     CHECK(plane_words(2, 0.0054479, false) == "z \u2264 5.45 mm");
+    CHECK(section_words(2, 0.027, false, true) == "cut: z \u2264 27 mm");
+    CHECK(section_words(0, 0.027, true, false) == "shown: x \u2265 27 mm");
 }
 
 TEST_CASE("of a clip only the faces within the domain are named, and whether they cut bodies open") {

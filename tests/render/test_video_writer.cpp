@@ -1,3 +1,4 @@
+#include "../video.h"
 #include "base/child_process.h"
 #include "fixtures.h"
 #include "render/video_writer.h"
@@ -22,23 +23,6 @@ Picture flat(int width, int height, int shade) {
     return picture;
 }
 
-bool has(const char* program) {
-    ChildProcess process({program, "-version"});
-    return process.error() == 0 && process.wait(20s) == 0;
-}
-
-/// What ffprobe says about the first stream, "" without ffprobe.
-std::string probed(const std::filesystem::path& file, const std::string& entries) {
-    ChildProcess process({"ffprobe", "-v", "error", "-count_frames", "-select_streams", "v:0", "-show_entries",
-                          "stream=" + entries, "-of", "csv=p=0", file.string()});
-    CHECK(process.wait(30s) == 0);
-    std::string words = process.printed();
-    while (!words.empty() && words.back() == '\n') {
-        words.pop_back();
-    }
-    return words;
-}
-
 /// PATH for as long as it lives.
 struct Path {
     std::string before = std::getenv("PATH") == nullptr ? "" : std::getenv("PATH");
@@ -61,8 +45,7 @@ void put_ffmpeg(const Folder& folder, const std::string& script) {
 } // namespace
 
 TEST_CASE("a video has all its frames, even sides and square 4:2:0 pixels") {
-    if (!has("ffmpeg") || !has("ffprobe")) {
-        MESSAGE("SKIPPED: needs ffmpeg and ffprobe (apt install ffmpeg)");
+    if (!test::can_check_videos()) {
         return;
     }
     const Folder folder;
@@ -77,12 +60,12 @@ TEST_CASE("a video has all its frames, even sides and square 4:2:0 pixels") {
     CHECK(video->finish().ok());
     CHECK(video->finish().ok());
     CHECK(folder.files() == 1);
-    CHECK(probed(file, "width,height,pix_fmt,nb_read_frames") == "160,90,yuv420p,30");
-    CHECK(probed(file, "r_frame_rate") == "25/1");
+    CHECK(test::probed(file, "width,height,pix_fmt,nb_read_frames") == "160,90,yuv420p,30");
+    CHECK(test::probed(file, "r_frame_rate") == "25/1");
     ChildProcess asked({"ffmpeg", "-hide_banner", "-encoders"});
     CHECK(asked.wait(20s) == 0);
     const bool h264 = asked.printed().find(" libx264 ") != std::string::npos;
-    CHECK(probed(file, "codec_name") == (h264 ? "h264" : "mpeg4"));
+    CHECK(test::probed(file, "codec_name") == (h264 ? "h264" : "mpeg4"));
 }
 
 TEST_CASE("a missing ffmpeg is reported with how to install it and that PNG frames stay") {

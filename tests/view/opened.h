@@ -1,20 +1,34 @@
 #pragma once
 
-#include "../folder.h"
-#include "../run/scenes.h"
+#include "recorded.h"
 #include "view/live_source.h"
 #include "view/studio.h"
 
 #include <chrono>
-#include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 #include <thread>
 
-/// A studio that is opened on a scene at rest, or on a stage.
-namespace test_studio {
+/// A studio that is opened on a scene at rest, on a stage, or on a run.
+namespace tumble::view::testing {
 
-using namespace tumble;
-using namespace tumble::view;
+constexpr int panel = 300; // pixels
+
+/// Pixels that differ to the eye, in columns left .. right: by more than 12 of 255.
+inline std::size_t differences(const render::Picture& a, const render::Picture& b, int left, int right) {
+    REQUIRE(a.width == b.width);
+    REQUIRE(a.height == b.height);
+    std::size_t count = 0;
+    for (int y = 0; y < a.height; ++y)
+        for (int x = left; x < right; ++x) {
+            int most = 0;
+            for (int channel = 0; channel < 3; ++channel) {
+                const auto at = 4 * static_cast<std::size_t>(y * a.width + x) + static_cast<std::size_t>(channel);
+                most = std::max(most, std::abs(a.rgba[at] - b.rgba[at]));
+            }
+            count += most > 12 ? 1 : 0;
+        }
+    return count;
+}
 
 /// A simulation at rest in which bodies move and press as they are told, and what films are asked of it.
 class Staged final : public Source {
@@ -40,8 +54,8 @@ public:
         state.filming = !films.empty();
         return state;
     }
-    void film(const scene::Render& settings, const std::filesystem::path&) override { films = {settings}; }
-    void restyle_film(const scene::Render& settings) override { films.push_back(settings); }
+    void film(const FilmLook& look, const std::filesystem::path&) override { films = {look.settings}; }
+    void restyle_film(const FilmLook& look) override { films.push_back(look.settings); }
     void film_no_more() override { films.clear(); }
 
     std::shared_ptr<const observe::FrameLayout> layout() const override { return real_->layout(); }
@@ -50,6 +64,7 @@ public:
     void step(std::int64_t count) override { real_->step(count); }
     void set_speed(double speed) override { real_->set_speed(speed); }
     bool can_seek() const override { return false; }
+    Result<Stretch> find(double from, double to) override { return real_->find(from, to); }
     bool can_show_contacts() const override { return true; }
     bool can_change() const override { return false; }
 
@@ -58,31 +73,42 @@ private:
     std::uint64_t told_ = 0;
 };
 
-/// A studio of a scene at rest, and its last picture.
+/// A studio of a scene at rest at its beginning, and its last picture.
 struct Opened {
     test::Folder folder;
     SceneText text;
+    scene::Scene scene;
     std::unique_ptr<Studio> studio;
     Staged* stage = nullptr; // where it is staged
     render::Picture picture;
     nlohmann::json state;
 
-    explicit Opened(const std::string& toml, int width = 1000, int height = 500, bool staged = false)
-        : text{toml, "shaken.toml", {}} {
-        const auto scene = text.load();
-        REQUIRE(scene.ok());
-        auto source = open_live(text, *scene, 1, [] {});
+    explicit Opened(const std::string& toml, int width = 1000, int height = 500, bool staged = false,
+                    const std::vector<scene::Override>& sets = {})
+        : text{toml, "shaken.toml", sets} {
+        auto loaded = text.load();
+        REQUIRE_MESSAGE(loaded.ok(), to_string(loaded.problems()));
+        scene = std::move(*loaded);
+        auto source = open_live(text, scene, 1, [] {});
         REQUIRE(source.ok());
         if (staged) {
             auto on_stage = std::make_unique<Staged>(std::move(*source));
             stage = on_stage.get();
             source = std::unique_ptr<Source>(std::move(on_stage));
         }
-        Plots plots = Plots::of_simulation(*scene, *(*source)->layout());
-        auto opened = Studio::open(std::move(*source), text, *scene, std::move(plots), {width, height, folder.path});
+        Plots plots = Plots::of_simulation(scene, *(*source)->layout());
+        open(std::move(*source), std::move(plots), width, height);
+        draw();
+    }
+    /// Nothing has been drawn yet.
+    explicit Opened(const Recorded& recorded, int width = 1000, int height = 500)
+        : text(*SceneText::read(recorded.run / "scene.toml", {})), scene(recorded.scene) {
+        open(recorded.again(), Plots::of_run(recorded.run, scene), width, height);
+    }
+    void open(std::unique_ptr<Source> source, Plots plots, int width, int height) {
+        auto opened = Studio::open(std::move(source), text, scene, std::move(plots), {width, height, folder.path});
         REQUIRE_MESSAGE(opened.ok(), to_string(opened.problems()));
         studio = std::move(*opened);
-        draw();
     }
     void draw() {
         auto shown = studio->draw();
@@ -117,6 +143,10 @@ struct Opened {
         studio->take(PointerReleased{0, x, y});
         draw();
     }
+    void resize(int width, int height, double ratio = 1) {
+        studio->take(Resized{width, height, ratio});
+        draw();
+    }
     void drag(double x, double y, double to_x, double to_y, int button = 0) {
         studio->take(PointerMoved{x, y});
         studio->take(PointerPressed{button, x, y});
@@ -126,4 +156,4 @@ struct Opened {
     }
 };
 
-} // namespace test_studio
+} // namespace tumble::view::testing

@@ -1,30 +1,14 @@
-#include "../folder.h"
 #include "../render/fixtures.h"
+#include "keeper.h"
 #include "view/film.h"
 
-#include <cstdlib>
 #include <doctest/doctest.h>
 
 using namespace tumble;
 using namespace tumble::view;
+using view::testing::Keeper;
 
 namespace test_film {
-
-/// In place of ffmpeg a program that keeps the pictures as they come, for as long as it lives.
-struct Keeper {
-    test::Folder folder;
-    std::string before = std::getenv("PATH") == nullptr ? "" : std::getenv("PATH");
-    Keeper() {
-        const std::filesystem::path program = folder.path / "ffmpeg";
-        test::put(program, "#!/bin/sh\nfor last; do :; done\n"
-                           "case \"$*\" in *rawvideo*) cat > \"${last#file:}\";; esac\n");
-        std::filesystem::permissions(program, std::filesystem::perms::owner_all);
-        ::setenv("PATH", (folder.path.string() + ":" + before).c_str(), 1);
-    }
-    Keeper(const Keeper&) = delete;
-    Keeper& operator=(const Keeper&) = delete;
-    ~Keeper() { ::setenv("PATH", before.c_str(), 1); }
-};
 
 TEST_CASE("a film's pictures have the camera that was wanted when they were shot, however late they are drawn") {
     const Keeper keeper;
@@ -37,16 +21,16 @@ TEST_CASE("a film's pictures have the camera that was wanted when they were shot
     turned.camera = "top";
     const std::filesystem::path file = keeper.folder.path / "film.mp4";
     const Eigen::AlignedBox3d bounds(settings.view->lo, settings.view->hi);
-    auto film = Film::open(settings, layout, file, bounds, 1e-3); // a picture every 40 steps
+    auto film = Film::open({settings}, layout, file, bounds, 1e-3); // a picture every 40 steps
     REQUIRE_MESSAGE(film.ok(), to_string(film.problems()));
     CHECK((*film)->due(0));
     CHECK((*film)->shoot(0, frame));
     CHECK(!(*film)->due(39));
     CHECK((*film)->next() == 40);
-    (*film)->restyle(turned);
+    (*film)->restyle({turned});
     CHECK((*film)->shoot(40, frame));
     CHECK((*film)->shoot(80, frame));
-    (*film)->restyle(settings);
+    (*film)->restyle({settings});
     CHECK((*film)->shoot(120, frame));
     CHECK((*film)->close() == file.string() + " with 4 pictures");
     render::Painter painter = render::testing::painter_for(settings, layout, {});
@@ -65,7 +49,7 @@ TEST_CASE("a film that cannot be made is a problem, and no film") {
     const test::Folder folder;
     const auto layout = render::testing::spheres({0.02});
     const Eigen::AlignedBox3d bounds(Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones());
-    CHECK(!Film::open(render::testing::square_view(0.1), layout, folder.path / "film.avi", bounds, 1e-3).ok());
+    CHECK(!Film::open({render::testing::square_view(0.1)}, layout, folder.path / "film.avi", bounds, 1e-3).ok());
     CHECK(std::filesystem::is_empty(folder.path));
 }
 

@@ -1,11 +1,9 @@
 #include "../about.h"
-#include "../folder.h"
-#include "../run/scenes.h"
-#include "run/run_scene.h"
+#include "../video.h"
+#include "recorded.h"
+#include "run/replay.h"
 #include "view/plots.h"
-#include "view/recorded_source.h"
 
-#include <doctest/doctest.h>
 #include <numbers>
 #include <stdexcept>
 #include <thread>
@@ -13,30 +11,9 @@
 using namespace tumble;
 using namespace tumble::view;
 using test::about;
+using view::testing::Recorded;
 
 namespace test_recorded_source {
-
-/// A ball that fell for 0.02 s, a frame every 5 ms: 0, 5, 10, 15, 20 ms.
-struct Recorded {
-    test::Folder folder;
-    scene::Scene scene = test::loaded(test::falling_ball);
-    std::unique_ptr<Source> source;
-
-    explicit Recorded(
-        bool contacts = false, const std::function<void()>& news = [] {}) {
-        scene.observe.contacts = contacts;
-        scene.observe.measures.emplace_back("kinetic_energy");
-        run::RunOptions options;
-        options.folder = folder.path / "run";
-        run::RunListener silent;
-        const auto summary = run::run_scene(scene, options, silent);
-        REQUIRE_MESSAGE(summary.ok(), to_string(summary.problems()));
-        auto opened = open_recorded(options.folder, scene, news);
-        REQUIRE_MESSAGE(opened.ok(), to_string(opened.problems()));
-        source = std::move(*opened);
-    }
-    double time() const { return source->newest()->frame.time; }
-};
 
 TEST_CASE("a run is sought in time by its nearest frame, stepped forth and back, and never left at its ends") {
     const Recorded recorded;
@@ -82,14 +59,15 @@ TEST_CASE("a run plays at the speed of its video to its last frame, and from the
 TEST_CASE("a run's film has all of its frames, and its plots are those columns of series.csv that it has") {
     const Recorded recorded;
     const std::filesystem::path film = recorded.folder.path / "film.mp4";
-    recorded.source->film(recorded.scene.render, film);
+    recorded.source->film({recorded.scene.render}, film);
     for (int i = 0; i < 6000 && recorded.source->state().filmed.empty(); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     CHECK(recorded.source->state().filmed == film.string() + " with 5 pictures");
-    CHECK(std::filesystem::file_size(film) > 500);
+    if (test::can_check_videos())
+        CHECK(test::probed(film) == "160,120,5");
     // This scene keeps one measure of those that have plots, a row every ms: in free fall m (g t)^2 / 2.
     const double mass = 2500 * 4.0 / 3.0 * std::numbers::pi * 1e-6; // kg
-    const Plots plots = Plots::of_run(recorded.folder.path / "run", recorded.scene);
+    const Plots plots = Plots::of_run(recorded.run, recorded.scene);
     REQUIRE(plots.lines().size() == 1);
     const render::PlotLine& kinetic = plots.lines().front();
     REQUIRE(kinetic.values.size() == 21);
@@ -105,24 +83,45 @@ TEST_CASE("a run's film has all of its frames, and its plots are those columns o
 }
 
 TEST_CASE("a run is shown and filmed with the title and the opacity of walls that are asked for") {
-    const Recorded recorded;
-    scene::Scene scene = recorded.scene;
-    scene.title = "Another title";
-    scene.walls[0].opacity = 0.125;
-    const auto source = open_recorded(recorded.folder.path / "run", scene, [] {});
-    REQUIRE(source.ok());
-    CHECK((*source)->layout()->title == "Another title");
-    CHECK((*source)->layout()->walls[0].opacity == 0.125);
-    CHECK((*source)->newest()->frame.layout->walls[0].opacity == 0.125);
+    Recorded recorded;
+    recorded.scene.title = "Another title";
+    recorded.scene.walls[0].opacity = 0.125;
+    const auto source = recorded.again();
+    CHECK(source->layout()->title == "Another title");
+    CHECK(source->layout()->walls[0].opacity == 0.125);
+    CHECK(source->newest()->frame.layout->walls[0].opacity == 0.125);
 }
 
 TEST_CASE("what is thrown while a film is made is told, and the program lives on") {
     const Recorded recorded(false, [] { throw std::runtime_error("news that nobody takes"); });
-    recorded.source->film(recorded.scene.render, recorded.folder.path / "film.mp4");
+    recorded.source->film({recorded.scene.render}, recorded.folder.path / "film.mp4");
     for (int i = 0; i < 6000 && recorded.source->state().filmed != "news that nobody takes"; ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     CHECK(recorded.source->state().filmed == "news that nobody takes");
     CHECK(!recorded.source->state().filming);
+}
+
+/// Half a step, 5 us, counts as no difference.
+TEST_CASE(
+    "in a stretch of time a run has the frames that lie in it, and what has none is refused with those there are") {
+    const Recorded recorded;
+    Source& source = *recorded.source;
+    const auto found = [&](double from, double to) {
+        const auto stretch = source.find(from, to);
+        REQUIRE_MESSAGE(stretch.ok(), to_string(stretch.problems()));
+        return std::pair{std::lround(1e5 * stretch->from), std::lround(1e5 * stretch->to)}; // steps
+    };
+    CHECK(found(0, 0.0149) == std::pair{0L, 1000L});
+    CHECK(found(0, 0.014996) == std::pair{0L, 1500L});
+    CHECK(found(0.0051, 7) == std::pair{1000L, 2000L});
+    for (const auto& [from, to] : {std::pair{-2.0, -1.0}, {0.0051, 0.0099}, {0.021, 7.0}}) {
+        const auto none = source.find(from, to);
+        REQUIRE(!none.ok());
+        const auto render = run::open_recording(recorded.run, {.from = from, .to = to});
+        REQUIRE(!render.ok());
+        CHECK(to_string(none.problems().front()) == to_string(render.problems().front()));
+        CHECK(none.problems().front().fix.ends_with("they go from 0 to 0.02 s"));
+    }
 }
 
 TEST_CASE("a run shows contacts where its frames kept them") {

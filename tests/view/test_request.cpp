@@ -24,7 +24,7 @@ int answer(const std::string& bytes, std::size_t piece, Guard& guard) {
     boost::beast::flat_buffer buffer;
     error_code failed;
     http::read_header(connection, buffer, parser, failed);
-    const auto answer = answer_to(parser, failed, guard);
+    const auto answer = answer_to(parser, failed, guard, {});
     return answer ? answer->status : 0;
 }
 

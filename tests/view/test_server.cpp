@@ -1,64 +1,13 @@
-#include "client.h"
-#include "view/server.h"
+#include "served.h"
 
-#include <atomic>
-#include <condition_variable>
-#include <doctest/doctest.h>
-#include <memory>
-#include <mutex>
-#include <vector>
+#include <chrono>
+#include <thread>
 
 using namespace tumble;
 using namespace tumble::view;
 using namespace tumble::view::testing;
 
 namespace test_server {
-
-/// A server with small limits, and what it heard.
-struct Served {
-    std::mutex mutex;
-    std::condition_variable changed;
-    std::vector<Message> heard;
-    std::atomic<int> links{0};
-    std::optional<Server> server;
-
-    explicit Served(Limits limits = {}) {
-        Listener listener;
-        listener.message = [this](const Message& message) {
-            if (message == Message(WheelTurned{6, 6, 6}))
-                throw std::runtime_error("a listener in trouble");
-            {
-                const std::lock_guard lock(mutex);
-                heard.push_back(message);
-            }
-            changed.notify_all();
-        };
-        listener.new_link = [this](const std::string&) { ++links; };
-        auto opened = Server::open(0, limits, std::move(listener));
-        REQUIRE_MESSAGE(opened.ok(), to_string(opened.problems()));
-        server.emplace(std::move(*opened));
-    }
-    int port() const { return server->port(); }
-    std::string origin() const { return "http://127.0.0.1:" + std::to_string(port()); }
-    std::string cookie() const { return cookie_for(port(), server->link()); }
-
-    std::unique_ptr<Client> watcher(const std::string& cookie) const {
-        auto client = std::make_unique<Client>(port());
-        client->send(upgrade(port(), cookie, origin()));
-        REQUIRE(client->status() == 101);
-        return client;
-    }
-    bool hears(std::size_t count) {
-        std::unique_lock lock(mutex);
-        return changed.wait_for(lock, std::chrono::seconds(60), [&] { return heard.size() >= count; });
-    }
-};
-
-int answer_to(const Served& served, const std::string& bytes) {
-    Client client(served.port());
-    client.send(bytes);
-    return client.status();
-}
 
 TEST_CASE("the page comes for the link's token with a strict policy, and its files for the cookie") {
     const Served served;
@@ -165,13 +114,6 @@ TEST_CASE("a watcher that says what is no message, too much or too often is sent
     limits.messages_per_s = 20;
     const Served served(limits);
     const std::string cookie = served.cookie();
-    const auto goodbye = [](Client& client) {
-        auto heard = client.hear();
-        while (heard && heard->opcode != 8)
-            heard = client.hear();
-        REQUIRE(heard);
-        return static_cast<unsigned char>(heard->payload[0]) << 8 | static_cast<unsigned char>(heard->payload[1]);
-    };
     const auto rude = served.watcher(cookie);
     rude->say("format c:");
     CHECK(goodbye(*rude) == 1008);
@@ -244,6 +186,37 @@ TEST_CASE("a watcher that goes while it holds buttons and keys lets go of them")
     REQUIRE(served.hears(6));
     CHECK(served.heard[4] == Message(PointerReleased{0, 5, 6}));
     CHECK(served.heard[5] == Message(KeyChanged{"Space", false, false, false}));
+}
+
+/// One hand for all: who presses has it, until it lets go or another presses.
+TEST_CASE("who presses takes over from a watcher that holds something, whose moves and releases count no more") {
+    Served served;
+    const std::string cookie = served.cookie();
+    const auto first = served.watcher(cookie), second = served.watcher(cookie);
+    std::size_t count = 0;
+    const auto says = [&](const Client& client, const char* text, std::size_t heard = 1) {
+        client.say(text);
+        count += heard;
+        REQUIRE(served.hears(count));
+    };
+    says(*first, "down 0 5 6");
+    says(*first, "key ShiftLeft 1 1 0");
+    second->say("move 9 9"); // meanwhile
+    says(*second, "wheel 9 9 1");
+    CHECK(served.heard.back() == Message(WheelTurned{9, 9, 1}));
+    says(*second, "down 0 7 8", 3);
+    CHECK(served.heard[3] == Message(PointerReleased{0, 5, 6}));
+    CHECK(served.heard[4] == Message(KeyChanged{"ShiftLeft", false, false, false}));
+    CHECK(served.heard[5] == Message(PointerPressed{0, 7, 8}));
+    first->say("move 1 1");
+    first->say("up 0 1 1");
+    says(*first, "wheel 1 1 1");
+    says(*second, "move 8 8");
+    says(*second, "up 0 8 8");
+    says(*first, "move 1 1");
+    const std::vector<Message> last(served.heard.end() - 4, served.heard.end());
+    CHECK(last ==
+          std::vector<Message>{WheelTurned{1, 1, 1}, PointerMoved{8, 8}, PointerReleased{0, 8, 8}, PointerMoved{1, 1}});
 }
 
 TEST_CASE("what a listener throws ends the connection that it came by, and the server goes on") {

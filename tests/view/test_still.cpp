@@ -1,39 +1,18 @@
-#include "../folder.h"
-#include "../run/scenes.h"
-#include "run/run_scene.h"
-#include "view/live_source.h"
-#include "view/recorded_source.h"
+#include "opened.h"
 #include "view/still.h"
 
 #include <atomic>
-#include <doctest/doctest.h>
-#include <nlohmann/json.hpp>
-#include <thread>
 
 using namespace tumble;
 using namespace tumble::view;
+using namespace tumble::view::testing;
 
 namespace test_still {
 
-constexpr int panel = 300; // pixels
-
-/// Of a simulation at rest at its beginning; 2000 steps of 20 us.
-struct Live {
-    test::Folder folder;
-    SceneText text{test::pouring, "shaken.toml", {}};
-    scene::Scene scene = *text.load();
-    std::unique_ptr<Studio> studio;
-
-    Live() {
-        auto source = open_live(text, scene, 1, [] {});
-        REQUIRE(source.ok());
-        Plots plots = Plots::of_simulation(scene, *(*source)->layout());
-        auto opened = Studio::open(std::move(*source), text, scene, std::move(plots), {1000, 500, folder.path});
-        REQUIRE_MESSAGE(opened.ok(), to_string(opened.problems()));
-        studio = std::move(*opened);
-    }
-    StillWishes until(double time) const { return {.to = time, .step = scene.step(), .every = scene.render.every}; }
-};
+/// Steps of 20 us.
+StillWishes until(const Opened& opened, double time) {
+    return {.to = time, .step = opened.scene.step(), .every = opened.scene.render.every};
+}
 
 render::Picture taken(Studio& studio, const StillWishes& wishes) {
     auto picture = take_still(studio, wishes, nullptr);
@@ -50,11 +29,11 @@ bool equal(const render::Picture& a, const render::Picture& b, int left, int rig
 }
 
 TEST_CASE("a still of a simulation is what its watchers would see at that step, smooth and twice the same") {
-    Live live, again, hand;
-    const render::Picture picture = taken(*live.studio, live.until(0.002)); // 100 steps
+    Opened live(test::pouring), again(test::pouring), hand(test::pouring);
+    const render::Picture picture = taken(*live.studio, until(live, 0.002)); // 100 steps
     CHECK(picture.width == 1000);
     CHECK(live.studio->source().newest()->frame.step == 100);
-    CHECK(taken(*again.studio, again.until(0.002)).rgba == picture.rgba);
+    CHECK(taken(*again.studio, until(again, 0.002)).rgba == picture.rgba);
     REQUIRE(hand.studio->draw().ok());
     hand.studio->source().step(100);
     while (hand.studio->source().newest()->frame.step < 100)
@@ -71,9 +50,9 @@ TEST_CASE("a still of a simulation is what its watchers would see at that step, 
 }
 
 TEST_CASE("a still opens the tab that is asked for, and the scene beside it stays as it is") {
-    Live plots, look, none;
-    const render::Picture first = taken(*plots.studio, plots.until(0.001));
-    StillWishes wishes = look.until(0.001);
+    Opened plots(test::pouring), look(test::pouring), none(test::pouring);
+    const render::Picture first = taken(*plots.studio, until(plots, 0.001));
+    StillWishes wishes = until(look, 0.001);
     wishes.tab = "Look";
     const render::Picture other = taken(*look.studio, wishes);
     CHECK(!equal(first, other, 0, panel));
@@ -84,38 +63,43 @@ TEST_CASE("a still opens the tab that is asked for, and the scene beside it stay
     CHECK(missing.problems()[0].what == "the panel shows no tab 'Lock'");
 }
 
-/// A ball that fell for 0.02 s, a frame every 5 ms. Its trail is that of the frames from 5 ms on.
-TEST_CASE("a still of a run goes through its frames from one time to another, and no further than its end") {
-    const test::Folder folder;
-    scene::Scene scene = test::loaded(test::falling_ball);
-    run::RunOptions options;
-    options.folder = folder.path / "run";
-    run::RunListener silent;
-    REQUIRE(run::run_scene(scene, options, silent).ok());
-    const auto text = SceneText::read(options.folder / "scene.toml", {});
-    REQUIRE(text.ok());
-    scene.render.marks.trails = {"0"};
+/// A trail is that of the frames that were seen.
+TEST_CASE("a still of a run goes through its frames from one time to another, and shows the last of them") {
+    Recorded recorded;
+    recorded.scene.render.marks.trails = {"0"};
     const auto still = [&](double from, double to) {
-        auto source = open_recorded(options.folder, scene, [] {});
-        REQUIRE(source.ok());
-        auto studio = Studio::open(std::move(*source), *text, scene, Plots::of_run(options.folder, scene),
-                                   {1000, 500, folder.path});
-        REQUIRE(studio.ok());
-        render::Picture picture = taken(**studio, {.from = from, .to = to});
-        return std::pair{std::move(picture), (*studio)->source().newest()->frame.step};
+        const Opened opened(recorded);
+        render::Picture picture = taken(*opened.studio, {.from = from, .to = to});
+        return std::pair{std::move(picture), opened.studio->source().newest()->frame.step};
     };
-    CHECK(still(0, 0.0101).second == 1500);
+    CHECK(still(0, 0.0149).second == 1000);
+    CHECK(still(0, 0.015).second == 1500);
     CHECK(still(0, 7).second == 2000);
-    const auto one = still(0.015, 0.015), three = still(0.005, 0.015);
+    const auto one = still(0.012, 0.015), three = still(0.005, 0.015);
     CHECK(one.second == 1500);
     CHECK(three.second == 1500);
     CHECK(!equal(one.first, three.first, panel, 1000)); // its way, and since when
 }
 
+TEST_CASE("a still of a time that is none of a run's or a scene's is refused with those that are") {
+    const Recorded recorded;
+    const Opened run(recorded), scene(test::pouring);
+    const auto refused = [](const Opened& opened, StillWishes wishes) {
+        wishes.step = opened.scene.step();
+        wishes.every = opened.scene.render.every;
+        const auto none = take_still(*opened.studio, wishes, nullptr);
+        REQUIRE(!none.ok());
+        return none.problems().front().fix;
+    };
+    CHECK(refused(run, {.from = 0.03, .to = 7}) == "the nearest is at 0.02 s; they go from 0 to 0.02 s");
+    CHECK(refused(run, {.to = -1}) == "the nearest is at 0 s; they go from 0 to 0.02 s");
+    CHECK(refused(scene, {.from = 0.05, .to = 7}) == "it goes from 0 to 0.04 s");
+}
+
 TEST_CASE("a still that is stopped is no picture") {
-    Live live;
+    Opened live(test::pouring);
     const std::atomic<bool> stop{true};
-    const auto none = take_still(*live.studio, live.until(0.02), &stop);
+    const auto none = take_still(*live.studio, until(live, 0.02), &stop);
     REQUIRE(!none.ok());
     CHECK(none.problems()[0].what == "stopped before the picture was drawn");
 }

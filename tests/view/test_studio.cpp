@@ -1,25 +1,10 @@
 #include "opened.h"
 
+using namespace tumble;
+using namespace tumble::view;
+using namespace tumble::view::testing;
+
 namespace test_studio {
-
-/// Pixels that differ to the eye, in columns left .. right: by more than 12 of 255.
-std::size_t differences(const render::Picture& a, const render::Picture& b, int left, int right) {
-    REQUIRE(a.width == b.width);
-    REQUIRE(a.height == b.height);
-    std::size_t count = 0;
-    for (int y = 0; y < a.height; ++y)
-        for (int x = left; x < right; ++x) {
-            int most = 0;
-            for (int channel = 0; channel < 3; ++channel) {
-                const auto at = 4 * static_cast<std::size_t>(y * a.width + x) + static_cast<std::size_t>(channel);
-                most = std::max(most, std::abs(a.rgba[at] - b.rgba[at]));
-            }
-            count += most > 12 ? 1 : 0;
-        }
-    return count;
-}
-
-constexpr int panel = 300; // pixels
 
 TEST_CASE(
     "the picture is panel and scene side by side; a drag in the scene turns the camera and leaves the panel as it is") {
@@ -104,6 +89,43 @@ TEST_CASE("a slider that is dragged changes the scene, and the changed scene is 
     CHECK(scene->claim == "none yet: shaken.toml with pair.glass-glass.friction = 1.5");
     opened.click("as in the scene");
     CHECK(opened.state["values"][key] == 0.4);
+}
+
+/// Two hands, or one with two buttons: whatever else is pressed, the panel hears of each release of what it saw
+/// pressed.
+TEST_CASE("a slider is let go with its button, wherever that is and whatever was pressed meanwhile") {
+    Opened opened(test::pouring);
+    opened.click("tab Change");
+    const std::string key = "pair.glass-glass.friction";
+    const auto [x, y] = opened.middle_of(key);
+    const auto at = [&](double from_middle) {
+        opened.studio->take(PointerMoved{x + from_middle, y});
+        opened.draw();
+        return opened.state["values"][key].get<double>();
+    };
+    const auto press = [&](int button, double to) { opened.studio->take(PointerPressed{button, to, y}); };
+    const auto release = [&](int button, double to) { opened.studio->take(PointerReleased{button, to, y}); };
+    at(0);
+    press(0, x);
+    const double held = at(20);
+    CHECK(at(40) > held);
+    press(2, 700);
+    release(2, 700);
+    release(0, 700);
+    const double left = at(0);
+    CHECK(at(60) == left);
+    const nlohmann::json camera = opened.state["camera"]; // nor is it held
+    opened.studio->take(PointerMoved{800, 300});
+    opened.draw();
+    CHECK(opened.state["camera"] == camera);
+    // A release that was lost on its way: the next press of the button makes good for it.
+    press(0, x);
+    const double again = at(30);
+    press(0, 700);
+    opened.studio->take(PointerMoved{760, 300});
+    release(0, 760);
+    CHECK(at(-60) == again);
+    CHECK(opened.state["camera"] != camera);
 }
 
 TEST_CASE("a scene that cannot be saved says why, where it would have said its name") {
@@ -274,6 +296,34 @@ TEST_CASE("a window that is hidden or tiny keeps the view alive, a larger one ge
     opened.studio->take(PanelToggled{});
     opened.draw();
     CHECK(opened.picture.width == 1400);
+}
+
+/// Letters of 20 points at 300 dpi, in a window that may be as small as 320 x 200 pixels.
+TEST_CASE("a scene in the style of print is shown white in a window of any size, and saved for print as it was") {
+    const std::vector<scene::Override> print{{"render.style=\"paper\""},   {"render.width_mm=150"},
+                                             {"render.height_mm=150"},     {"render.font_pt=20"},
+                                             {"render.arrows=\"bodies\""}, {"render.plot=true"}};
+    const std::string toml = test::pouring.substr(0, test::pouring.find("width_px")); // print has its size in mm
+    Opened opened(toml, 1000, 500, false, print);
+    for (const auto& [width, height] : {std::pair{320, 200}, {1, 1}, {320, 2560}, {2560, 200}, {360, 640}, {1400, 900}})
+        for (const double ratio : {0.5, 1.0, 3.0}) {
+            CAPTURE(width);
+            CAPTURE(ratio);
+            opened.resize(width, height, ratio);
+            CHECK(opened.picture.width == std::max(width, 320));
+            CHECK(opened.picture.height == std::max(height, 200));
+        }
+    opened.resize(1000, 700);
+    const auto corner = static_cast<std::size_t>(4 * (1000 - 1));
+    CHECK(opened.picture.rgba[corner] > 240);
+    opened.click("tab Change");
+    opened.click("save scene");
+    const auto saved = scene::load_scene(opened.folder.path / "shaken-001.toml");
+    REQUIRE_MESSAGE(saved.ok(), to_string(saved.problems()));
+    REQUIRE(saved->render.paper);
+    CHECK(saved->render.paper->width_mm == 150);
+    CHECK(saved->render.paper->font_pt == 20);
+    CHECK(saved->render.plot);
 }
 
 TEST_CASE("a click that comes with another size of the window meets what was seen, not what stands there afterwards") {

@@ -4,7 +4,7 @@
 const canvas = document.getElementById('picture');
 const notice = document.getElementById('notice');
 const paper = canvas.getContext('2d', { alpha: false });
-const mostPixels = 2560 * 1600, mostSide = 2560; // src/view/studio.cpp
+const mostPixels = 2560 * 1600, mostSide = 2560; // src/view/studio.h
 const pixelsPerNotch = 100;
 
 let socket = null;
@@ -89,6 +89,33 @@ function connect() {
 // Pointers: the mouse and one finger press and drag; two fingers pinch. Of many moves a frame only the last is sent.
 const fingers = new Map();
 let lastMove = null;
+let lastPlace = [0, 0];
+
+// Which pointer holds each button that was told to be down. Whatever ends the holding, seen by this page or not, lets go.
+const pressed = new Map();
+const bits = [1, 4, 2 | 8 | 16]; // of PointerEvent.buttons
+
+function press(event) {
+  const button = Math.min(event.button, 2);
+  pressed.set(button, event.pointerId);
+  send('down', button, ...lastPlace);
+}
+
+function release(button) {
+  if (!pressed.delete(button)) return;
+  flushMove();
+  send('up', button, ...lastPlace);
+}
+
+function releaseAll(pointer) {
+  for (const [button, holder] of [...pressed]) if (pointer === undefined || holder === pointer) release(button);
+}
+
+// The event tells what its pointer holds: of two buttons only the last that is let go has a pointerup of its own.
+function follow(event) {
+  lastPlace = place(event);
+  for (const [button, holder] of [...pressed]) if (holder === event.pointerId && !(event.buttons & bits[button])) release(button);
+}
 
 // The picture stands in the middle of the window, as large as fits (object-fit in view.css).
 function frameOnPage() {
@@ -118,14 +145,15 @@ canvas.addEventListener('pointerdown', (event) => {
   event.preventDefault();
   canvas.focus();
   canvas.setPointerCapture(event.pointerId);
+  follow(event);
   if (event.pointerType === 'touch') {
     fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-    if (fingers.size === 2) { flushMove(); send('up', 0, ...place(event)); }
+    if (fingers.size === 2) releaseAll();
     if (fingers.size > 1) return;
   }
   flushMove();
-  send('move', ...place(event));
-  send('down', Math.min(event.button, 2), ...place(event));
+  send('move', ...lastPlace);
+  press(event);
 });
 
 canvas.addEventListener('pointermove', (event) => {
@@ -141,18 +169,27 @@ canvas.addEventListener('pointermove', (event) => {
   if (fingers.size > 1) return;
   if (!lastMove) requestAnimationFrame(flushMove);
   lastMove = place(event);
+  follow(event);
+  const another = event.pointerType === 'mouse' && event.button >= 0 && event.buttons & bits[Math.min(event.button, 2)];
+  if (another && pressed.size) { flushMove(); press(event); } // beside one that is held
 });
 
-for (const kind of ['pointerup', 'pointercancel'])
+canvas.addEventListener('pointerup', (event) => {
+  const pinching = fingers.size > 1;
+  fingers.delete(event.pointerId);
+  if (pinching) return;
+  follow(event);
+  takeOver(); // not before: the place of the press was meant in the picture that was seen
+});
+for (const kind of ['pointercancel', 'lostpointercapture']) // the browser takes the pointer away; the event has no place
   canvas.addEventListener(kind, (event) => {
-    const pinching = fingers.size > 1;
     fingers.delete(event.pointerId);
-    if (pinching) return;
-    flushMove();
-    send('up', Math.min(Math.max(event.button, 0), 2), ...place(event));
-    takeOver(); // not before: the place of the press was meant in the picture that was seen
+    releaseAll(event.pointerId);
   });
-canvas.addEventListener('pointerenter', (event) => { if (event.pointerType === 'mouse' && !event.buttons) takeOver(); });
+canvas.addEventListener('pointerenter', (event) => {
+  if (event.pointerType === 'mouse') follow(event);
+  if (event.pointerType === 'mouse' && !event.buttons) takeOver();
+});
 
 canvas.addEventListener('wheel', (event) => {
   event.preventDefault();
@@ -162,12 +199,14 @@ canvas.addEventListener('wheel', (event) => {
 
 canvas.addEventListener('contextmenu', (event) => event.preventDefault());
 
-// Keys that are held: a window that loses the keyboard hears no more of them.
+// Keys that are held: a window that loses the keyboard hears no more of them, and perhaps no more of buttons.
 const held = new Set();
 
 function letGo() {
   for (const code of held) send('key', code, 0, 0, 0);
   held.clear();
+  releaseAll();
+  fingers.clear();
 }
 
 for (const [kind, down] of [['keydown', 1], ['keyup', 0]])

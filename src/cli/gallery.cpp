@@ -167,7 +167,7 @@ const std::vector<GalleryPicture>& gallery_pictures() {
           "--layers", "8", "--picture", "{file}"}},
         {"view-run.png",
          "the view of a run that is over",
-         {"view", "{bowl-full}", "--picture", "{file}", "--time", "3.3:4.5", "--tab", "Look", "--trails=sensor",
+         {"view", "{bowl}", "--picture", "{file}", "--time", "0.8:2", "--tab", "Look", "--trails=sensor",
           "--size=1200x675"}},
     };
     return pictures;

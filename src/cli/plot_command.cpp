@@ -1,3 +1,4 @@
+#include "base/growing_file.h"
 #include "base/make_folder.h"
 #include "base/text.h"
 #include "cli/canvas_flags.h"
@@ -85,7 +86,7 @@ int plot_runs(const PlotArguments& arguments) {
         return refused({*problem});
     if (const auto made = make_folder(std::filesystem::absolute(file).parent_path()); !made)
         return refused(made.problems());
-    if (const auto place = sheet::check_writable(file); !place)
+    if (const auto place = check_writable(file); !place)
         return refused(place.problems());
     if (const auto drawn = sheet::draw(plot->stack, file, *canvas); !drawn)
         return refused(drawn.problems(), failed);

@@ -381,7 +381,7 @@ void add_render_command(CLI::App& program, Action& action) {
         action = [arguments] {
             std::error_code ignored;
             const bool scene =
-                arguments->what.extension() == ".toml" && !std::filesystem::is_directory(arguments->what, ignored);
+                ending_of(arguments->what) == ".toml" && !std::filesystem::is_directory(arguments->what, ignored);
             return scene ? draw_scene(*arguments) : redraw_run(*arguments);
         };
     });

@@ -1,7 +1,11 @@
+#include "base/ending.h"
+#include "base/growing_file.h"
+#include "base/make_folder.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/flag_checks.h"
+#include "cli/progress_line.h"
 #include "cli/render_settings.h"
 #include "cli/scene_arguments.h"
 #include "cli/stop_flag.h"
@@ -15,6 +19,7 @@
 #include "view/still.h"
 #include "view/viewer.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fmt/format.h>
 #include <memory>
@@ -66,7 +71,7 @@ Result<Watched> open_watched(ViewArguments& arguments, const std::shared_ptr<vie
     std::error_code ignored;
     // A name of nothing is that of a run, as for `render`, unless it says that it is a scene's.
     const bool folder = std::filesystem::is_directory(arguments.what, ignored) ||
-                        (arguments.what.extension() != ".toml" && !std::filesystem::exists(arguments.what, ignored));
+                        (ending_of(arguments.what) != ".toml" && !std::filesystem::exists(arguments.what, ignored));
     const std::filesystem::path file = folder ? arguments.what / "scene.toml" : arguments.what;
     if (folder) {
         if (const auto found = run::find_run(arguments.what); !found)
@@ -101,7 +106,11 @@ Problems refuse_picture(const ViewArguments& arguments) {
     if (!arguments.force && !arguments.picture.empty())
         if (const auto problem = refuse_to_overwrite({arguments.picture}))
             return {*problem};
-    return {};
+    if (arguments.picture.empty())
+        return {};
+    if (const auto made = make_folder(std::filesystem::absolute(arguments.picture).parent_path()); !made)
+        return made.problems();
+    return check_writable(arguments.picture).problems();
 }
 
 int keep_picture(const ViewArguments& arguments, view::Studio& studio, const scene::Scene& scene) {
@@ -110,7 +119,12 @@ int keep_picture(const ViewArguments& arguments, view::Studio& studio, const sce
         return refuse({*problem}, arguments.json, wrong);
     if (const auto shown = studio.source().find(wishes.from, wishes.to); !shown)
         return refuse(shown.problems(), arguments.json, wrong);
+    ProgressLine line(arguments.quiet || arguments.json);
+    wishes.reached = [&line, end = std::min(wishes.to, scene.duration)](double time) {
+        line.working(fmt::format("{:.4g} of {:.4g} s", time, end));
+    };
     const auto picture = view::take_still(studio, wishes, &watch_for_stop());
+    line.end();
     if (stop_wanted(&watch_for_stop()))
         return stop_code();
     if (!picture)

@@ -1,6 +1,7 @@
 #include "observe/whole_file.h"
 
 #include "base/disk_calls.h"
+#include "base/growing_file.h"
 #include "base/remedy.h"
 #include "base/write_all.h"
 
@@ -50,7 +51,7 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
 } // namespace
 
 Result<Done> write_whole(const std::filesystem::path& file, std::string_view content, Writing writing) {
-    const std::filesystem::path unfinished = file.string() + ".part";
+    const std::filesystem::path unfinished = growing_name(file);
     int error = write_new(unfinished, content, writing);
     if (error == 0 && disk_calls().rename(unfinished.c_str(), file.c_str()) != 0)
         error = errno;

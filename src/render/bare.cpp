@@ -17,6 +17,10 @@ std::string bare_words(Bare bare, const std::string& where) {
         return fmt::format("no body is to be seen in {}: all lie outside of what the camera shows; --eye and --target "
                            "place it, --camera free without them has everything in the picture",
                            where);
+    case Bare::out_of_corners:
+        return fmt::format("no body is to be seen in {}: all lie outside of render.view_lo_m to render.view_hi_m; "
+                           "move these corners, or leave them away to have everything in the picture",
+                           where);
     }
     return "";
 }

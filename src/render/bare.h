@@ -5,7 +5,7 @@
 namespace tumble::render {
 
 /// Why no body is to be seen in a picture.
-enum class Bare { no, without_bodies, clipped_away, out_of_view };
+enum class Bare { no, without_bodies, clipped_away, out_of_view, out_of_corners };
 
 /// Of pictures that stand in one: no where bodies are to be seen in some of them, else the first reason.
 template <class Works> Bare bare_of(const Works& works) {

@@ -187,6 +187,8 @@ OverlayContent Composition::content(const observe::Frame& frame, const PlotLine&
 Bare Composition::bareness(const observe::Frame& frame) const {
     const auto clip = clip_of(settings, *layout);
     const Area& window = arrangement.window;
+    const bool corners = layout->dimension == 2 || (settings.view && settings.camera != "free");
+    const Bare outside = corners ? Bare::out_of_corners : Bare::out_of_view;
     Bare bare = Bare::without_bodies;
     for (std::size_t b = 0; b < frame.bodies(); ++b) {
         const Vector3d& place = frame.position[b];
@@ -195,7 +197,7 @@ Bare Composition::bareness(const observe::Frame& frame) const {
         }
         const double radius = reach[static_cast<std::size_t>(frame.shape[b])];
         const bool kept = !clip || clip->exteriorDistance(place) <= (settings.clip_cuts ? radius : 0);
-        bare = std::max(bare, kept ? Bare::out_of_view : Bare::clipped_away);
+        bare = std::max(bare, kept ? outside : Bare::clipped_away);
         if (!kept || (camera.perspective && camera.to_view(place).z() >= 0)) {
             continue;
         }

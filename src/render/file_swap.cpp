@@ -1,37 +1,26 @@
 #include "render/file_swap.h"
 
 #include "base/disk_calls.h"
-#include "base/remedy.h"
+#include "base/growing_file.h"
 #include "base/write_all.h"
 
 #include <cerrno>
-#include <cstring>
 #include <fcntl.h>
-#include <fmt/core.h>
 #include <unistd.h>
 
 namespace tumble::render {
 
-std::filesystem::path unfinished(const std::filesystem::path& file) {
-    return file.string() + ".part";
-}
-
-Problem file_problem(const std::filesystem::path& file, const char* verb, int error) {
-    return {
-        .file = file.string(), .what = fmt::format("cannot {}: {}", verb, std::strerror(error)), .fix = remedy(error)};
-}
-
 Result<Done> finish_file(const std::filesystem::path& file) {
-    if (disk_calls().rename(unfinished(file).c_str(), file.c_str()) != 0) {
+    if (disk_calls().rename(growing_name(file).c_str(), file.c_str()) != 0) {
         const int error = errno;
-        ::unlink(unfinished(file).c_str());
+        ::unlink(growing_name(file).c_str());
         return file_problem(file, "write the file", error);
     }
     return Done{};
 }
 
 Result<Done> write_file(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {
-    const std::filesystem::path growing = unfinished(file);
+    const std::filesystem::path growing = growing_name(file);
     const int descriptor = ::open(growing.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (descriptor < 0) {
         return file_problem(file, "write the file", errno);

@@ -8,12 +8,6 @@
 
 namespace tumble::render {
 
-/// The name under which a file grows until it is whole: the same with ".part" behind it.
-std::filesystem::path unfinished(const std::filesystem::path& file);
-
-/// What the system said (errno) about a file, and the remedy.
-Problem file_problem(const std::filesystem::path& file, const char* verb, int error);
-
 /// Gives a whole unfinished file its name, replacing what had it.
 Result<Done> finish_file(const std::filesystem::path& file);
 

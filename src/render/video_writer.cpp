@@ -2,6 +2,7 @@
 
 #include "base/child_process.h"
 #include "base/ending.h"
+#include "base/growing_file.h"
 #include "base/text.h"
 #include "render/file_swap.h"
 
@@ -36,7 +37,7 @@ struct VideoWriter::Inside {
     void give_up() {
         if (encoder) {
             encoder.reset();
-            ::unlink(unfinished(file).c_str());
+            ::unlink(growing_name(file).c_str());
         }
     }
     Result<Done> fail(Problem problem) {
@@ -94,7 +95,7 @@ Result<VideoWriter> VideoWriter::open(const std::filesystem::path& file, int wid
     }
     asked.wait(20s);
     const bool h264 = asked.printed().find("Encoder libx264") != std::string::npos;
-    const std::filesystem::path growing = unfinished(file);
+    const std::filesystem::path growing = growing_name(file);
     const int probe = ::open(growing.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (probe < 0) {
         return file_problem(file, "write the video", errno);

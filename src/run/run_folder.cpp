@@ -1,5 +1,6 @@
 #include "run/run_folder.h"
 
+#include "base/growing_file.h"
 #include "base/text.h"
 #include "observe/frame_file.h"
 #include "observe/whole_file.h"
@@ -60,7 +61,7 @@ std::vector<fs::path> parts_of(const RunFolder& run) {
     std::vector<fs::path> parts;
     for (const fs::path& file : {run.scene(), run.summary(), run.series(), run.video(), run.text_dump()}) {
         parts.push_back(file);
-        parts.emplace_back(file.string() + ".part");
+        parts.push_back(growing_name(file));
     }
     for (const FilledFolder& folder : folders_of(run))
         parts.push_back(folder.place);

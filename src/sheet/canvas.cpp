@@ -1,6 +1,7 @@
 #include "sheet/canvas.h"
 
 #include "base/ending.h"
+#include "base/growing_file.h"
 #include "sheet/gnuplot.h"
 #include "sheet/show.h"
 
@@ -50,7 +51,7 @@ std::string open_canvas(const Canvas& canvas, const std::filesystem::path& file)
         terminal = in_pixels("svg", canvas, screen_dpi, canvas.font_pt / pt_per_inch * screen_dpi);
     else
         terminal = in_pixels("pngcairo", canvas, canvas.dpi, canvas.font_pt / pt_per_inch * canvas.dpi / cairo_letter);
-    return terminal + fmt::format("set output {}\n", in_gnuplots_quotes(growing(file).string()));
+    return terminal + fmt::format("set output {}\n", in_gnuplots_quotes(growing_name(file).string()));
 }
 
 double width_of(const std::string& text) {

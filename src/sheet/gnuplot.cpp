@@ -2,6 +2,7 @@
 
 #include "base/child_process.h"
 #include "base/ending.h"
+#include "base/growing_file.h"
 #include "base/remedy.h"
 #include "base/text.h"
 #include "sheet/sheet.h"
@@ -11,10 +12,8 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <fstream>
-#include <unistd.h>
 #include <utility>
 
 namespace tumble::sheet {
@@ -22,12 +21,6 @@ namespace tumble::sheet {
 namespace {
 
 constexpr std::chrono::seconds patience{60};
-
-Problem cannot_be_written(const std::filesystem::path& file, int error, std::string what = {}) {
-    return {.file = file.string(),
-            .what = what.empty() ? fmt::format("cannot write the file: {}", std::strerror(error)) : std::move(what),
-            .fix = remedy(error)};
-}
 
 /// Gnuplot does not say that it could not write all of a file.
 bool is_whole(const std::filesystem::path& file, const std::string& ending) {
@@ -72,28 +65,11 @@ std::string color_of(std::size_t index) {
     return table[index % colors];
 }
 
-std::filesystem::path growing(const std::filesystem::path& file) {
-    return file.string() + ".part";
-}
-
-Result<Done> check_writable(const std::filesystem::path& file) {
-    std::error_code ignored;
-    int error = std::filesystem::is_directory(file, ignored) ? EISDIR : 0;
-    const int probe = error == 0 ? ::open(growing(file).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666) : -1;
-    if (error == 0 && probe < 0)
-        error = errno;
-    if (error != 0)
-        return cannot_be_written(file, error);
-    ::close(probe);
-    ::unlink(growing(file).c_str());
-    return Done{};
-}
-
 Result<Done> run_gnuplot(const std::string& script, const std::filesystem::path& file, const std::string& without,
                          const std::string& tail) {
     if (Result<Done> place = check_writable(file); !place)
         return place;
-    const Leftover leftover(growing(file));
+    const Leftover leftover(growing_name(file));
     ChildProcess gnuplot({"gnuplot"});
     if (gnuplot.error() == ENOENT)
         return Problem{.what = "gnuplot, which draws the figures, is not installed",
@@ -103,13 +79,15 @@ Result<Done> run_gnuplot(const std::string& script, const std::filesystem::path&
     const bool fed = gnuplot.feed({reinterpret_cast<const std::uint8_t*>(script.data()), script.size()});
     if (gnuplot.wait(patience) != 0 || !fed)
         return Problem{.file = file.string(), .what = "gnuplot failed: " + excerpt(trimmed(gnuplot.printed()), 300)};
-    const bool whole = is_whole(growing(file), ending_of(file));
-    if (!whole || (!tail.empty() && !(std::ofstream(growing(file), std::ios::app) << tail << std::flush)))
-        return cannot_be_written(file, ENOSPC, "gnuplot could not write it to its end, as on a disk that is full");
+    const bool whole = is_whole(growing_name(file), ending_of(file));
+    if (!whole || (!tail.empty() && !(std::ofstream(growing_name(file), std::ios::app) << tail << std::flush)))
+        return Problem{.file = file.string(),
+                       .what = "gnuplot could not write it to its end, as on a disk that is full",
+                       .fix = remedy(ENOSPC)};
     std::error_code error;
-    std::filesystem::rename(growing(file), file, error);
+    std::filesystem::rename(growing_name(file), file, error);
     if (error)
-        return cannot_be_written(file, error.value());
+        return file_problem(file, "write the file", error.value());
     return Done{};
 }
 

@@ -16,15 +16,9 @@ std::string axis_words(const std::string& label, const std::string& unit);
 /// Okabe and Ito's colours, in turn: told apart also by those who see few.
 std::string color_of(std::size_t index);
 
-/// The name under which a file grows until it is whole: the same with ".part" behind it.
-std::filesystem::path growing(const std::filesystem::path& file);
-
-/// Problem: what the system says of a file that is to be written there.
-Result<Done> check_writable(const std::filesystem::path& file);
-
-/// Has gnuplot draw growing(file) as the script says, puts `tail` behind what it drew, and gives it its name: the file
-/// is whole, or as it was before. Problems: those of check_writable; gnuplot is not installed, for which `without` says
-/// how to do without it; what it said when it failed; a drawing that is not whole, as on a full disk.
+/// Has gnuplot draw growing_name(file) as the script says, puts `tail` behind what it drew, and gives it its name: the
+/// file is whole, or as it was before. Problems: those of check_writable; gnuplot is not installed, for which `without`
+/// says how to do without it; what it said when it failed; a drawing that is not whole, as on a full disk.
 Result<Done> run_gnuplot(const std::string& script, const std::filesystem::path& file, const std::string& without,
                          const std::string& tail = "");
 

@@ -28,6 +28,11 @@ Result<Done> see(Studio& studio) {
     return shown ? Result<Done>(Done{}) : shown.problems();
 }
 
+void tell(const StillWishes& wishes, double time) {
+    if (wishes.reached)
+        wishes.reached(time);
+}
+
 /// As a hand does it, which then goes out of the way: what lies under a pointer tells its key.
 Result<Done> open_tab(Studio& studio, const std::string& tab) {
     const Result<Shown> shown = studio.draw();
@@ -48,12 +53,13 @@ Result<Done> open_tab(Studio& studio, const std::string& tab) {
 }
 
 /// Frame by frame, so that a trail passes none over.
-Result<Done> go_through_run(Studio& studio, const Stretch& seen, StopFlag stop) {
+Result<Done> go_through_run(Studio& studio, const Stretch& seen, const StillWishes& wishes, StopFlag stop) {
     Source& source = studio.source();
     while (true) {
         if (Result<Done> drawn = see(studio); !drawn)
             return drawn;
         const SourceState state = source.state();
+        tell(wishes, state.time);
         const Result<Done> goes = check_on(source, stop);
         if (!goes || state.ended || state.time >= seen.to)
             return goes;
@@ -75,6 +81,7 @@ Result<Done> simulate(Studio& studio, const Stretch& shown, const StillWishes& w
         }
         if (Result<Done> seen = see(studio); !seen)
             return seen;
+        tell(wishes, time);
         if (time >= shown.to)
             return Done{};
     }
@@ -90,8 +97,8 @@ Result<render::Picture> take_still(Studio& studio, const StillWishes& wishes, St
     if (!wishes.tab.empty())
         if (const Result<Done> opened = open_tab(studio, wishes.tab); !opened)
             return opened.problems();
-    const Result<Done> there =
-        studio.source().can_seek() ? go_through_run(studio, *stretch, stop) : simulate(studio, *stretch, wishes, stop);
+    const Result<Done> there = studio.source().can_seek() ? go_through_run(studio, *stretch, wishes, stop)
+                                                          : simulate(studio, *stretch, wishes, stop);
     if (!there)
         return there.problems();
     while (true) { // until what moved has been drawn once more as what rests

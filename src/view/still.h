@@ -3,6 +3,7 @@
 #include "base/stop.h"
 #include "view/studio.h"
 
+#include <functional>
 #include <limits>
 #include <string>
 
@@ -14,6 +15,7 @@ struct StillWishes {
     double step = 0;                                     // s, of a simulation
     double every = 0;                                    // s, between the frames of a simulation that are seen
     std::string tab{};                                   // of the panel, that is opened; empty: the first
+    std::function<void(double)> reached{};               // s, told as frames are seen
 };
 
 /// What a browser would show at a time, without one. Problems: a time that the source has nothing of, a tab that is not

@@ -1,4 +1,5 @@
-// The fast stage of the blind tests: some cases on the real solver, thousands on its slopes. What is called slow runs by
+// The fast stage of the blind tests: some cases on the real solver, thousands on its slopes. What is called slow runs
+// by
 // `./check --full` and by `test_blind --no-skip`; tests/blind/judge.py is the large one.
 #include "linear_stage.h"
 

@@ -1,11 +1,25 @@
 #include "process.h"
 
 #include <nlohmann/json.hpp>
+#include <regex>
 
 namespace test_gallery {
 
 using namespace tumble::test;
 namespace fs = std::filesystem;
+
+/// Pixels across and upright, as the head of the file has them.
+std::pair<unsigned long, unsigned long> size_of_png(const fs::path& file) {
+    const std::string head = content_of(file).substr(16, 8);
+    REQUIRE(head.size() == 8);
+    const auto number = [&](std::size_t from) {
+        unsigned long value = 0;
+        for (std::size_t k = from; k < from + 4; ++k)
+            value = 256 * value + static_cast<unsigned char>(head[k]);
+        return value;
+    };
+    return {number(0), number(4)};
+}
 
 TEST_CASE("the gallery makes what it can, names what failed, and leaves no runs behind") {
     const Folder folder;
@@ -129,6 +143,12 @@ TEST_CASE("docs/gallery.md has the commands that make each picture of the galler
         const fs::path made = fs::path(TUMBLE_ROOT) / "docs/gallery" / file;
         REQUIRE(fs::exists(made));
         CHECK(fs::file_size(made) < (picture["minutes"] == 0 ? 300000 : 800000)); // bytes
+        std::smatch size;
+        if (made.extension() == ".png" && std::regex_search(commands, size, std::regex("--size=([0-9]+)x([0-9]+)"))) {
+            const auto [width, height] = size_of_png(made);
+            CHECK(width == std::stoul(size[1]));
+            CHECK(height <= std::stoul(size[2])); // several frames in one take no more than they need
+        }
     }
 }
 

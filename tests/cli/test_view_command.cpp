@@ -109,6 +109,13 @@ TEST_CASE("view draws what a browser would show into a file, of a scene and of a
     CHECK(contains(never.err, "it goes from 0 to 0.1 s"));
     CHECK_FALSE(std::filesystem::exists(folder.path / "x.png"));
     CHECK(tumble_in(folder, {"view", "ball.toml", "--picture", "x.png", "--tab", "Lock"}).code == 2);
+    // Where it cannot be written is found out before anything is simulated.
+    CHECK(tumble_in(folder, {"view", "out/ball", "--picture", "a/b/x.png", "--time", ":0.05"}).code == 0);
+    CHECK(std::filesystem::exists(folder.path / "a/b/x.png"));
+    const Outcome nowhere =
+        tumble_in(folder, {"view", "ball.toml", "--picture", "/dev/full/x.png", "--set", "duration_s=1e6"});
+    CHECK(nowhere.code == 2);
+    CHECK(contains(nowhere.err, "/dev/full"));
 }
 
 } // namespace test_view_command

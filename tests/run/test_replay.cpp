@@ -270,6 +270,8 @@ TEST_CASE("pictures in which no body is to be seen are told, with why") {
     CHECK(warned({"render.camera=free", "render.eye_m=[0,0.5,0.3]", "render.target_m=[0,0.5,1]",
                   "render.projection=perspective"})
               .find("all lie outside") != std::string::npos); // behind the eye
+    CHECK(warned({"render.view_lo_m=[-0.1,0,-0.1]", "render.view_hi_m=[0.1,0.1,0.1]"})
+              .find("all lie outside of render.view_lo_m to render.view_hi_m") != std::string::npos);
 }
 
 TEST_CASE("an opened run knows its frames' times; where heads were enough, what is damaged is found when it is read") {

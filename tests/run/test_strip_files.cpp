@@ -103,21 +103,6 @@ TEST_CASE("sections are taken at the places that are given, and a place that no 
 }
 
 /// Nothing but the words can differ: what is in sight has neither body nor wall, and the clip is all of the domain.
-TEST_CASE("under a section stands whether it cuts bodies open or leaves them out") {
-    const Folder folder;
-    const fs::path run = finished_run(folder);
-    run::StripOptions options = options_for(folder.path / "left out.png", 1);
-    options.sections = true;
-    options.places = {0.05};
-    options.redraw.settings.clip = scene::Box{{-0.1, -0.1, -0.1}, {0.1, 0.6, 0.1}};
-    options.redraw.settings.view = scene::Box{{-0.1, 0.3, -0.1}, {0.1, 0.6, 0.1}};
-    REQUIRE(run::draw_strip(run, options, silent).ok());
-    options.redraw.settings.clip_cuts = true;
-    options.out = folder.path / "cut.png";
-    REQUIRE(run::draw_strip(run, options, silent).ok());
-    CHECK(content_of(folder.path / "left out.png") != content_of(folder.path / "cut.png"));
-}
-
 TEST_CASE("sections have each the mean field of all frames, and need one scale of arrows in one picture") {
     const Folder folder;
     const fs::path run = finished_run(folder);

@@ -136,12 +136,12 @@ StripArrangement arrange_strip(const scene::Render& settings, const Eigen::Align
         layout.title.right -= strip_note * unit;
         layout.time = {layout.title.right, gap, w - gap, gap + title};
     }
-    double y = std::round(gap + title);
+    double y = std::floor(gap + title); // rows that were rounded up would not all fit
     for (int k = 0; k < plan.cells; ++k) {
         const double x = std::round(gap + (k % columns) * (cell.width + gap));
         all.cells.push_back({x, y, x + cell.width, y + cell.height});
         if (k % columns == columns - 1 || k == plan.cells - 1)
-            y = std::round(y + cell.height + strip_words * unit);
+            y = std::floor(y + cell.height + strip_words * unit);
     }
     const double bottom = y + gap + panel_height(panels, unit);
     all.height = static_cast<int>(bottom + gap);

@@ -146,6 +146,9 @@ int view_it(ViewArguments& arguments) {
     auto watched = open_watched(arguments, bell);
     if (!watched)
         return refuse(watched.problems(), arguments.json, wrong);
+    for (const std::string& warning : watched->source->warnings())
+        if (!arguments.quiet)
+            note("warning: " + warning);
     const view::StudioOptions options{watched->scene.render.width, watched->scene.render.height, arguments.out};
     auto studio = view::Studio::open(std::move(watched->source), watched->text, watched->scene,
                                      std::move(watched->plots), options);

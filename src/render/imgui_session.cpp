@@ -61,6 +61,13 @@ ImGuiSession::ImGuiSession(double unit) {
     fonts_ = load_fonts(*io.Fonts, unit);
 }
 
+void ImGuiSession::rescale(double unit) {
+    const Current current(*this);
+    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    atlas.Clear();
+    fonts_ = load_fonts(atlas, unit);
+}
+
 ImGuiSession::~ImGuiSession() {
     const std::lock_guard lock(one_at_a_time);
     ImGui::DestroyContext(context_);

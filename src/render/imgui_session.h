@@ -19,6 +19,8 @@ public:
     ~ImGuiSession();
 
     [[nodiscard]] const ScreenPen::Fonts& fonts() const { return fonts_; }
+    /// Between two frames: letters for another unit; all else goes on as it is.
+    void rescale(double unit);
 
     /// While it lives, ImGui's functions mean this session: there is one current context for all threads.
     class Current {

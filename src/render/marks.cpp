@@ -394,8 +394,12 @@ MarkKey MarkMaker::key(const observe::FrameLayout& layout, const MarkView& view)
     if (wanted_.chains) {
         key.chain = {force_, chain_thickness * view.unit, beyond_};
     }
+    // Once frames were seen: of nobody, or of a body that is yet to come, there is no line.
+    const auto has_line = [&](std::size_t t) { return t >= trails_.size() || !trails_[t].empty(); };
     const std::size_t named_trails = trails_named(wanted_.trails.size());
-    key.more_trails = static_cast<int>(wanted_.trails.size() - named_trails);
+    for (std::size_t t = named_trails; t < wanted_.trails.size(); ++t) {
+        key.more_trails += has_line(t) ? 1 : 0;
+    }
     if (key.more_trails > 0) {
         key.more_color = trail_color(named_trails);
     }
@@ -405,6 +409,9 @@ MarkKey MarkMaker::key(const observe::FrameLayout& layout, const MarkView& view)
         }
     }
     for (std::size_t t = 0; t < named_trails; ++t) {
+        if (!has_line(t)) {
+            continue;
+        }
         const auto named = [&](const observe::FrameShape& shape) { return shape.name == wanted_.trails[t]; };
         const bool name = std::any_of(layout.shapes.begin(), layout.shapes.end(), named);
         key.trails.push_back({(name ? "" : "body ") + wanted_.trails[t], trail_color(t)});

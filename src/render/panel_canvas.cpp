@@ -63,6 +63,22 @@ Result<Done> PanelCanvas::resize(int width, int height) {
     return Done{};
 }
 
+Result<Done> PanelCanvas::rescale(double unit) {
+    if (unit == inside_->unit) {
+        return Done{};
+    }
+    inside_->session.rescale(unit);
+    inside_->unit = unit;
+    const GlContext::Current current(inside_->context);
+    const ImGuiSession::Current session(inside_->session);
+    auto drawer = PanelDrawer::open(*ImGui::GetIO().Fonts);
+    if (!drawer) {
+        return drawer.problems();
+    }
+    inside_->drawer = std::move(*drawer);
+    return Done{};
+}
+
 void PanelCanvas::pass(const Step& feed, const Step& build) {
     const ImGuiSession::Current session(inside_->session);
     ImGui::GetIO().DisplaySize = {static_cast<float>(inside_->canvas->width),

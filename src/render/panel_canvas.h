@@ -22,6 +22,9 @@ public:
     /// then.
     Result<Done> resize(int width, int height);
 
+    /// Letters for another unit, with the widgets as they are. Problems: the graphics library has no more memory.
+    Result<Done> rescale(double unit);
+
     using Step = std::function<void()>;
 
     /// One frame of Dear ImGui: `feed` tells its IO what hands did, `build` makes the widgets. Nothing is painted.

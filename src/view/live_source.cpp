@@ -216,8 +216,9 @@ private:
     [[nodiscard]] std::int64_t stretch(double speed) const {
         if (speed <= 0)
             return stretch_;
-        const auto due = static_cast<std::int64_t>(std::ceil(speed * stretch_s / running_.step()));
-        return std::clamp(due, std::int64_t{1}, stretch_);
+        const double due = std::ceil(speed * stretch_s / running_.step()); // may be more than a whole number holds
+        return due < static_cast<double>(stretch_) ? std::max(static_cast<std::int64_t>(due), std::int64_t{1})
+                                                   : stretch_;
     }
 
     [[nodiscard]] std::int64_t to_next_change() const {

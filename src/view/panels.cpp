@@ -39,12 +39,13 @@ void tell_key(Desk& desk, const std::string& key) {
     desk.told_key = key;
 }
 
-/// A slider over the panel's whole width. Numbers are double; ImGui has no word for that.
+/// A slider over the panel's whole width; a number typed into it ends where it ends. Numbers are double; ImGui has no
+/// word for that.
 bool slider(Desk& desk, const std::string& name, double& value, double lo, double hi, const char* format,
             ImGuiSliderFlags flags = ImGuiSliderFlags_None) {
     ImGui::SetNextItemWidth(-1);
-    const bool moved =
-        ImGui::SliderScalar(("##" + name).c_str(), ImGuiDataType_Double, &value, &lo, &hi, format, flags);
+    const bool moved = ImGui::SliderScalar(("##" + name).c_str(), ImGuiDataType_Double, &value, &lo, &hi, format,
+                                           flags | ImGuiSliderFlags_AlwaysClamp);
     mark(desk, name);
     return moved;
 }

@@ -36,6 +36,7 @@ public:
     [[nodiscard]] bool can_seek() const override { return true; }
     [[nodiscard]] bool can_change() const override { return false; }
     [[nodiscard]] bool can_show_contacts() const override { return has_contacts_; }
+    [[nodiscard]] std::vector<std::string> warnings() const override { return recording_.warnings; }
 
     [[nodiscard]] Result<Stretch> find(double from, double to) override {
         const auto is_in = [&](const run::RecordedFrame& frame) { return run::is_within(frame, from, to); };
@@ -194,6 +195,8 @@ Result<std::unique_ptr<Source>> open_recorded(const std::filesystem::path& folde
     Result<run::Recording> recording = run::open_recording(folder, {});
     if (!recording)
         return recording.problems();
+    if (const auto found = run::check_trails({&*recording, 1}, scene.render.marks.trails); !found)
+        return found.problems();
     run::RedrawOptions words; // of the film, and of what is seen
     words.settings = scene.render;
     words.title = scene.title;

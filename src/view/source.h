@@ -61,6 +61,8 @@ public:
     [[nodiscard]] virtual std::shared_ptr<const observe::FrameLayout> layout() const = 0;
     /// What must be in the picture, m.
     [[nodiscard]] virtual Eigen::AlignedBox3d bounds() const = 0;
+    /// Sentences about what is missing or was left out, known since it was opened.
+    [[nodiscard]] virtual std::vector<std::string> warnings() const { return {}; }
     /// The moment to be shown now; null while there is none.
     virtual MomentPtr newest() = 0;
     [[nodiscard]] virtual SourceState state() = 0;

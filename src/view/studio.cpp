@@ -76,8 +76,10 @@ Result<Done> Studio::open_panel() {
     panel_shown_ = panel_toggled_ ? panel_shown_ : panel_width_ < window_.width;
     passes_left_ = settling_passes;
     const double unit = panel_letters * window_.ratio;
-    if (panel_ && panel_->unit() == unit)
-        return panel_->resize(panel_width_, window_.height);
+    if (panel_) { // the open tab, and what a hand is about in it, stay
+        const Result<Done> scaled = panel_->rescale(unit);
+        return scaled ? panel_->resize(panel_width_, window_.height) : scaled;
+    }
     auto panel = render::PanelCanvas::open(panel_width_, window_.height, unit);
     if (!panel)
         return panel.problems();
@@ -163,12 +165,9 @@ void Studio::draw_scene() {
     sketched_ = is_new && drawn_ != 0 && layout_->dimension == 3;
     if (is_new)
         moved_ = now;
-    if (orbit_)
-        orbit().write(look_);
-    painter_->hold_camera(orbit_ ? std::optional(held_) : std::nullopt);
-    for (const Result<Done>& done : {painter_->restyle(look_), painter_->set_sketching(sketched_)})
-        if (!done)
-            notice_ = to_string(done.problems().front());
+    aim();
+    if (const auto done = painter_->set_sketching(sketched_); !done)
+        notice_ = to_string(done.problems().front());
     source_->show_contacts(look_.marks.chains);
     plots_.take(*moment_);
     scene_picture_ = painter_->draw(moment_->frame);

@@ -68,6 +68,7 @@ private:
     [[nodiscard]] Eigen::Vector2d from_middle(double x, double y) const;
     Orbit& orbit();
     void set_camera(const std::string& name);
+    void aim();
     Result<Done> open_painter();
     Result<Done> open_panel();
     Result<Done> open_window();
@@ -83,6 +84,7 @@ private:
     void fit_range();
     void save_scene();
     Result<std::filesystem::path> write_scene();
+    [[nodiscard]] scene::Box seen_box() const;
     [[nodiscard]] std::filesystem::path free_name(const std::string& extension);
     [[nodiscard]] render::Picture beside_panel(render::Picture panel) const;
     [[nodiscard]] std::string describe() const;
@@ -124,11 +126,11 @@ private:
     std::chrono::steady_clock::time_point moved_ = std::chrono::steady_clock::now(); // when it last had to be new
     int passes_left_ = 0; // of the panel until it has settled
     render::PngWriter png_;
-    int kept_ = 0;                     // number of the last file
-    std::filesystem::path keeping_;    // the picture that is being written
-    std::string notice_, told_notice_; // of what was kept; as it was last drawn
-    std::string saved_, told_saved_;   // the same of the scene
-    std::string told_;                 // of the source when last drawn
+    int kept_ = 0;                               // number of the last file
+    std::vector<std::filesystem::path> keeping_; // pictures that are being written
+    std::string notice_, told_notice_;           // of what was kept; as it was last drawn
+    std::string saved_, told_saved_;             // the same of the scene
+    std::string told_;                           // of the source when last drawn
     std::map<std::string, std::array<double, 4>> places_;
     std::string told_key_; // of the widget under the pointer
     std::chrono::steady_clock::time_point passed_ = std::chrono::steady_clock::now();

@@ -112,9 +112,10 @@ void Studio::take_key(const KeyChanged& change) {
         source_->play(!source_->state().playing);
     else if (key == "Period")
         source_->step(1);
-    else if (key == "Comma")
-        source_->step(-1);
-    else if (key == "ArrowLeft")
+    else if (key == "Comma") {
+        if (source_->can_seek()) // a simulation goes on: it cannot go back
+            source_->step(-1);
+    } else if (key == "ArrowLeft")
         move(-turn, 0);
     else if (key == "ArrowRight")
         move(turn, 0);
@@ -139,6 +140,16 @@ void Studio::set_camera(const std::string& name) {
     look_.eye = settings_.eye;
     look_.target = settings_.target;
     look_changed_ = true;
+    aim(); // what a hand does next begins from this camera
+}
+
+/// The painter's camera is the one that was asked for last, before anything is drawn with it.
+void Studio::aim() {
+    if (orbit_)
+        orbit().write(look_);
+    painter_->hold_camera(orbit_ ? std::optional(held_) : std::nullopt);
+    if (const auto done = painter_->restyle(look_); !done)
+        notice_ = to_string(done.problems().front());
 }
 
 /// A window that is hidden has no size: the picture then stays as it is.

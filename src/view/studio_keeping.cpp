@@ -5,8 +5,16 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
 namespace tumble::view {
+
+namespace {
+
+constexpr std::size_t most_kept_at_once = 4; // as many as wait beside the drawing without holding it up
+constexpr double farthest_corner = 1e4;      // m, that a scene's view takes
+
+} // namespace
 
 /// Scales of a film of what goes on are those of the picture that was drawn last; of a run that is over the film knows
 /// all frames.
@@ -36,10 +44,15 @@ std::filesystem::path Studio::free_name(const std::string& extension) {
 
 /// The scene's picture alone, without the panel.
 void Studio::keep_picture() {
+    if (keeping_.size() >= most_kept_at_once) {
+        notice_ = fmt::format("{} pictures are being written: this one is not kept; ask again once they are named",
+                              keeping_.size());
+        return;
+    }
     (void)painter_->set_sketching(false); // then the rough edges stay
     const std::filesystem::path file = free_name(".png");
     if (const auto begun = png_.add(file, painter_->draw(moment_->frame)); begun)
-        keeping_ = file;
+        keeping_.push_back(file);
     else
         notice_ = to_string(begun.problems().front());
 }
@@ -49,8 +62,10 @@ void Studio::name_kept() {
     const auto kept = keeping_.empty() ? std::nullopt : png_.outcome();
     if (!kept)
         return;
-    notice_ = *kept ? keeping_.string() : to_string(kept->problems().front());
-    keeping_.clear();
+    const std::vector<std::filesystem::path> files = std::exchange(keeping_, {});
+    notice_ = *kept ? files.front().string() : to_string(kept->problems().front());
+    for (std::size_t k = 1; *kept && k < files.size(); ++k)
+        notice_ += "\n" + files[k].string();
 }
 
 /// What was saved, or why not, stands in the panel beside the button.
@@ -65,7 +80,14 @@ Result<std::filesystem::path> Studio::write_scene() {
     Result<scene::Scene> scene = text_.load(changes);
     if (!scene)
         return scene.problems();
+    if (orbit_)
+        aim(); // hands may have moved it since the last picture
     scene->render = look_;
+    if (orbit_ && layout_->dimension == 2)
+        scene->render.view = seen_box(); // its camera has no keys
+    // One that hands have chosen stands still, and so does what a mean field is drawn for.
+    if (!orbit_ && look_.camera == settings_.camera && look_.marks.arrows != "field")
+        scene->render.turn_deg_s = settings_.turn_deg_s;
     scene->render.width = settings_.width;
     scene->render.height = settings_.height;
     scene->render.plot = settings_.plot;
@@ -76,6 +98,15 @@ Result<std::filesystem::path> Studio::write_scene() {
     if (const auto written = observe::write_whole(file, scene::to_toml(*scene)); !written)
         return written.problems();
     return file;
+}
+
+/// In two dimensions: what a camera must fit so that it shows what is seen now.
+scene::Box Studio::seen_box() const {
+    const render::Camera& camera = painter_->camera();
+    const render::Area& area = painter_->layout().scene;
+    const double metres = (0.5 - render::camera_margin) / camera.pixels_per_metre(camera.target); // per pixel
+    const Eigen::Vector3d half(metres * area.width(), metres * area.height(), 0);
+    return {(camera.target - half).cwiseMax(-farthest_corner), (camera.target + half).cwiseMin(farthest_corner)};
 }
 
 } // namespace tumble::view

@@ -118,4 +118,27 @@ TEST_CASE("view draws what a browser would show into a file, of a scene and of a
     CHECK(contains(nowhere.err, "/dev/full"));
 }
 
+TEST_CASE("view says what is missing of a run, and refuses the trail of a body that the run has not") {
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(0.1));
+    REQUIRE(tumble_in(folder, {"run", "ball.toml", "--quiet", "--set", "render.every_s=0.02"}).code == 0);
+    const std::vector<std::string> view{"view", "out/ball", "--picture", "run.png", "--force", "--size", "1000x500"};
+    CHECK(tumble_in(folder, view).err.empty());
+    std::vector<std::filesystem::path> frames;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path / "out/ball/frames"))
+        if (entry.path().filename().string().starts_with("frame"))
+            frames.push_back(entry.path());
+    std::sort(frames.begin(), frames.end());
+    REQUIRE(frames.size() > 3);
+    std::filesystem::remove(frames[2]);
+    const Outcome gap = tumble_in(folder, view);
+    CHECK_MESSAGE(gap.code == 0, gap.err);
+    CHECK(contains(gap.err, "warning: frames are missing between t = 0.02 and 0.06 s, 1 in all"));
+    std::vector<std::string> nobody = view;
+    nobody.insert(nobody.end(), {"--trails", "99999"});
+    const Outcome refused = tumble_in(folder, nobody);
+    CHECK(refused.code == 2);
+    CHECK(contains(refused.err, "there is no body '99999' whose trail could be drawn"));
+}
+
 } // namespace test_view_command

@@ -101,4 +101,23 @@ TEST_CASE("trails without a colour of their own in the key are of one that no ot
     CHECK(!five.maker.key(*layout, five.view()).more_color);
 }
 
+TEST_CASE("the key names the trails that there are, and none of nobody") {
+    const auto layout = spheres({0.01});
+    observe::Frame frame = empty_frame(layout);
+    for (int b = 0; b < 6; ++b)
+        add_body(frame, 0, {0, 0, 0.05 * b}, {0, 0, 1});
+    Follower known({"0", "99999"});
+    known.take_in(frame);
+    const MarkKey key = known.maker.key(*layout, known.view());
+    REQUIRE(key.trails.size() == 1);
+    CHECK(key.trails[0].name == "body 0");
+    Follower many({"0", "1", "2", "3", "4", "99998", "5", "99999"});
+    const int more = many.maker.key(*layout, many.view()).more_trails;
+    many.take_in(frame);
+    CHECK(many.maker.key(*layout, many.view()).more_trails == more - 2);
+    Follower nobody({"99999"});
+    nobody.take_in(frame);
+    CHECK(nobody.maker.key(*layout, nobody.view()).rows() == 0);
+}
+
 } // namespace test_trails

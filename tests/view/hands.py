@@ -109,6 +109,15 @@ def fits_a_phone(page):
     page.wait("the window as before", lambda: driver.execute_script(width) != 780)
 
 
+def fits_a_huge_window(page):
+    """Wider than four times the widest picture: it asks for less than a quarter of a pixel a pixel, and goes on."""
+    driver = page.driver
+    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": 12000, "height": 1200, "deviceScaleFactor": 1, "mobile": False})
+    page.wait("the widest picture", lambda: page.size() == (2560, 256))
+    driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+    page.wait("the window as before", lambda: page.size() == page.window())
+
+
 def told_while(page, do):
     """The words of buttons and keys that the page sends meanwhile."""
     page.driver.execute_script(
@@ -235,7 +244,7 @@ def main():
     with a_browser() as (driver, folder), View(program, "shaken.toml", folder) as view:
         page = Page(driver)
         page.open(view.link)
-        go_through((drags_the_camera, obeys_keys, moves_a_slider, fits_a_phone, lets_go_of_keys, lets_go_of_buttons, follows_two_buttons), page)
+        go_through((drags_the_camera, obeys_keys, moves_a_slider, fits_a_phone, fits_a_huge_window, lets_go_of_keys, lets_go_of_buttons, follows_two_buttons), page)
         go_through((shares, shares_between_sizes), page, view, folder)
         check_log(driver)
         kept = list((folder / "kept").iterdir())

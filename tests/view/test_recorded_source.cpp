@@ -1,5 +1,6 @@
 #include "../about.h"
 #include "../video.h"
+#include "observe/frame_file.h"
 #include "recorded.h"
 #include "run/replay.h"
 #include "view/plots.h"
@@ -129,6 +130,23 @@ TEST_CASE("a run shows contacts where its frames kept them") {
     const Recorded recorded(true);
     CHECK(recorded.source->can_show_contacts());
     CHECK(recorded.source->newest()->frame.contacts);
+}
+
+TEST_CASE("a run tells what is missing of it, and refuses the trail of a body that it has not") {
+    Recorded recorded;
+    CHECK(recorded.source->warnings().empty());
+    recorded.scene.render.marks.trails = {"99999"};
+    const auto refused = open_recorded(recorded.run, recorded.scene, [] {});
+    REQUIRE(!refused.ok());
+    CHECK(refused.problems()[0].key == "render.trails");
+    CHECK(refused.problems()[0].what.starts_with("there is no body '99999'"));
+    recorded.scene.render.marks.trails = {"0"};
+    const auto frames = observe::list_frames(recorded.run / "frames");
+    REQUIRE(frames.size() == 5);
+    std::filesystem::remove(frames[2]);
+    const auto source = recorded.again();
+    REQUIRE(source->warnings().size() == 1);
+    CHECK(source->warnings()[0].starts_with("frames are missing between t = 0.005 and 0.015 s, 1 in all"));
 }
 
 TEST_CASE("a folder that holds no run is a problem") {

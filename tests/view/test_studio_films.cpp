@@ -86,6 +86,106 @@ TEST_CASE("a film of a run that is over has its frames with the camera as it is 
     }
 }
 
+/// The run's film as it is asked for.
+class Asked final : public Source {
+public:
+    explicit Asked(std::unique_ptr<Source> real) : real_(std::move(real)) {}
+    std::optional<FilmLook> look{};
+
+    void film(const FilmLook& wanted, const std::filesystem::path&) override { look = wanted; }
+    void film_no_more() override {}
+    std::shared_ptr<const observe::FrameLayout> layout() const override { return real_->layout(); }
+    Eigen::AlignedBox3d bounds() const override { return real_->bounds(); }
+    MomentPtr newest() override { return real_->newest(); }
+    SourceState state() override { return real_->state(); }
+    void play(bool on) override { real_->play(on); }
+    void step(std::int64_t count) override { real_->step(count); }
+    void set_speed(double speed) override { real_->set_speed(speed); }
+    bool can_seek() const override { return true; }
+    Result<Stretch> find(double from, double to) override { return real_->find(from, to); }
+    bool can_show_contacts() const override { return false; }
+    bool can_change() const override { return false; }
+
+private:
+    std::unique_ptr<Source> real_;
+};
+
+/// A painter that has drawn with these settings.
+render::Painter painted(const scene::Render& settings, const std::optional<render::Held>& held, Source& source) {
+    auto painter = render::Painter::open(settings, source.layout());
+    REQUIRE_MESSAGE(painter.ok(), to_string(painter.problems()));
+    painter->fit(source.bounds());
+    painter->hold_camera(held);
+    (void)painter->draw(source.newest()->frame);
+    return std::move(*painter);
+}
+
+TEST_CASE("a film of a run that is over with its small plot shows all that was seen without it") {
+    const Recorded recorded;
+    REQUIRE(recorded.scene.render.plot);
+    for (const auto& [width, height] : {std::pair{480, 640}, {1000, 500}, {800, 700}}) {
+        CAPTURE(width);
+        Opened opened(recorded, width, height);
+        auto asked = std::make_unique<Asked>(recorded.again());
+        Asked& source = *asked;
+        opened.open(std::move(asked), Plots::of_run(recorded.run, recorded.scene), width, height);
+        opened.draw();
+        opened.studio->take(WheelTurned{0.7 * width, 0.4 * height, 2});
+        opened.drag(0.7 * width, 0.5 * height, 0.7 * width + 50, 0.5 * height - 20);
+        if (!opened.state["panel"])
+            opened.studio->take(PanelToggled{});
+        opened.draw();
+        opened.click("tab Keep");
+        opened.click("film");
+        REQUIRE(source.look);
+        scene::Render seen_settings = source.look->settings;
+        CHECK(seen_settings.plot);
+        const render::Painter film = painted(source.look->settings, source.look->held, source);
+        seen_settings.plot = false;
+        const render::Painter seen = painted(seen_settings, source.look->held, source);
+        const render::Area& area = seen.layout().scene;
+        const render::Area& room = film.layout().scene;
+        CHECK(room.width() * room.height() < 0.95 * area.width() * area.height());
+        const render::Camera& camera = seen.camera();
+        const double metres = 1 / camera.pixels_per_metre(camera.target);
+        for (const double x : {area.left, area.right})
+            for (const double y : {area.top, area.bottom}) {
+                const Eigen::Vector2d way = metres * (Eigen::Vector2d(x, y) - camera.centre);
+                const Eigen::Vector2d at = film.camera().to_picture(
+                    camera.target + camera.axes.transpose() * Eigen::Vector3d(way.x(), -way.y(), 0));
+                CHECK(at.x() > room.left - 0.01);
+                CHECK(at.x() < room.right + 0.01);
+                CHECK(at.y() > room.top - 0.01);
+                CHECK(at.y() < room.bottom + 0.01);
+            }
+    }
+}
+
+TEST_CASE("pictures asked for in one go are all named once they are written, and no more than wait are taken") {
+    Opened opened(test::pouring);
+    opened.click("tab Keep");
+    const auto [x, y] = opened.middle_of("picture");
+    const auto ask = [&, x = x, y = y](int times) {
+        opened.studio->take(PointerMoved{x, y});
+        for (int i = 0; i < times; ++i) {
+            opened.studio->take(PointerPressed{0, x, y});
+            opened.studio->take(PointerReleased{0, x, y});
+        }
+        opened.draw();
+    };
+    const auto file = [&](int number) {
+        return (opened.folder.path / ("shaken-00" + std::to_string(number) + ".png")).string();
+    };
+    ask(2);
+    CHECK(opened.eventually([&] { return opened.state["notice"] == file(1) + "\n" + file(2); }));
+    ask(5);
+    CHECK(opened.state["notice"].get<std::string>().starts_with("4 pictures are being written"));
+    const std::string all = file(3) + "\n" + file(4) + "\n" + file(5) + "\n" + file(6);
+    CHECK(opened.eventually([&] { return opened.state["notice"] == all; }));
+    for (int number = 1; number <= 7; ++number)
+        CHECK(std::filesystem::exists(file(number)) == (number < 7));
+}
+
 TEST_CASE("a picture is kept as PNG and a film as MP4, under names that nothing had") {
     Opened opened(test::pouring);
     test::put(opened.folder.path / "shaken-001.png", "not ours");

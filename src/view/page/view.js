@@ -4,7 +4,9 @@
 const canvas = document.getElementById('picture');
 const notice = document.getElementById('notice');
 const paper = canvas.getContext('2d', { alpha: false });
-const mostPixels = 2560 * 1600, mostSide = 2560; // src/view/studio.h
+const mostPixels = 2560 * 1600; // that a picture is asked for with
+const mostSide = 2560; // most_side of src/view/studio.h
+const leastRatio = 0.25, mostRatio = 8; // that src/view/message.cpp takes
 const pixelsPerNotch = 100;
 
 let socket = null;
@@ -23,7 +25,7 @@ function tellSize() {
   if (document.hidden || width < 1 || height < 1) return send('size', 0, 0, 1);
   const ratio = Math.min(window.devicePixelRatio || 1, Math.sqrt(mostPixels / (width * height)), mostSide / Math.max(width, height));
   wanted = [Math.round(width * ratio), Math.round(height * ratio)];
-  send('size', ...wanted, ratio.toFixed(3));
+  send('size', ...wanted, Math.min(Math.max(ratio, leastRatio), mostRatio).toFixed(3));
 }
 
 // All browsers share one picture, which has the size of the window that was last used: asked for again in hands' reach.

@@ -1,7 +1,7 @@
 #include "observe/array_file.h"
 
+#include "base/checksum.h"
 #include "base/text.h"
-#include "observe/checksum.h"
 
 #include <algorithm>
 #include <array>

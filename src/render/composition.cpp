@@ -57,10 +57,7 @@ OverlayContent Composition::expected_content(const Camera& seen) const {
     words.time = time_stamp(some_time, settings.every);
     const auto range = settings.range.value_or(std::array{0.0, 1.0});
     words.legend = {style.quantity.label, style.quantity.unit, {range[0], range[1]}, style.map};
-    words.key = mark_maker.key(*layout, mark_view());
-    if (words.key.arrow) {
-        words.key.arrow->over = {0, some_time};
-    }
+    words.key = mark_maker.key(*layout, mark_view()).with_longest_words();
     words.look_with(seen);
     return words;
 }

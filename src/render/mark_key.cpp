@@ -29,6 +29,21 @@ void MarkKey::join(const MarkKey& other) {
     }
 }
 
+MarkKey MarkKey::with_longest_words() const {
+    constexpr double some = 0.888; // m/s, N, where no frame has told yet
+    constexpr double some_time = 88.88;
+    MarkKey longest = *this;
+    if (longest.arrow) {
+        longest.arrow->speed = longest.arrow->speed > 0 ? longest.arrow->speed : some;
+        longest.arrow->over = {0, some_time};
+    }
+    if (longest.chain) {
+        longest.chain->force = longest.chain->force > 0 ? longest.chain->force : some;
+        longest.chain->beyond = true;
+    }
+    return longest;
+}
+
 int key_rows(const scene::Marks& marks) {
     const MarkMaker maker(marks);
     const Camera camera{};
@@ -44,6 +59,10 @@ int key_rows(const scene::Render& settings, const observe::FrameLayout& layout) 
 
 double key_height(int rows) {
     return rows * key_row;
+}
+
+double key_width() {
+    return key_sample + key_gap + key_words;
 }
 
 void take_key(Layout& layout, int rows, bool with_legend) {
@@ -64,8 +83,7 @@ void take_key(Layout& layout, int rows, bool with_legend) {
         layout.key = {legend.left, top, legend.right, legend.bottom};
         legend.bottom = top - pad;
     } else {
-        const double right =
-            std::min(legend.left + (key_sample + key_gap + key_words) * u, legend.left + 0.5 * legend.width());
+        const double right = std::min(legend.left + key_width() * u, legend.left + 0.5 * legend.width());
         layout.key = {legend.left, legend.top, right, legend.bottom};
         legend.left = right + pad;
     }
@@ -117,7 +135,7 @@ void draw_key(Pen& pen, const Area& area, const MarkKey& key, const Theme& theme
     }
     if (shown.chain) {
         const double half = 0.5 * shown.chain->thickness;
-        rows.push_back({"0 to " + amount(shown.chain->force, "N") + (shown.chain->beyond ? " and up" : ""),
+        rows.push_back({(shown.chain->beyond ? "0 to ≥ " : "0 to ") + amount(shown.chain->force, "N"),
                         [&pen, &area, &theme, right, half](double y) {
                             pen.triangle({area.left, y}, {right, y - half}, {right, y + half}, theme.chain);
                         }});

@@ -10,6 +10,9 @@ namespace tumble::render {
 /// Units that a panel of so many rows of the key is high.
 double key_height(int rows);
 
+/// Units that it is wide where there is room.
+double key_width();
+
 /// Makes room for a key of so many rows beside or below the legend, or in its place where there is none; layout.key is
 /// where it stands. Without rows nothing changes.
 void take_key(Layout& layout, int rows, bool with_legend);

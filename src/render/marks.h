@@ -49,6 +49,8 @@ struct MarkKey {
     [[nodiscard]] int rows() const;
     /// What holds for either of two pictures that share a key.
     void join(const MarkKey& other);
+    /// The same with words as long as those of the frames to come may be.
+    [[nodiscard]] MarkKey with_longest_words() const;
 };
 
 /// Rows of the key of such marks, and of that of pictures with their marks and their clip.

@@ -102,8 +102,9 @@ PairArrangement choose_arrangement(const scene::Render& settings,
         const Camera camera = *make_camera(settings, box, {0, 0, half.width(), half.height()});
         OverlayContent content;
         content.legend = {quantity.label, quantity.unit, {(*settings.range)[0], (*settings.range)[1]}, map};
-        content.key =
-            MarkMaker(settings.marks).key(seen, {camera, {}, 1, theme, clip_of(settings, seen), settings.clip_cuts});
+        content.key = MarkMaker(settings.marks)
+                          .key(seen, {camera, {}, 1, theme, clip_of(settings, seen), settings.clip_cuts})
+                          .with_longest_words();
         content.look_with(camera);
         return is_readable(content, tried.lettering, theme);
     };

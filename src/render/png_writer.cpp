@@ -1,10 +1,9 @@
 #include "render/png_writer.h"
 
+#include "base/png_size.h"
 #include "base/thrown.h"
-#include "observe/checksum.h"
 #include "render/file_swap.h"
 
-#include <cmath>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -15,47 +14,23 @@
 
 namespace tumble::render {
 
-static void put_whole(std::vector<std::uint8_t>& bytes, std::uint32_t value) {
-    for (int shift = 24; shift >= 0; shift -= 8) {
-        bytes.push_back(static_cast<std::uint8_t>(value >> shift));
-    }
-}
-
-/// The chunk pHYs (PNG specification, 11.3.5.3): pixels a metre across and along. It stands before the picture's data,
-/// right behind the header.
-static void insert_size(std::vector<std::uint8_t>& png, double dots_per_metre) {
-    constexpr std::ptrdiff_t after_header = 8 + 12 + 13; // signature; length, name, sum and content of IHDR
-    const auto dots = static_cast<std::uint32_t>(std::lround(dots_per_metre));
-    std::vector<std::uint8_t> content{'p', 'H', 'Y', 's'};
-    put_whole(content, dots);
-    put_whole(content, dots);
-    content.push_back(1); // the unit is the metre
-    std::vector<std::uint8_t> chunk;
-    put_whole(chunk, static_cast<std::uint32_t>(content.size() - 4));
-    chunk.insert(chunk.end(), content.begin(), content.end());
-    put_whole(chunk, observe::crc32({reinterpret_cast<const char*>(content.data()), content.size()}));
-    png.insert(png.begin() + after_header, chunk.begin(), chunk.end());
-}
-
 std::vector<std::uint8_t> encode_png(const Picture& picture) {
     std::vector<std::uint8_t> rgb;
     rgb.reserve(picture.rgba.size() / 4 * 3);
     for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
         rgb.insert(rgb.end(), {picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2]});
     }
-    std::vector<std::uint8_t> bytes;
+    std::string bytes;
     const auto take = [](void* out, void* data, int size) {
-        const auto* first = static_cast<const std::uint8_t*>(data);
-        auto& all = *static_cast<std::vector<std::uint8_t>*>(out);
-        all.insert(all.end(), first, first + size);
+        static_cast<std::string*>(out)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
     };
     if (!stbi_write_png_to_func(take, &bytes, picture.width, picture.height, 3, rgb.data(), 3 * picture.width)) {
         throw std::bad_alloc(); // its one reason
     }
     if (picture.dots_per_metre > 0) {
-        insert_size(bytes, picture.dots_per_metre);
+        insert_png_size(bytes, picture.dots_per_metre);
     }
-    return bytes;
+    return {bytes.begin(), bytes.end()};
 }
 
 /// An exception becomes a problem, for nobody catches it on the writer's thread.

@@ -153,6 +153,9 @@ StripArrangement arrange_strip(const scene::Render& settings, const Eigen::Align
             layout.key = {left, bottom - last_row(panels, unit), w - gap, bottom};
     } else {
         layout.legend = {std::max(left, w - gap - strip_legend * unit), y + gap, w - gap, bottom};
+        const double key_left = layout.legend.left - gap - key_width() * unit;
+        if (panels.key > 0 && key_left >= left) // beside the legend, which keeps its room
+            layout.key = {key_left, y + gap, layout.legend.left - gap, bottom};
     }
     return all;
 }
@@ -210,7 +213,7 @@ Result<StripPainterOf<Medium>> StripPainterOf<Medium>::open(const scene::Render&
     const auto readable = [&](const StripArrangement& tried) {
         OverlayContent content;
         content.legend = legend;
-        content.key = key;
+        content.key = key.with_longest_words();
         content.time = plan.note;
         for (std::size_t k = 0; k < std::min(plan.captions.size(), tried.cells.size()); ++k)
             content.captions.push_back({under(tried.cells[k], tried.lettering), plan.captions[k]});

@@ -84,7 +84,7 @@ std::string flow_script(const FlowReport& report, const std::filesystem::path& f
 }
 
 Result<Done> draw_flow(const FlowReport& report, const std::filesystem::path& file, const sheet::Canvas& canvas) {
-    return sheet::run_gnuplot(flow_script(report, file, canvas), file,
+    return sheet::run_gnuplot(flow_script(report, file, canvas), file, canvas,
                               "leave --picture away: the tables need no gnuplot");
 }
 

@@ -38,21 +38,6 @@ std::string left_out(const Problems& problems) {
     return problems.empty() ? "" : fmt::format("left out {}: {}", problems[0].file, problems[0].what);
 }
 
-/// What run.json says of a run that did not reach its end; nothing for one that did.
-std::vector<std::string> unfinished(const RunFolder& folder) {
-    const nlohmann::json json = read_summary(folder);
-    if (!json.contains("state") || !json["state"].is_string())
-        return {"run.json cannot be read, so that nobody knows whether the run reached its end"};
-    const std::string state = json["state"];
-    if (state == "finished")
-        return {};
-    const std::string became = state == "running" ? "did not end: it was killed, or is still going on"
-                                                  : (state == "failed" ? "failed" : "was stopped");
-    if (!json.contains("time_s") || !json["time_s"].is_number())
-        return {"this run " + became};
-    return {fmt::format("this run {}; run.json knows of t = {:.6g} s", became, json["time_s"].get<double>())};
-}
-
 /// s, roundings included.
 double slack_of(const observe::FrameHead& frame) {
     return frame.step > 0 ? 0.5 * (1 + 1e-9) * frame.time / static_cast<double>(frame.step) : 0;
@@ -139,6 +124,20 @@ std::vector<std::string> gaps_of(const Survey& found) {
 
 } // namespace
 
+std::vector<std::string> how_it_ended(const RunFolder& folder) {
+    const nlohmann::json json = read_summary(folder);
+    if (!json.contains("state") || !json["state"].is_string())
+        return {"run.json cannot be read, so that nobody knows whether the run reached its end"};
+    const std::string state = json["state"];
+    if (state == "finished")
+        return {};
+    const std::string became = state == "running" ? "did not end: it was killed, or is still going on"
+                                                  : (state == "failed" ? "failed" : "was stopped");
+    if (!json.contains("time_s") || !json["time_s"].is_number())
+        return {"this run " + became};
+    return {fmt::format("this run {}; run.json knows of t = {:.6g} s", became, json["time_s"].get<double>())};
+}
+
 std::optional<double> pace_of(const std::vector<RecordedFrame>& frames) {
     std::vector<double> ways;
     for (std::size_t k = 1; k < frames.size(); ++k)
@@ -178,7 +177,7 @@ Result<Recording> open_recording(const std::filesystem::path& root, const Replay
     const Survey found = survey(*folder, *layout, options, reading);
     if (found.wanted.empty())
         return nothing_to_show(root, found, options);
-    Recording recording{*folder, *layout, found.wanted, unfinished(*folder), found.bounds};
+    Recording recording{*folder, *layout, found.wanted, how_it_ended(*folder), found.bounds};
     for (const Problem& problem : found.damaged)
         recording.warnings.push_back(left_out({problem}));
     for (std::string& gap : gaps_of(found))

@@ -59,6 +59,9 @@ struct Recording {
 /// times heads are enough.
 enum class Reading { whole, heads };
 
+/// What run.json says of a run that did not reach its end; nothing for one that did.
+std::vector<std::string> how_it_ended(const RunFolder& folder);
+
 /// s, that usually lie between frames; nothing where there are not two of them.
 std::optional<double> pace_of(const std::vector<RecordedFrame>& frames);
 

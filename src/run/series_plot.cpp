@@ -4,6 +4,7 @@
 #include "observe/frame_file.h"
 #include "observe/measures.h"
 #include "render/ticks.h"
+#include "run/replay.h"
 #include "run/run_folder.h"
 
 #include <algorithm>
@@ -343,6 +344,9 @@ Result<SeriesPlot> plot_series(const std::vector<fs::path>& roots, const SeriesP
         return heads.problems();
     SeriesPlot plot;
     plot.warnings = what_is_missing(*runs, roots, *heads);
+    for (const fs::path& root : roots)
+        for (const std::string& sentence : how_it_ended(*find_run(root)))
+            plot.warnings.push_back(roots.size() > 1 ? root.string() + ": " + sentence : sentence);
     const std::vector<Group> groups = grouped(*runs, *heads, plot.warnings);
     if (groups.empty())
         return Problem{.file = roots.front().string(),

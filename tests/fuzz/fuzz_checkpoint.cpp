@@ -1,5 +1,5 @@
+#include "base/checksum.h"
 #include "expect.h"
-#include "observe/checksum.h"
 #include "run/checkpoint.h"
 #include "run/simulation.h"
 #include "scene/load.h"
@@ -117,7 +117,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::string bytes = chosen.bytes.substr(0, chosen.bytes.size() - 4);
     for (std::size_t k = 1; k + 4 <= size; k += 4)
         bytes[(data[k] | data[k + 1] << 8 | data[k + 2] << 16) % bytes.size()] = static_cast<char>(data[k + 3]);
-    const std::uint32_t sum = observe::crc32(bytes);
+    const std::uint32_t sum = crc32(bytes);
     for (int shift = 0; shift < 32; shift += 8)
         bytes += static_cast<char>(sum >> shift & 0xff);
 

@@ -1,5 +1,5 @@
+#include "base/checksum.h"
 #include "frames.h"
-#include "observe/checksum.h"
 #include "observe/frame_arrays.h"
 #include "observe/frame_file.h"
 
@@ -75,9 +75,9 @@ void check_same(const observe::Frame& a, const observe::Frame& b) {
 } // namespace
 
 TEST_CASE("the checksum is the one that zip and zlib use") {
-    CHECK(observe::crc32("") == 0);
-    CHECK(observe::crc32("123456789") == 0xCBF43926u); // the usual check value of CRC-32
-    CHECK(observe::crc32("The quick brown fox jumps over the lazy dog") == 0x414FA339u);
+    CHECK(crc32("") == 0);
+    CHECK(crc32("123456789") == 0xCBF43926u); // the usual check value of CRC-32
+    CHECK(crc32("The quick brown fox jumps over the lazy dog") == 0x414FA339u);
 }
 
 TEST_CASE("a layout and a frame read back to the same bits") {

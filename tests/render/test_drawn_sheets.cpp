@@ -78,14 +78,14 @@ TEST_CASE(
         strip->add(pressed(first), "first");
         strip->add(pressed(second), "second");
         const pt::ptree cells = xml_of(strip->finish());
-        CHECK(says(cells, "0 to 2 N and up"));
+        CHECK(says(cells, "0 to ≥ 2 N"));
         CHECK(says(cells, "what they share"));
         CHECK(thickest(cells) == about(2 * thick, 1e-3));
         auto pair = PairDrafter::open(settings, {layout, layout}, {"left", "right"});
         REQUIRE(pair.ok());
         pair->fit(box);
         const pt::ptree halves = xml_of(pair->draw(pressed(first), pressed(second)));
-        CHECK(says(halves, "0 to 2 N and up"));
+        CHECK(says(halves, "0 to ≥ 2 N"));
         CHECK(thickest(halves) == about(2 * thick, 1e-3));
     }
 }

@@ -1,6 +1,6 @@
 #include "about.h"
+#include "base/checksum.h"
 #include "fixtures.h"
-#include "observe/checksum.h"
 #include "render/paper.h"
 #include "render/png_writer.h"
 #include "scene/load.h"
@@ -44,7 +44,7 @@ TEST_CASE("a picture for print says its dots per metre in the chunk that the PNG
     CHECK(whole_at(sized, 41) == 11811);
     CHECK(whole_at(sized, 45) == 11811);
     CHECK(sized[49] == 1);
-    CHECK(whole_at(sized, 50) == observe::crc32({reinterpret_cast<const char*>(sized.data()) + 37, 13}));
+    CHECK(whole_at(sized, 50) == crc32({reinterpret_cast<const char*>(sized.data()) + 37, 13}));
     CHECK(std::equal(sized.begin() + 54, sized.end(), plain.begin() + 33));
 }
 

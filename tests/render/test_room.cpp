@@ -77,6 +77,27 @@ TEST_CASE("a small picture for print has its units and numbers whole") {
     }
 }
 
+TEST_CASE(
+    "a page as wide as two columns has room for a key of forces beside the colours, whatever is thicker than it") {
+    scene::Render settings = small_print(170, 90);
+    settings.marks.arrows = "none";
+    settings.marks.chains = true;
+    settings.marks.chain_force = 0.25;
+    const auto layout = one_disc();
+    observe::Frame frame = disc_at(layout, 0.5);
+    add_body(frame, 0, {0.2, 0, 0}, {0, 0, 0});
+    frame.contacts.emplace();
+    frame.contacts->push_back({.a = 0, .b = 1, .point = {0.1, 0, 0}, .normal = {-1, 0, 0}, .force = {-2, 0, 0}});
+    const Eigen::AlignedBox3d box(Vector3d(-half, -half, 0), Vector3d(half, half, 0));
+    auto strip = StripDrafter::open(settings, layout, box, {.cells = 1});
+    REQUIRE_MESSAGE(strip.ok(), to_string(strip.problems()));
+    strip->add(frame, "");
+    const Drawing drawing = strip->finish();
+    const auto words = words_on(drawing);
+    CHECK(std::find(words.begin(), words.end(), "0 to ≥ 0.25 N") != words.end());
+    CHECK(check_room(drawing.crowded, settings).ok());
+}
+
 TEST_CASE("print without room for its numbers is refused with a size that has it, a screen's picture never") {
     const scene::Render settings = small_print(85, 30, 12);
     const Drawing drawing = page(settings);

@@ -36,6 +36,19 @@ using Heads = std::vector<std::string>;
 
 } // namespace
 
+TEST_CASE("a plot of a run that did not reach its end says so") {
+    const Folder folder;
+    const fs::path run = fallen(folder.path / "ball");
+    CHECK(plotted({run}, {.measures = {"kinetic_translation"}}).warnings.empty());
+    std::string summary = content_of(run / "run.json");
+    const std::string finished = "\"state\": \"finished\"";
+    REQUIRE(summary.find(finished) != std::string::npos);
+    put(run / "run.json", summary.replace(summary.find(finished), finished.size(), "\"state\": \"running\""));
+    const auto warnings = plotted({run}, {.measures = {"kinetic_translation"}}).warnings;
+    REQUIRE(warnings.size() == 1);
+    CHECK(warnings[0].starts_with("this run did not end: it was killed, or is still going on"));
+}
+
 TEST_CASE("measures of one unit share a panel, in a unit that people read, and their numbers are the run's") {
     const Folder folder;
     const fs::path run = fallen(folder.path / "ball");

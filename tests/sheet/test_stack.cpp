@@ -134,6 +134,9 @@ TEST_CASE("gnuplot draws a stack as PNG of its size, as SVG and as PDF" *
     };
     CHECK(number_at(16) == 1004);
     CHECK(number_at(20) == 827);
+    CHECK(png.substr(37, 4) == "pHYs"); // 300 dpi, so that it is 85 mm wide on paper
+    CHECK(number_at(41) == 11811);
+    CHECK(number_at(45) == 11811);
     const std::string svg = test::content_of(folder.path / "a.svg");
     CHECK(contains(svg, "energy [mJ]"));
     CHECK(contains(svg, "another"));

@@ -1,9 +1,9 @@
-#include "observe/checksum.h"
+#include "base/checksum.h"
 
 #include <array>
 #include <cstddef>
 
-namespace tumble::observe {
+namespace tumble {
 
 namespace {
 
@@ -46,4 +46,4 @@ std::uint32_t crc32(std::string_view bytes) {
     return value ^ 0xFFFFFFFFu;
 }
 
-} // namespace tumble::observe
+} // namespace tumble

@@ -271,7 +271,8 @@ TEST_CASE("a scene that was changed is refused with what changed, unless told to
 TEST_CASE("a scene of soft discs is the same one where an older program wrote of it what only hard discs read") {
     const std::string now = scene::to_toml(loaded(raining));
     const std::string before = now + "[box2d]\nvelocity_iterations = 8\n";
-    const run::Checkpoint checkpoint{.scene = before};
+    run::Checkpoint checkpoint;
+    checkpoint.scene = before;
     const auto judged = run::judge_changes(checkpoint, now, {}, false, "scene.toml");
     REQUIRE_MESSAGE(judged.ok(), to_string(judged.problems()));
     CHECK(judged->empty());

@@ -20,6 +20,7 @@
 #include "view/viewer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fmt/format.h>
 #include <memory>
@@ -113,12 +114,39 @@ Problems refuse_picture(const ViewArguments& arguments) {
     return check_writable(arguments.picture).problems();
 }
 
+/// A size that was asked for and that no window has. Of scenes that say their own it is taken as near as it goes.
+std::optional<Problem> refuse_size(const ViewArguments& arguments, const scene::Render& look) {
+    const auto sizes = [](const std::string& set) {
+        return set.starts_with("render.width") || set.starts_with("render.height") || set.starts_with("render.dpi");
+    };
+    const bool fits = look.width >= view::Studio::least_width && look.width <= view::Studio::most_side &&
+                      look.height >= view::Studio::least_height && look.height <= view::Studio::most_side;
+    if (fits || std::none_of(arguments.scene.sets.begin(), arguments.scene.sets.end(), sizes))
+        return std::nullopt;
+    return Problem{
+        .what = fmt::format("a picture of {} x {} pixels is none that the view can draw", look.width, look.height),
+        .fix = fmt::format("take from {} to {} pixels of width and from {} to {} of height, such as {}",
+                           view::Studio::least_width, view::Studio::most_side, view::Studio::least_height,
+                           view::Studio::most_side, look.paper ? "--size-mm 120x80 --dpi 300" : "--size 1280x720")};
+}
+
+/// Of a run frames may be rarer than what was asked for: one more could have come until then, and no further.
+void note_end(const ViewArguments& arguments, view::Source& source, const scene::Scene& scene, double wanted) {
+    const double last = source.state().last;
+    const double end = std::max(last, std::min(scene.duration, last + scene.render.every));
+    if (!std::isfinite(wanted) || wanted <= end + 0.5 * scene.step() || arguments.quiet)
+        return;
+    note(fmt::format("warning: {} at t = {:.6g} s, which is what the picture shows: --time asked for {:.6g} s",
+                     source.can_seek() ? "the frames of this run end" : "this scene ends", last, wanted));
+}
+
 int keep_picture(const ViewArguments& arguments, view::Studio& studio, const scene::Scene& scene) {
     view::StillWishes wishes{.step = scene.step(), .every = scene.render.every, .tab = arguments.tab};
     if (const auto problem = read_time_range(arguments.time, wishes.from, wishes.to))
         return refuse({*problem}, arguments.json, wrong);
     if (const auto shown = studio.source().find(wishes.from, wishes.to); !shown)
         return refuse(shown.problems(), arguments.json, wrong);
+    note_end(arguments, studio.source(), scene, wishes.to);
     ProgressLine line(arguments.quiet || arguments.json);
     wishes.reached = [&line, end = std::min(wishes.to, scene.duration)](double time) {
         line.working(fmt::format("{:.4g} of {:.4g} s", time, end));
@@ -146,6 +174,9 @@ int view_it(ViewArguments& arguments) {
     auto watched = open_watched(arguments, bell);
     if (!watched)
         return refuse(watched.problems(), arguments.json, wrong);
+    if (!arguments.picture.empty())
+        if (const auto problem = refuse_size(arguments, watched->scene.render))
+            return refuse({*problem}, arguments.json, wrong);
     for (const std::string& warning : watched->source->warnings())
         if (!arguments.quiet)
             note("warning: " + warning);

@@ -49,9 +49,12 @@ bool fits(std::string_view rule, std::string_view path) {
                       [](std::string_view name, std::string_view given) { return name == "*" || name == given; });
 }
 
-Weight weight_of(const std::string& path) {
+Weight weight_of(const scene::Change& change) {
+    // Older programs wrote [box2d] of soft scenes as well, which do not read it; another solver is told of by itself.
+    if (fits("box2d", change.path) && (change.before.empty() || change.now.empty()))
+        return Weight::none;
     for (const Rule& rule : rules)
-        if (fits(rule.path, path))
+        if (fits(rule.path, change.path))
             return rule.weight;
     return Weight::breaks;
 }
@@ -91,7 +94,7 @@ Result<std::vector<std::string>> judge_changes(const Checkpoint& checkpoint, con
     std::vector<std::string> sentences;
     Problems problems;
     for (const scene::Change& change : *changes) {
-        const Weight weight = weight_of(change.path);
+        const Weight weight = weight_of(change);
         if (weight == Weight::none)
             continue;
         sentences.push_back(sentence(change));
@@ -115,7 +118,7 @@ Result<std::vector<std::string>> changes_of_motion(const std::string& before, co
         return changes.problems();
     std::vector<std::string> sentences;
     for (const scene::Change& change : *changes)
-        if (weight_of(change.path) != Weight::none && change.path != "seed" && !fits("observe", change.path))
+        if (weight_of(change) != Weight::none && change.path != "seed" && !fits("observe", change.path))
             sentences.push_back(sentence(change));
     return sentences;
 }

@@ -60,7 +60,7 @@ void write_world(const Scene& scene, TomlWriter& to) {
         to.flag("share_among_body_contacts", scene.contact.share_among_body_contacts);
     if (scene.contact.damping_shared > 0)
         to.number("damping_shared", scene.contact.damping_shared);
-    if (scene.dimension == 2)
+    if (scene.solver == Solver::box2d)
         write_box2d(scene.box2d, to);
 }
 

@@ -77,7 +77,7 @@ public:
         const std::lock_guard lock(mutex_);
         SourceState state = state_;
         state.playing = orders_.play;
-        if (!state.playing) // at once: what the panel says of it takes a line, and all below moves
+        if (!state.playing) // at once, for the panel says it
             state.pace = state.steps_per_s = 0;
         state.speed = orders_.speed;
         state.filming = (state.filming || orders_.film) && !orders_.film_ends;

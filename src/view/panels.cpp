@@ -59,9 +59,10 @@ void show_time(Desk& desk) {
             desk.source.play(false);
             desk.source.seek(time);
         }
-    } else if (state.steps_per_s > 0) {
+    } else {
         const std::string pace = state.pace > 0 ? fmt::format(", {:.3g} of real time", state.pace) : "";
-        ImGui::TextUnformatted(fmt::format("{:.3g} steps/s{}", state.steps_per_s, pace).c_str());
+        const bool known = state.steps_per_s > 0; // else the line stays empty, so that nothing below it moves
+        ImGui::TextUnformatted(known ? fmt::format("{:.3g} steps/s{}", state.steps_per_s, pace).c_str() : " ");
     }
 }
 
@@ -375,6 +376,10 @@ void lay_out_panel(Desk& desk, const render::PanelCanvas& canvas, const render::
     show_run(desk);
     if (!desk.state.trouble.empty())
         ImGui::TextWrapped("%s", desk.state.trouble.c_str());
+    if (!desk.warnings.empty()) {
+        ImGui::TextWrapped("%s", desk.warnings.c_str());
+        mark(desk, "warnings");
+    }
     show_camera(desk);
     show_tabs(desk, canvas, theme);
     ImGui::End();

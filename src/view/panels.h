@@ -37,6 +37,7 @@ struct Desk {
     std::string notice;            // what was kept last
     std::string saved;             // the scene's file, or why there is none
     bool saved_anew = false;       // and nobody has seen it yet
+    std::string warnings;          // of what is missing of a run
     SourceState state;
     double now = 0; // s
 

@@ -36,6 +36,8 @@ Studio::Studio(std::unique_ptr<Source> source, const SceneText& text, const scen
     : source_(std::move(source)), text_(text), settings_(scene.render), look_(scene.render), name_(stem_of(scene.file)),
       title_(scene.title), folder_(options.folder), controls_(scene, text), plots_(std::move(plots)),
       layout_(source_->layout()) {
+    if (const std::vector<std::string> warnings = source_->warnings(); !warnings.empty())
+        warnings_ = warnings.front();
     window_.width = std::clamp(options.width, least_width, most_side);
     window_.height = std::clamp(options.height, least_height, most_side);
 }
@@ -122,6 +124,7 @@ void Studio::pass_panel() {
               notice_,
               saved_,
               saved_ != told_saved_,
+              warnings_,
               source_->state(),
               moment_->frame.time,
               {},
@@ -204,6 +207,13 @@ Result<Shown> Studio::draw() {
     told_saved_ = saved_;
     Shown shown{panel_shown_ ? beside_panel(panel_->paint()) : scene_picture_, describe()};
     return shown;
+}
+
+void Studio::keep_points() {
+    if (source_->can_seek()) // it has all of them
+        return;
+    if (const MomentPtr now = source_->newest())
+        plots_.take(*now);
 }
 
 render::Picture Studio::beside_panel(render::Picture panel) const {

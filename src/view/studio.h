@@ -36,6 +36,10 @@ struct Shown {
 /// Draws what a source shows beside a panel, and takes what hands do. One thread uses it.
 class Studio {
 public:
+    // Of a window; what is beyond is taken as the end.
+    static constexpr int least_width = 320, least_height = 200; // pixels
+    static constexpr int most_side = 2560;                      // of a phone held upright the height
+
     /// Problems: settings that cannot be drawn, a system without OpenGL.
     static Result<std::unique_ptr<Studio>> open(std::unique_ptr<Source> source, const SceneText& text,
                                                 const scene::Scene& scene, Plots plots, const StudioOptions& options);
@@ -49,13 +53,14 @@ public:
     /// Problems: the window's size cannot be drawn.
     Result<Shown> draw();
 
+    /// What the plots show of this moment of a simulation, though nobody looks on.
+    void keep_points();
+
     /// For a source whose time goes on between two pictures.
     [[nodiscard]] bool is_playing() { return source_->state().playing; }
     [[nodiscard]] Source& source() { return *source_; }
 
 private:
-    static constexpr int least_width = 320, least_height = 200; // pixels
-    static constexpr int most_side = 2560;                      // of a phone held upright the height
     static constexpr int settling_passes = 3; // what Dear ImGui sizes by itself is right in the second frame
 
     Studio(std::unique_ptr<Source> source, const SceneText& text, const scene::Scene& scene, Plots plots,
@@ -130,6 +135,7 @@ private:
     std::vector<std::filesystem::path> keeping_; // pictures that are being written
     std::string notice_, told_notice_;           // of what was kept; as it was last drawn
     std::string saved_, told_saved_;             // the same of the scene
+    std::string warnings_;                       // of the source, the first of them
     std::string told_;                           // of the source when last drawn
     std::map<std::string, std::array<double, 4>> places_;
     std::string told_key_; // of the widget under the pointer

@@ -12,6 +12,8 @@ using std::chrono::milliseconds;
 constexpr milliseconds usual_wait{100};
 constexpr milliseconds wait_while_playing{10}; // a recorded run rings no bell
 
+constexpr milliseconds between_points{100}; // of plots that nobody looks at
+
 } // namespace
 
 void Bell::ring() {
@@ -89,6 +91,14 @@ Result<Done> Viewer::show_frame() {
     return Done{};
 }
 
+void Viewer::keep_points() {
+    const auto now = std::chrono::steady_clock::now();
+    if (!studio_->is_playing() || now - points_kept_ < between_points)
+        return;
+    points_kept_ = now;
+    studio_->keep_points();
+}
+
 Result<Done> Viewer::run(StopFlag stop) {
     while (!stop_wanted(stop)) {
         take_messages();
@@ -100,8 +110,10 @@ Result<Done> Viewer::run(StopFlag stop) {
         if (joined || (server_->wants_frame() && studio_->is_stale())) {
             if (Result<Done> shown = show_frame(); !shown)
                 return shown;
-        } else
+        } else {
+            keep_points();
             bell_->wait(studio_->is_playing() ? wait_while_playing : usual_wait);
+        }
     }
     return Done{};
 }

@@ -6,6 +6,7 @@
 #include "view/server.h"
 #include "view/studio.h"
 
+#include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <memory>
@@ -51,10 +52,12 @@ private:
     Viewer(std::unique_ptr<Studio> studio, std::shared_ptr<Bell> bell, int quality);
     void take_messages();
     Result<Done> show_frame();
+    void keep_points();
 
     std::unique_ptr<Studio> studio_;
     std::shared_ptr<Bell> bell_;
     JpegEncoder jpeg_;
+    std::chrono::steady_clock::time_point points_kept_;
     std::mutex mutex_; // of the two below
     Inbox inbox_;
     bool joined_ = false;

@@ -118,6 +118,45 @@ TEST_CASE("view draws what a browser would show into a file, of a scene and of a
     CHECK(contains(nowhere.err, "/dev/full"));
 }
 
+TEST_CASE("a picture of a time after a scene's or a run's end is drawn with a word about it") {
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(0.1));
+    REQUIRE(tumble_in(folder, {"run", "ball.toml", "--quiet", "--set", "render.every_s=0.03"}).code == 0);
+    const auto drawn = [&](const char* what, const char* time, bool quiet = false) {
+        std::vector<std::string> words{"view", what, "--picture", "x.png", "--force", "--size", "1000x500", "--time"};
+        words.emplace_back(time);
+        if (quiet)
+            words.emplace_back("--quiet");
+        const Outcome outcome = tumble_in(folder, words);
+        CHECK_MESSAGE(outcome.code == 0, outcome.err);
+        return outcome.err;
+    };
+    CHECK(drawn("ball.toml", ":9") ==
+          "warning: this scene ends at t = 0.1 s, which is what the picture shows: --time asked for 9 s\n");
+    CHECK(drawn("ball.toml", ":9", true).empty());
+    CHECK(drawn("ball.toml", ":0.1").empty());
+    CHECK(contains(drawn("out/ball", ":9"), "the frames of this run end at t = "));
+    CHECK(drawn("out/ball", ":0.1").empty());
+    CHECK(drawn("out/ball", ":0.05").empty());
+    CHECK(drawn("out/ball", "0:").empty());
+}
+
+TEST_CASE("a size that no window of the view has is refused for a picture, with those that one can have") {
+    const Folder folder;
+    put(folder.path / "ball.toml", bouncing_ball(0.1)); // which itself says 160 x 120
+    const std::vector<std::string> view{"view", "ball.toml", "--picture", "x.png", "--time", ":0.001"};
+    for (const char* size : {"100x100", "319x200", "320x199", "5000x5000", "2561x200", "320x2561"}) {
+        std::vector<std::string> words = view;
+        words.insert(words.end(), {"--size", size});
+        const Outcome refused = tumble_in(folder, words);
+        CHECK(refused.code == 2);
+        CHECK_MESSAGE(contains(refused.err, "take from 320 to 2560 pixels of width and from 200 to 2560 of height"),
+                      size);
+    }
+    CHECK_FALSE(std::filesystem::exists(folder.path / "x.png"));
+    CHECK(tumble_in(folder, view).code == 0);
+}
+
 TEST_CASE("view says what is missing of a run, and refuses the trail of a body that the run has not") {
     const Folder folder;
     put(folder.path / "ball.toml", bouncing_ball(0.1));

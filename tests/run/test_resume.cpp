@@ -2,6 +2,8 @@
 #include "observe/frame_file.h"
 #include "resumed.h"
 #include "run/build_mark.h"
+#include "run/scene_changes.h"
+#include "scene/to_toml.h"
 #include "scenes.h"
 
 #include <doctest/doctest.h>
@@ -264,6 +266,22 @@ TEST_CASE("a scene that was changed is refused with what changed, unless told to
     CHECK(summary_in(place)["resumed"][0]["changes"] ==
           nlohmann::json::array({"pair.glass-glass.friction was 0.4 and is now 0.2"}));
     CHECK(content_of(place / "scene.toml").find("friction = 0.2") != std::string::npos);
+}
+
+TEST_CASE("a scene of soft discs is the same one where an older program wrote of it what only hard discs read") {
+    const std::string now = scene::to_toml(loaded(raining));
+    const std::string before = now + "[box2d]\nvelocity_iterations = 8\n";
+    run::Checkpoint checkpoint;
+    checkpoint.scene = before;
+    const auto judged = run::judge_changes(checkpoint, now, {}, false, "scene.toml");
+    REQUIRE_MESSAGE(judged.ok(), to_string(judged.problems()));
+    CHECK(judged->empty());
+    const auto changes = run::changes_of_motion(before, now);
+    REQUIRE(changes.ok());
+    CHECK(changes->empty());
+    const auto others = run::changes_of_motion(before, now + "[box2d]\nvelocity_iterations = 9\n");
+    REQUIRE(others.ok());
+    CHECK(*others == std::vector<std::string>{"box2d.velocity_iterations was 8 and is now 9"});
 }
 
 TEST_CASE("laws that remember more may be taken up or left in the midst of a run, where changes are accepted") {

@@ -4,6 +4,7 @@
 #include "view/live_source.h"
 #include "view/studio.h"
 
+#include <atomic>
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -38,8 +39,12 @@ public:
     double vx = 0.15;                                             // m/s, of one half of the bodies; the other's is -vx
     std::optional<std::vector<observe::FrameContact>> contacts{}; // once they are wanted
     std::vector<scene::Render> films{};                           // begun, then restyled
+    std::atomic<int> looks{0};                                    // at its newest moment
+    bool plays = false;                                           // or says so
+    double steps_per_s = 0;
 
     MomentPtr newest() override {
+        ++looks;
         auto moment = std::make_shared<Moment>(*real_->newest());
         observe::Frame& frame = moment->frame;
         for (std::size_t b = 0; b < frame.bodies(); ++b)
@@ -52,6 +57,8 @@ public:
     SourceState state() override {
         SourceState state = real_->state();
         state.filming = !films.empty();
+        state.playing = state.playing || plays;
+        state.steps_per_s = steps_per_s;
         return state;
     }
     void film(const FilmLook& look, const std::filesystem::path&) override { films = {look.settings}; }

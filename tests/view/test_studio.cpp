@@ -1,4 +1,8 @@
+#include "observe/frame_file.h"
 #include "opened.h"
+#include "view/viewer.h"
+
+#include <atomic>
 
 using namespace tumble;
 using namespace tumble::view;
@@ -361,6 +365,67 @@ TEST_CASE("in a window as narrow as a phone the scene comes first, and the panel
     opened.studio->take(Resized{800, 1688, 2});
     opened.draw();
     CHECK(opened.state["panel"] == true);
+}
+
+TEST_CASE("what is said of the pace while a simulation plays moves nothing below it") {
+    Opened opened(test::pouring, 1000, 500, true);
+    const auto tabs = opened.state["places"]["tab Plots"];
+    opened.stage->plays = true;
+    opened.stage->steps_per_s = 2000;
+    opened.draw();
+    CHECK(opened.state["places"]["tab Plots"] == tabs);
+}
+
+/// A fall, of which the kinetic energy is a parabola: without points between its ends a straight line.
+TEST_CASE("plots of a simulation go on where nobody looks at it") {
+    Opened kept(test::pouring), left(test::pouring);
+    for (Opened* each : {&kept, &left}) {
+        Source& source = each->studio->source();
+        for (std::int64_t step = 100; step <= 1000; step += 100) {
+            source.step(100);
+            while (source.newest()->frame.step < step)
+                std::this_thread::yield();
+            if (each == &kept)
+                each->studio->keep_points();
+        }
+        each->draw();
+        each->settle();
+    }
+    CHECK(differences(kept.picture, left.picture, panel, 1000) == 0);
+    CHECK(differences(kept.picture, left.picture, 0, panel) > 50);
+}
+
+TEST_CASE("a viewer keeps points of a simulation that plays before nobody, and of one that stands still none") {
+    for (const bool plays : {true, false}) {
+        Opened opened(test::pouring, 1000, 500, true);
+        Staged& stage = *opened.stage; // lives as long as the viewer
+        stage.plays = plays;
+        auto viewer = Viewer::open(std::move(opened.studio), std::make_shared<Bell>(), {}, [](const std::string&) {});
+        REQUIRE_MESSAGE(viewer.ok(), to_string(viewer.problems()));
+        const int before = stage.looks;
+        std::atomic<bool> stop{false};
+        std::jthread thread([&] { (void)(*viewer)->run(&stop); });
+        for (int i = 0; plays && i < 6000 && stage.looks < before + 3; ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        if (!plays)
+            std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        stop = true;
+        thread.join();
+        CHECK((stage.looks >= before + 3) == plays);
+    }
+}
+
+TEST_CASE("what is missing of a run is said in the panel") {
+    const Recorded recorded;
+    Opened whole(recorded);
+    whole.draw();
+    CHECK(!whole.state["places"].contains("warnings"));
+    const auto frames = observe::list_frames(recorded.run / "frames");
+    REQUIRE(frames.size() == 5);
+    std::filesystem::remove(frames[2]);
+    Opened damaged(recorded);
+    damaged.draw();
+    CHECK(damaged.state["places"].contains("warnings"));
 }
 
 } // namespace test_studio

@@ -1,6 +1,7 @@
 // Scenes that a studio saves, and what hands may ask of it in one go.
 #include "../about.h"
 #include "opened.h"
+#include "run/scene_check.h"
 
 using namespace tumble;
 using namespace tumble::view;
@@ -74,6 +75,9 @@ TEST_CASE("a scene of two dimensions is saved with what is seen of it, and shows
     opened.studio->take(WheelTurned{700, 200, 4}); // and not yet drawn when the scene is saved
     const scene::Scene saved = saved_by(opened);
     REQUIRE(saved.render.view);
+    const auto check = run::check_scene(saved, 1);
+    REQUIRE_MESSAGE(check.ok(), to_string(check.problems()));
+    CHECK_MESSAGE(check->warnings.empty(), (check->warnings.empty() ? "" : check->warnings.front()));
     opened.settle();
     Opened again(test::content_of(opened.state["saved"].get<std::string>()));
     for (int axis = 0; axis < 2; ++axis)

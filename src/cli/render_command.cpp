@@ -11,6 +11,7 @@
 #include "cli/stop_flag.h"
 #include "cli/time_range.h"
 #include "render/drawing_file.h"
+#include "render/video_writer.h"
 #include "run/beside.h"
 #include "run/redraw.h"
 #include "run/run_scene.h"
@@ -144,15 +145,12 @@ std::optional<Problem> refuse_ending(const RenderArguments& arguments, bool scen
 }
 
 std::optional<Problem> refuse_video(const std::filesystem::path& video) {
-    if (video.empty() || ending_of(video) == ".mp4")
-        return std::nullopt;
-    const bool picture = ending_of(video) == ".png" || render::is_drawing_file(video);
-    std::filesystem::path named = video;
-    return Problem{.file = video.string(),
-                   .what = picture ? "is the name of a picture, and --video makes an MP4 file"
-                                   : "a video is an MP4 file, and this name has another ending",
-                   .fix = fmt::format("call it {}{}", named.replace_extension(".mp4").string(),
-                                      picture ? "; --out is for pictures" : "")};
+    auto problem = video.empty() ? std::nullopt : render::refuse_video_name(video);
+    if (problem && (ending_of(video) == ".png" || render::is_drawing_file(video))) {
+        problem->what = "is the name of a picture, and --video makes an MP4 file";
+        problem->fix += "; --out is for pictures";
+    }
+    return problem;
 }
 
 std::optional<Problem> refuse_with_one_file(const RenderArguments& arguments) {

@@ -73,6 +73,15 @@ static std::vector<std::string> encoder_words(const std::filesystem::path& file,
     return words;
 }
 
+std::optional<Problem> refuse_video_name(const std::filesystem::path& file) {
+    if (ending_of(file) == ".mp4") {
+        return std::nullopt;
+    }
+    return Problem{.file = file.string(),
+                   .what = "a video is an MP4 file, and this name has another ending",
+                   .fix = "call it " + std::filesystem::path(file).replace_extension(".mp4").string()};
+}
+
 Result<VideoWriter> VideoWriter::open(const std::filesystem::path& file, int width, int height,
                                       double frames_per_second) {
     if (width < 2 || height < 2 || !(frames_per_second > 0)) {
@@ -81,10 +90,8 @@ Result<VideoWriter> VideoWriter::open(const std::filesystem::path& file, int wid
                                            height, frames_per_second),
                        .fix = "take at least 2 x 2 pixels and a positive rate"};
     }
-    if (ending_of(file) != ".mp4") {
-        return Problem{.file = file.string(),
-                       .what = "a video is an MP4 file, and this name has another ending",
-                       .fix = "call it " + std::filesystem::path(file).replace_extension(".mp4").string()};
+    if (const auto problem = refuse_video_name(file)) {
+        return *problem;
     }
     ChildProcess asked({"ffmpeg", "-hide_banner", "-nostdin", "-h", "encoder=libx264"});
     if (asked.error() == ENOENT) {

@@ -6,8 +6,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace tumble::render {
+
+/// Why a video cannot have that name: it does not end in .mp4.
+std::optional<Problem> refuse_video_name(const std::filesystem::path& file);
 
 /// Turns pictures into an MP4 through the program ffmpeg: H.264 where it has libx264, MPEG-4 part 2 otherwise, 4:2:0,
 /// colours marked as BT.709. The file appears under its name at finish(), never half-written.

@@ -11,8 +11,7 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds usual_wait{100};
 constexpr milliseconds wait_while_playing{10}; // a recorded run rings no bell
-
-constexpr milliseconds between_points{100}; // of plots that nobody looks at
+constexpr milliseconds between_points{100};    // of plots that nobody looks at
 
 } // namespace
 

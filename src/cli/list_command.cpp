@@ -139,7 +139,7 @@ int list_measures(const ListArguments& arguments) {
     const fs::path& place = arguments.place;
     if (place.empty()) {
         add_column(items, "tracer:BODY", "", "",
-                   "24 columns that follow a body; `tumble list measures SCENE` names those of a scene's");
+                   "27 columns that follow a body; `tumble list measures SCENE` names those of a scene's");
     } else {
         std::error_code ignored;
         const auto scene = scene::load_scene(fs::is_directory(place, ignored) ? place / "scene.toml" : place);

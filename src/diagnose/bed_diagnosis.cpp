@@ -147,9 +147,10 @@ private:
                 return whitened(covariance, now.values() - simulated).squaredNorm();
             };
             if (now.measured.held_out)
-                scores.push_back({now.measured.condition, static_cast<int>(mean.size()),
-                                  chi_square(now.measured_of(now.mean) + innocent_part(now, baseline_)),
-                                  chi_square(shown)});
+                scores.push_back({.condition = now.measured.condition,
+                                  .readings = static_cast<int>(mean.size()),
+                                  .baseline = chi_square(now.measured_of(now.mean) + innocent_part(now, baseline_)),
+                                  .extended = chi_square(shown)});
             else
                 apart += whitened(both * now.simulated_covariance(), mean - foretold(now, best, seen, adjusted))
                              .squaredNorm();
@@ -213,7 +214,7 @@ private:
         const bool held_out = !aside.empty();
         if (!held_out)
             for (const Fold& fold : d_.decision.folds)
-                aside.push_back({fold.condition, fold.readings, fold.baseline, fold.extended});
+                aside.push_back(fold.score);
         if (!aside.empty())
             d_.gain = gain_of(std::move(aside), held_out);
     }

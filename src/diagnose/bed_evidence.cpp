@@ -108,7 +108,6 @@ Directions BedModel::directions(Eigen::Index rows) const {
             continue;
         for (const BulkNumber& number : now.measured.numbers) {
             directions.condition.push_back(static_cast<int>(directions.conditions.size()));
-            directions.early.push_back(false);
             if (std::find(measures.begin(), measures.end(), number.measure) == measures.end())
                 measures.push_back(number.measure);
         }
@@ -116,7 +115,6 @@ Directions BedModel::directions(Eigen::Index rows) const {
     }
     directions.blocks = MatrixXd::Identity(rows, static_cast<Eigen::Index>(directions.condition.size()));
     directions.condition.resize(static_cast<std::size_t>(rows), -1); // priors
-    directions.early.resize(static_cast<std::size_t>(rows), false);
     directions.prints = MatrixXd::Zero(rows, static_cast<Eigen::Index>(measures.size()));
     for (std::size_t m = 0; m < measures.size(); ++m)
         directions.prints.col(static_cast<Eigen::Index>(m)) = stacked([&](const BedCondition& now) {

@@ -9,15 +9,20 @@ namespace {
 
 std::vector<Cause> collect() {
     std::vector<Cause> all;
-    for (auto part : {of_the_air, of_the_contact, of_cohesion, of_the_friction, of_the_excitation, of_the_load,
-                      of_the_shape, of_the_ground, of_the_simulation, of_the_clock, of_the_sensor, of_the_camera})
+    for (auto part :
+         {of_the_air, of_the_contact, of_cohesion, of_the_friction, of_the_excitation, of_the_load, of_the_shape,
+          of_the_ground, of_the_simulation, of_the_clock, of_the_sensor, of_the_camera, of_the_accelerometer})
         for (Cause& cause : part())
             all.push_back(std::move(cause));
     return all;
 }
 
+bool of_readings_only(const Cause& cause) {
+    return !cause.physical() || !cause.needs.empty() || cause.inertial;
+}
+
 bool shows_in(const Cause& cause, Data data) {
-    return data == Data::beds ? cause.physical() && cause.needs.empty() : !cause.beds;
+    return data == Data::beds ? !of_readings_only(cause) : !cause.beds;
 }
 
 } // namespace
@@ -44,7 +49,7 @@ Result<std::vector<Cause>> choose_causes(const std::vector<std::string>& ids, Da
         bool found = false;
         for (std::size_t k = 0; k < all_causes().size(); ++k) {
             const Cause& cause = all_causes()[k];
-            if (cause.id == id && data == Data::beds && (!cause.physical() || !cause.needs.empty()))
+            if (cause.id == id && data == Data::beds && of_readings_only(cause))
                 problems.push_back({.key = "causes",
                                     .what = id + " acts on readings over time, and means of a bed are none",
                                     .fix = "leave it out"});

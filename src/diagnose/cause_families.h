@@ -17,5 +17,6 @@ std::vector<Cause> of_the_simulation();
 std::vector<Cause> of_the_clock();
 std::vector<Cause> of_the_sensor();
 std::vector<Cause> of_the_camera();
+std::vector<Cause> of_the_accelerometer();
 
 } // namespace tumble::diagnose

@@ -84,8 +84,10 @@ std::vector<std::string> alike_to(const Evidence& evidence, const std::string& n
     std::vector<std::string> alike;
     for (std::size_t k = 0; k < evidence.causes.size(); ++k) {
         const VectorXd effect = evidence.effects.col(static_cast<Eigen::Index>(k)).head(slopes.rows());
-        if (effect.norm() > 0 && one.out(effect).norm() < same_readings * effect.norm())
-            alike.push_back(evidence.causes[k].id);
+        const Cause& cause = evidence.causes[k];
+        const double most = effect.norm() * std::max(std::abs(cause.lo), std::abs(cause.hi));
+        if (most > least_visible && one.out(effect).norm() < same_readings * effect.norm())
+            alike.push_back(cause.id);
     }
     return alike;
 }

@@ -12,7 +12,6 @@ namespace tumble::diagnose {
 namespace {
 
 constexpr double one_sided_95 = 1.645; // standard errors
-constexpr double least_visible = 3;    // standard errors that the largest plausible amplitude must reach
 constexpr double least_share = 0.005;  // of an effect that nuisances must leave: less is rounding of the slopes
 constexpr double pair_gate_extra = 2;  // chi-square a pair must reach beyond the gate
 constexpr double pair_adequacy = 0.05; // a pair explains more by chance, so it must fit better
@@ -179,10 +178,10 @@ private:
                          "Measure under a second condition, best a very different one.");
         double better = 0;
         for (const Fold& fold : d_.folds) {
-            better += fold.baseline - fold.extended;
+            better += fold.score.nats();
             if (std::abs(fold.moved) > settings_.fold_veto)
                 speak(fmt::format("its amplitude moves by {:.1f} standard errors when {} is left out",
-                                  std::abs(fold.moved), fold.condition),
+                                  std::abs(fold.moved), fold.score.condition),
                       "Repeat the condition that disagrees before you believe the name.");
         }
         if (better <= 0)
@@ -302,7 +301,7 @@ Adequacy adequacy_of(const VectorXd& residual, const MatrixXd& slopes, const Dir
         const Projector generic(left);
         return hotelling_tail(generic.inside(rest), generic.rank(), degrees);
     };
-    return {tail(directions.blocks), tail(directions.prints)};
+    return {tail(directions.blocks), tail(directions.prints), strongest_swing(rest, directions.courses)};
 }
 
 Following followed_by(const Evidence& evidence, const Decision& decision) {
@@ -314,10 +313,14 @@ Following followed_by(const Evidence& evidence, const Decision& decision) {
         if (own.norm() >= least_left)
             following.all.push_back({evidence.directions.names[k], own.dot(rest) / own.norm()});
     }
-    following.tried = static_cast<int>(following.all.size());
+    const auto swing = strongest_swing(rest, evidence.directions.courses);
+    following.tried = static_cast<int>(following.all.size()) + (swing ? 1 : 0);
     if (following.tried == 0)
         return following;
     following.gate = student_quantile(followed_by_chance / 2 / following.tried, evidence.degrees);
+    if (swing) // as many standard errors as its probability is those of a direction
+        following.all.push_back({fmt::format("a swing at {:.3g} Hz ({})", swing->frequency, swing->measure),
+                                 normal_quantile(std::max(1e-300, swing->p / 2 / following.tried))});
     std::erase_if(following.all, [&](const Followed& one) { return std::abs(one.z) < following.gate; });
     std::sort(following.all.begin(), following.all.end(),
               [](const auto& a, const auto& b) { return std::abs(a.z) > std::abs(b.z); });

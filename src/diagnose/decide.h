@@ -9,6 +9,9 @@
 
 namespace tumble::diagnose {
 
+/// Standard errors that the largest plausible amplitude of a cause must reach for it to be considered.
+constexpr double least_visible = 3;
+
 /// What a decision is made from, whitened, one row a reading (and a prior): whoever made it, a simulation or a formula.
 struct Evidence {
     VectorXd residual;  // of the baseline at its best nuisances
@@ -52,7 +55,11 @@ enum class Outcome { consistent, named, ambiguous, two_causes, none_known, canno
 struct Adequacy {
     double blocks = 1; // tail probabilities
     double prints = 1;
-    [[nodiscard]] double p() const { return std::min(1.0, 2 * std::min(blocks, prints)); }
+    std::optional<Swing> swing{}; // the strongest; none was looked for in means
+    [[nodiscard]] double p() const {
+        const double least = std::min(blocks, prints);
+        return std::min(1.0, swing ? 3 * std::min(least, swing->p) : 2 * least);
+    }
 };
 
 /// One cause as the data see it.
@@ -67,14 +74,22 @@ struct Seen {
     std::optional<Refit> refit{};
 };
 
+/// How well one condition is predicted by the others: chi-square of its readings, where a prediction that is not well
+/// known errs less than one that is by as much.
+struct Score {
+    std::string condition;
+    int readings = 0;
+    double baseline = 0, extended = 0;
+    double spread = 0; // by how much the logarithm of the prediction's covariance grows with what was added
+    /// What the extended scene gains of log score: of the probability that it gave to what was read.
+    [[nodiscard]] double nats() const { return 0.5 * (baseline - extended - spread); }
+};
+
 /// How the winner, or two of them, do when one condition is left out.
 struct Fold {
-    std::string condition;
+    Score score;
     double amplitude = 0; // from the other conditions, of the first cause
     double moved = 0;     // standard errors away from the amplitude of all
-    double baseline = 0;  // chi-square of the condition, predicted from the others
-    double extended = 0;
-    int readings = 0;
 };
 
 struct Decision {

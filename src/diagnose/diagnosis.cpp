@@ -2,6 +2,7 @@
 
 #include "diagnose/data_doubts.h"
 #include "diagnose/folds.h"
+#include "observe/tracer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,30 +22,41 @@ std::vector<int> first_numbers(int count) {
 
 constexpr double most_between_repeats = 1.2; // of their scatter over that of the readings in one record
 constexpr double far_away = 4;               // spreads of what was known beforehand
-constexpr double hidden_share = 0.05; // of an effect, left beside nuisances: less, and its slope is taken further off
-constexpr double seen_well = 3;       // standard errors, then
+constexpr double shown_hum = 0.0027;         // probability that noise alone swings so much
+constexpr double seen_well = 3; // standard errors, left beside nuisances: how far off the slope of a filter is taken
 
-bool measured_together(const Record& record, const std::vector<std::string>& measures) {
-    return std::all_of(measures.begin(), measures.end(), [&](const std::string& measure) {
-        return std::any_of(record.channels.begin(), record.channels.end(),
-                           [&](const Channel& channel) { return channel.measure == measure; });
-    });
+/// A record has what it takes to show the cause.
+bool can_show(const Record& record, const Cause& cause) {
+    const auto any = [&](const auto& is_it) {
+        return std::any_of(record.channels.begin(), record.channels.end(), is_it);
+    };
+    const auto inertial = [](const Channel& channel) {
+        const auto traced = observe::traced_by(channel.measure);
+        return traced && traced->inertial;
+    };
+    return (!cause.inertial || any(inertial)) &&
+           std::all_of(cause.needs.begin(), cause.needs.end(), [&](const std::string& measure) {
+               return any([&](const Channel& channel) { return channel.measure == measure; });
+           });
 }
 
-/// Those chosen, without what needs measures together that no record has. Problems: it was asked for.
+/// Those chosen, without what needs measures that no record has. Problems: it was asked for.
 Result<std::vector<Cause>> causes_for(const Measurement& measurement) {
     std::vector<Cause> chosen = *choose_causes(measurement.causes, Data::records), causes;
     for (Cause& cause : chosen) {
         const auto asked = [&](const std::string& word) { return word == cause.id || word == cause.family; };
         if (std::any_of(measurement.records.begin(), measurement.records.end(),
-                        [&](const Record& record) { return measured_together(record, cause.needs); }))
+                        [&](const Record& record) { return can_show(record, cause); }))
             causes.push_back(std::move(cause));
         else if (std::any_of(measurement.causes.begin(), measurement.causes.end(), asked))
             return Problem{.file = measurement.file.string(),
                            .key = "causes",
-                           .what = fmt::format("{} shows only where one series has all of {}", cause.id,
-                                               fmt::join(cause.needs, ", ")),
-                           .fix = "leave it out, or measure them together"};
+                           .what = cause.inertial ? cause.id + " shows only in what an accelerometer in a body reads"
+                                                  : fmt::format("{} shows only where one series has all of {}",
+                                                                cause.id, fmt::join(cause.needs, ", ")),
+                           .fix = cause.inertial ? "leave it out, or give columns of a tracer: tracer:BODY_felt_x or "
+                                                   "tracer:BODY_summed_vx, say"
+                                                 : "leave it out, or measure them together"};
     }
     return causes;
 }
@@ -157,10 +169,10 @@ private:
         }
     }
 
-    /// A filter that is quicker than the readings only lags, as a clock does that starts late, and rounds no impact off
-    /// that anybody could see: what nuisances leave of it grows faster than the effect does. Its slope is taken at an
-    /// amplitude that would be seen. What such a step leaves of a physical cause may be no more than the curvature of a
-    /// nuisance that is the same.
+    /// What filters and clipping do is not in proportion to them: a low pass that is quicker than the readings only
+    /// lags, as a clock does that starts late, and a ceiling cuts more readings the lower it is. Their slopes are taken
+    /// at an amplitude that would be seen. What such a step leaves of a physical cause may be no more than the
+    /// curvature of a nuisance that is the same.
     void look_further(std::size_t cause) {
         const int index = model_->parameter_of(static_cast<int>(cause));
         Parameter& parameter = model_->parameters()[static_cast<std::size_t>(index)];
@@ -171,7 +183,7 @@ private:
         const bool filter = !d_.causes[cause].physical() && !parameter.exact;
         for (int k = 0; k < 3 && filter && step < most; ++k) {
             const double left = nuisances.out(VectorXd(effect)).norm();
-            if (left > hidden_share * effect.norm() || left * step > seen_well)
+            if (left * step > seen_well / 2)
                 break;
             step = std::min(most, step * std::clamp(seen_well / std::max(1e-9, left * step), 2.0, 100.0));
             parameter.step = step;
@@ -237,6 +249,7 @@ private:
         d_.decision = decide(d_.evidence, measurement_.settings,
                              [this](const std::vector<int>& causes) { return refit(causes); });
         d_.follows = followed_by(d_.evidence, d_.decision);
+        doubt_mains();
         if (d_.decision.outcome == Outcome::none_known) {
             d_.overstated = overstated_in(d_.evidence, measurement_.settings);
             if (d_.overstated)
@@ -261,6 +274,18 @@ private:
         d_.chi_square = baseline_.chi_square;
         d_.readings = static_cast<int>(model_->rows().size());
         return {};
+    }
+
+    void doubt_mains() {
+        const auto& best = d_.decision.best;
+        const auto hum = mains_hum(best ? best->residual : baseline_.residual, directions_.courses);
+        if (hum && hum->p < shown_hum)
+            d_.warnings.push_back({.file = measurement_.file.string(),
+                                   .key = "mains hum",
+                                   .what = fmt::format("readings of {} swing at {:.3g} Hz by {:.2f} of their scatter, "
+                                                       "as mains of 50 or 60 Hz do at this rate of readings",
+                                                       hum->measure, hum->frequency, hum->amplitude),
+                                   .fix = "nothing: no cause swings like it, and it counts as scatter"});
     }
 
     /// What the sensor did not show cannot bear a name, unless it is the name.
@@ -332,7 +357,7 @@ private:
         if (aside_.empty()) {
             std::vector<Score> scores;
             for (const Fold& fold : decision.folds)
-                scores.push_back({fold.condition, fold.readings, fold.baseline, fold.extended});
+                scores.push_back(fold.score);
             if (!scores.empty())
                 d_.gain = gain_of(std::move(scores), false);
             return {};

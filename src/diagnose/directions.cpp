@@ -172,18 +172,17 @@ Result<Directions> directions_at(Model& model, const Noise& noise, const Fit& fi
                 motion_of((*truth)[c], record.time, model.instrument_at(fit.values, static_cast<int>(r)));
             const std::vector<int> pieces = pieces_of(motion);
             const std::string& measure = record.channels[c].measure;
+            all.courses.push_back({measure, row, record.time});
             for (std::size_t k = 0; k < record.time.size(); ++k, ++row) {
                 blocks.column(fmt::format("{} {} {}", r, c, pieces[k]))[row] = 1;
                 add_prints(prints, measure, motion, k, row);
                 prints.column(fmt::format("a constant in '{}' alone ({})", record.condition, measure),
                               "the zero of " + measure)[row] = 1;
                 all.condition.push_back(condition);
-                all.early.push_back(record.time[k] <= first_part * record.time.back());
             }
         }
     }
     all.condition.resize(static_cast<std::size_t>(rows), -1);
-    all.early.resize(static_cast<std::size_t>(rows), false);
     all.blocks = blocks.whitened();
     const MatrixXd usual = prints.whitened();
     all.names = prints.names();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "diagnose/fit.h"
+#include "diagnose/swings.h"
 
 namespace tumble::diagnose {
 
@@ -11,12 +12,9 @@ struct Directions {
     std::vector<std::string> names{}; // of prints, for sentences; none where nobody asks
     std::vector<std::string> own{}; // of prints: what would differ in one condition only, the same for all; else empty
     std::vector<int> condition;     // of each row, -1 for priors
-    std::vector<bool> early;        // rows of the first part of their record
     std::vector<std::string> conditions;
+    std::vector<Course> courses{}; // where swings are looked for; none of means
 };
-
-/// Share of a record that may be used to find what only this record can tell, when all else comes from others.
-constexpr double first_part = 0.3;
 
 /// About a fit of the baseline: `slopes` are those of its parameters `free`.
 Result<Directions> directions_at(Model& model, const Noise& noise, const Fit& fit);

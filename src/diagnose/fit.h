@@ -17,10 +17,12 @@ struct Fit {
 };
 
 struct FitOptions {
-    bool progressive = false;  // begin with 30 % of every record, then 50, 70, 100 %
-    double tolerance = 0.01;   // nats
-    double short_enough = 0.1; // nats that a fit may lack where kinks end it: a thirtieth of what parts two names
-    int most_steps = 12;       // per horizon; half of them at those before the last
+    bool progressive = false; // begin with 30 % of every record, then 50, 70, 100 %
+    double tolerance = 0.01;  // nats
+    /// Nats that a fit may lack where kinks end it: a tenth of what parts two names, of which one is then wrong with a
+    /// probability below that of the normal's tail beyond sqrt(5.4), 1 %.
+    double short_enough = 0.3;
+    int most_steps = 12;              // per horizon; half of them at those before the last
     const MatrixXd* slopes = nullptr; // known at the start, for the free parameters
 };
 

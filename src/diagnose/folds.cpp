@@ -1,5 +1,7 @@
 #include "diagnose/folds.h"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <cmath>
 
@@ -14,58 +16,59 @@ MatrixXd rows_of(const MatrixXd& matrix, const std::vector<Eigen::Index>& rows) 
     return some;
 }
 
-/// Rows of one condition, cut into the part that may be fitted and the rest; rows of all other conditions. Priors go
-/// with both that are fitted.
+/// Rows of one condition, and those of all others and of priors.
 struct Split {
-    std::vector<Eigen::Index> others, first, rest;
-    std::vector<Eigen::Index> readings_of_others; // others without priors
+    std::vector<Eigen::Index> own, others;
 };
 
 Split split_at(const Directions& directions, int condition) {
     Split split;
-    for (std::size_t k = 0; k < directions.condition.size(); ++k) {
-        const auto row = static_cast<Eigen::Index>(k);
-        if (directions.condition[k] == condition) {
-            (directions.early[k] ? split.first : split.rest).push_back(row);
-            continue;
-        }
-        split.others.push_back(row);
-        (directions.condition[k] < 0 ? split.first : split.readings_of_others).push_back(row);
-    }
+    for (std::size_t k = 0; k < directions.condition.size(); ++k)
+        (directions.condition[k] == condition ? split.own : split.others).push_back(static_cast<Eigen::Index>(k));
     return split;
 }
 
-/// Parameters from the others; those that the others say nothing about, from the first part afterwards.
-struct Prediction {
-    VectorXd step;
-    double chi_square = 0; // of the rest
+constexpr double unknown = 1e4; // standard errors of all readings: how far a nuisance may lie that nothing tells
+
+/// What is known of each parameter's step without any row: where it ends, and how surely.
+struct Beforehand {
+    VectorXd step, width;
 };
 
-Prediction predict(const VectorXd& residual, const MatrixXd& slopes, const Split& split) {
-    if (slopes.cols() == 0) // nothing to adjust
-        return {{}, rows_of(residual, split.rest).squaredNorm()};
-    const MatrixXd first = rows_of(slopes, split.first), elsewhere = rows_of(slopes, split.readings_of_others);
-    MatrixXd others = rows_of(slopes, split.others);
-    std::vector<Eigen::Index> own;
-    for (Eigen::Index k = 0; k < slopes.cols(); ++k)
-        if (elsewhere.col(k).norm() < 1e-3 * first.col(k).norm())
-            own.push_back(k);
-    MatrixXd local(first.rows(), static_cast<Eigen::Index>(own.size()));
-    for (std::size_t k = 0; k < own.size(); ++k) {
-        others.col(own[k]).setZero();
-        local.col(static_cast<Eigen::Index>(k)) = first.col(own[k]);
+/// Parameters from the other conditions, and what that is worth.
+struct Prediction {
+    VectorXd step;
+    Foretold own;
+};
+
+Prediction predict(const VectorXd& residual, const MatrixXd& slopes, const Beforehand& beforehand, const Split& split) {
+    const VectorXd missed = rows_of(residual, split.own);
+    const Eigen::Index count = slopes.cols();
+    if (count == 0) // nothing to adjust
+        return {{}, {missed.squaredNorm(), 0}};
+    const auto rows = static_cast<Eigen::Index>(split.others.size());
+    const VectorXd weight = beforehand.width.cwiseInverse();
+    MatrixXd others(rows + count, count);
+    others << rows_of(slopes, split.others), MatrixXd(weight.asDiagonal());
+    VectorXd known(rows + count);
+    known << rows_of(residual, split.others), weight.cwiseProduct(beforehand.step);
+    const VectorXd step = others.completeOrthogonalDecomposition().solve(known);
+    const MatrixXd own = rows_of(slopes, split.own);
+    return {step, foretold(missed - own * step, own * half_covariance(others))};
+}
+
+/// Nothing of nuisances beyond the priors that are rows already; of causes, of which `extended` has found some, that
+/// they are plausible.
+Beforehand known_beforehand(const MatrixXd& slopes, const Evidence& evidence, const Refit* extended) {
+    Beforehand beforehand{VectorXd::Zero(slopes.cols()),
+                          unknown * slopes.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose()};
+    for (std::size_t k = 0; extended && k < extended->causes.size(); ++k) {
+        const Cause& cause = evidence.causes[static_cast<std::size_t>(extended->causes[k])];
+        const Eigen::Index at = evidence.nuisances.cols() + static_cast<Eigen::Index>(k);
+        beforehand.step[at] = -extended->amplitude[static_cast<Eigen::Index>(k)];
+        beforehand.width[at] = std::max(std::abs(cause.lo), std::abs(cause.hi));
     }
-    Prediction prediction;
-    prediction.step = others.completeOrthogonalDecomposition().solve(rows_of(residual, split.others));
-    if (!own.empty()) {
-        const VectorXd missing = rows_of(residual, split.first) - first * prediction.step;
-        const VectorXd found = local.completeOrthogonalDecomposition().solve(missing);
-        for (std::size_t k = 0; k < own.size(); ++k)
-            prediction.step[own[k]] = found[static_cast<Eigen::Index>(k)];
-    }
-    prediction.chi_square =
-        (rows_of(residual, split.rest) - rows_of(slopes, split.rest) * prediction.step).squaredNorm();
-    return prediction;
+    return beforehand;
 }
 
 } // namespace
@@ -79,6 +82,24 @@ VectorXd errors_of(const MatrixXd& slopes) {
     return covariance.diagonal().cwiseMax(0.0).cwiseSqrt().cwiseQuotient(scale);
 }
 
+MatrixXd half_covariance(const MatrixXd& slopes) {
+    const VectorXd scale = slopes.colwise().norm().transpose();
+    const MatrixXd unit = slopes * scale.cwiseInverse().asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> told(unit.transpose() * unit);
+    const VectorXd root = told.eigenvalues().cwiseMax(1 / (unknown * unknown)).cwiseSqrt().cwiseInverse();
+    return scale.cwiseInverse().asDiagonal() * told.eigenvectors() * root.asDiagonal();
+}
+
+Foretold foretold(const VectorXd& missed, const MatrixXd& errors) {
+    // Woodbury and Sylvester: all of it in as many dimensions as there are errors.
+    MatrixXd inner = errors.transpose() * errors;
+    inner.diagonal().array() += 1;
+    const Eigen::LLT<MatrixXd> root(inner);
+    const VectorXd along = errors.transpose() * missed;
+    return {missed.squaredNorm() - along.dot(VectorXd(root.solve(along))),
+            2 * MatrixXd(root.matrixL()).diagonal().array().log().sum()};
+}
+
 std::vector<Fold> folds_of(const Evidence& evidence, const Refit& extended) {
     std::vector<Fold> folds;
     const Directions& directions = evidence.directions;
@@ -86,14 +107,18 @@ std::vector<Fold> folds_of(const Evidence& evidence, const Refit& extended) {
         return folds;
     const Eigen::Index at = evidence.nuisances.cols();
     const double error = errors_of(extended.slopes)[at];
+    const Beforehand known = known_beforehand(extended.slopes, evidence, &extended),
+                     known_without = known_beforehand(evidence.nuisances, evidence, nullptr);
     for (std::size_t c = 0; c < directions.conditions.size(); ++c) {
         const Split split = split_at(directions, static_cast<int>(c));
         Fold fold;
-        fold.condition = directions.conditions[c];
-        fold.readings = static_cast<int>(split.rest.size());
-        const Prediction with = predict(extended.residual, extended.slopes, split);
-        fold.extended = with.chi_square;
-        fold.baseline = predict(evidence.residual, evidence.nuisances, split).chi_square;
+        const Prediction with = predict(extended.residual, extended.slopes, known, split);
+        const Prediction baseline = predict(evidence.residual, evidence.nuisances, known_without, split);
+        fold.score = {.condition = directions.conditions[c],
+                      .readings = static_cast<int>(split.own.size()),
+                      .baseline = baseline.own.chi_square,
+                      .extended = with.own.chi_square,
+                      .spread = with.own.spread - baseline.own.spread};
         fold.amplitude = extended.amplitude[0] + with.step[at];
         // The amplitude of all uses the others' data, too: the variance of the difference is that of the variances.
         const double without = errors_of(rows_of(extended.slopes, split.others))[at];

@@ -1,7 +1,10 @@
 #include "diagnose/gain.h"
 
 #include "base/rng.h"
+#include "diagnose/folds.h"
 
+#include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 
 namespace tumble::diagnose {
@@ -11,10 +14,6 @@ namespace {
 constexpr int bootstraps = 2000;
 constexpr std::size_t enough_conditions = 5;
 
-double improvement(const Score& score) {
-    return 0.5 * (score.baseline - score.extended);
-}
-
 void bootstrap(Gain& gain) {
     Rng rng(1);
     std::vector<double> sums;
@@ -22,7 +21,7 @@ void bootstrap(Gain& gain) {
     for (int k = 0; k < bootstraps; ++k) {
         double sum = 0;
         for (std::size_t i = 0; i < gain.scores.size(); ++i)
-            sum += improvement(gain.scores[static_cast<std::size_t>(rng.uniform() * count)]);
+            sum += gain.scores[static_cast<std::size_t>(rng.uniform() * count)].nats();
         sums.push_back(sum);
     }
     std::sort(sums.begin(), sums.end());
@@ -41,35 +40,37 @@ VectorXd carried_over(const Model& aside, const Model& model, const VectorXd& va
     return carried;
 }
 
-/// Chi-square beyond the first part of every record, by condition, once its own nuisances are fitted to that part.
-Result<std::vector<double>> late_chi_squares(Model& aside, const Noise& noise, VectorXd values) {
+/// Of every record how far it lies from the prediction at its best own nuisances, and the logarithm of what its
+/// readings tell of them.
+Result<std::vector<Foretold>> records_at(Model& aside, const Noise& noise, VectorXd values) {
     std::vector<int> own;
     for (int k = 0; k < aside.nuisances(); ++k)
         if (aside.parameters()[static_cast<std::size_t>(k)].record >= 0)
             own.push_back(k);
-    if (!own.empty()) {
-        Noise early = noise;
-        for (std::size_t row = 0; row < aside.rows().size(); ++row) {
-            const Row& one = aside.rows()[row];
-            early.left_out[row] =
-                one.time > first_part * aside.records()[static_cast<std::size_t>(one.record)].time.back();
-        }
-        const auto fitted = fit(aside, early, values, own);
-        if (!fitted)
-            return fitted.problems();
-        values = fitted->values;
-    }
-    const auto misfit = misfit_of(aside, values);
-    if (!misfit)
-        return misfit.problems();
-    const VectorXd white = noise.whiten(*misfit, aside);
-    std::vector<double> sums(aside.records().size(), 0);
+    const auto fitted = fit(aside, noise, values, own);
+    if (!fitted)
+        return fitted.problems();
+    std::vector<Foretold> records(aside.records().size());
     for (std::size_t row = 0; row < aside.rows().size(); ++row) {
-        const auto record = static_cast<std::size_t>(aside.rows()[row].record);
-        if (aside.rows()[row].time > first_part * aside.records()[record].time.back())
-            sums[record] += white[static_cast<Eigen::Index>(row)] * white[static_cast<Eigen::Index>(row)];
+        const double missed = fitted->residual[static_cast<Eigen::Index>(row)];
+        records[static_cast<std::size_t>(aside.rows()[row].record)].chi_square += missed * missed;
     }
-    return sums;
+    for (std::size_t r = 0; r < records.size(); ++r) {
+        std::vector<Eigen::Index> of_record;
+        for (std::size_t k = 0; k < own.size(); ++k) {
+            const Parameter& parameter = aside.parameters()[static_cast<std::size_t>(own[k])];
+            if (parameter.record != static_cast<int>(r))
+                continue;
+            of_record.push_back(static_cast<Eigen::Index>(k));
+            if (parameter.spread > 0)
+                records[r].chi_square += std::pow((fitted->values[own[k]] - parameter.start) / parameter.spread, 2);
+        }
+        if (of_record.empty())
+            continue;
+        const MatrixXd slopes = fitted->slopes(Eigen::all, of_record);
+        records[r].spread = (slopes.transpose() * slopes).ldlt().vectorD().array().abs().max(1e-300).log().sum();
+    }
+    return records;
 }
 
 } // namespace
@@ -84,7 +85,8 @@ Gain gain_of(std::vector<Score> scores, bool held_out) {
         baseline += score.baseline;
         extended += score.extended;
         readings += score.readings;
-        all_better = all_better && improvement(score) > 0;
+        gain.nats += score.nats();
+        all_better = all_better && score.nats() > 0;
     }
     if (readings == 0)
         return gain;
@@ -92,7 +94,6 @@ Gain gain_of(std::vector<Score> scores, bool held_out) {
     gain.rms_extended = std::sqrt(extended / readings);
     gain.skill = 1 - extended / baseline;
     gain.share_removed = baseline > readings ? (baseline - extended) / (baseline - readings) : 0;
-    gain.nats = 0.5 * (baseline - extended);
     if (gain.scores.size() >= enough_conditions)
         bootstrap(gain);
     gain.shown = gain.bootstrapped ? gain.nats_low > 0 : all_better;
@@ -101,19 +102,20 @@ Gain gain_of(std::vector<Score> scores, bool held_out) {
 
 Result<std::vector<Score>> scores_aside(Model& aside, const Model& model, const Noise& noise, const VectorXd& baseline,
                                         const VectorXd& extended) {
-    const auto without = late_chi_squares(aside, noise, carried_over(aside, model, baseline));
+    const auto without = records_at(aside, noise, carried_over(aside, model, baseline));
     if (!without)
         return without.problems();
-    const auto with = late_chi_squares(aside, noise, carried_over(aside, model, extended));
+    const auto with = records_at(aside, noise, carried_over(aside, model, extended));
     if (!with)
         return with.problems();
     std::vector<Score> scores;
     for (std::size_t r = 0; r < aside.records().size(); ++r) {
         const Record& record = aside.records()[r];
-        const auto late = std::count_if(record.time.begin(), record.time.end(),
-                                        [&](double t) { return t > first_part * record.time.back(); });
-        scores.push_back({record.name, static_cast<int>(late) * static_cast<int>(record.channels.size()), (*without)[r],
-                          (*with)[r]});
+        scores.push_back({.condition = record.name,
+                          .readings = static_cast<int>(record.time.size() * record.channels.size()),
+                          .baseline = (*without)[r].chi_square,
+                          .extended = (*with)[r].chi_square,
+                          .spread = (*with)[r].spread - (*without)[r].spread});
     }
     return scores;
 }

@@ -4,13 +4,6 @@
 
 namespace tumble::diagnose {
 
-/// How well one condition is predicted by the others.
-struct Score {
-    std::string condition;
-    int readings = 0;
-    double baseline = 0, extended = 0; // chi-square
-};
-
 /// What the named cause is worth on conditions that it was not fitted to.
 struct Gain {
     std::vector<Score> scores;
@@ -28,7 +21,7 @@ struct Gain {
 Gain gain_of(std::vector<Score> scores, bool held_out);
 
 /// Scores of records that were set aside: shared nuisances and the cause from the fit, what only the record can tell
-/// from its first part. Both vectors belong to `model`; parameters of `aside` find theirs by name.
+/// left open. Both vectors belong to `model`; parameters of `aside` find theirs by name.
 Result<std::vector<Score>> scores_aside(Model& aside, const Model& model, const Noise& noise, const VectorXd& baseline,
                                         const VectorXd& extended);
 

@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "observe/measures.h"
+#include "observe/tracer.h"
 
 #include <fmt/format.h>
 
@@ -26,6 +27,8 @@ std::vector<Unit> units_for(const std::string& si) {
 Result<std::string> unit_of(const std::string& measure) {
     if (measure == "time")
         return std::string("s");
+    if (const auto traced = observe::traced_by(measure))
+        return traced->unit;
     std::vector<std::string> names{"time"};
     for (const observe::Measure& known : observe::all_measures()) {
         if (known.name == measure)
@@ -33,6 +36,10 @@ Result<std::string> unit_of(const std::string& measure) {
         names.push_back(known.name);
     }
     const std::string guess = did_you_mean(measure, names);
+    if (measure.starts_with("tracer:"))
+        return Problem{.what = fmt::format("there is no column '{}' of a tracer", excerpt(measure)),
+                       .fix = "write tracer:, a body's name and one of the columns that docs/measures.md lists, as in "
+                              "tracer:ball_felt_x; `tumble list measures SCENE` names those of a scene's"};
     return Problem{.what = fmt::format("there is no measure '{}'", excerpt(measure)),
                    .fix = (guess.empty() ? "" : guess + " ") + "`tumble list measures` names all of them"};
 }

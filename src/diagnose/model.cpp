@@ -1,6 +1,7 @@
 #include "diagnose/model.h"
 
 #include "base/text.h"
+#include "observe/tracer.h"
 #include "scene/load.h"
 #include "scene/to_toml.h"
 
@@ -39,6 +40,12 @@ Parameter nuisance_parameter(const Nuisance& nuisance, const Record* record, int
             .step = clock ? 1e-4 : 1e-3,
             .record = index,
             .exact = true};
+}
+
+/// The first row that has one: a mean since the row before is none in the first.
+std::size_t first_number_in(const std::vector<double>& values) {
+    return static_cast<std::size_t>(
+        std::find_if(values.begin(), values.end(), [](double value) { return !std::isnan(value); }) - values.begin());
 }
 
 double middle_step(const std::vector<double>& time) {
@@ -171,8 +178,13 @@ Result<scene::Scene> Model::scene_to_run(const VectorXd& values, int record, dou
     scene->observe.measures.clear();
     for (const Record& other : records_) // every record of this experiment finds what it needs
         for (const Channel& channel : other.channels)
-            if (other.sets == wanted.sets && !other.change == !wanted.change && !channel.shows_time())
-                scene->observe.measures.push_back(channel.measure);
+            if (other.sets == wanted.sets && !other.change == !wanted.change && !channel.shows_time()) {
+                const auto traced = observe::traced_by(channel.measure);
+                const std::string measure = traced ? "tracer:" + traced->body : channel.measure;
+                auto& measures = scene->observe.measures;
+                if (std::find(measures.begin(), measures.end(), measure) == measures.end())
+                    measures.push_back(measure);
+            }
     if (scene->observe.measures.empty())
         scene->observe.measures = {"kinetic_energy"};
     return scene;
@@ -248,7 +260,15 @@ Result<std::vector<Signal>> Model::signals(const VectorXd& values, int record, d
             channel.shows_time() ? &(*series)->values[0] : (*series)->find(channel.measure);
         if (!found)
             return Problem{.key = channel.measure, .what = "the simulation does not give " + channel.measure};
-        all.push_back({(*series)->values[0], *found});
+        const std::size_t first = first_number_in(*found);
+        if (first + 1 >= found->size())
+            return Problem{.key = channel.measure,
+                           .what = "the simulation gives no numbers for " + channel.measure,
+                           .fix = "name a body that is there from the beginning"};
+        const auto from = [&](const std::vector<double>& all_rows) {
+            return std::vector<double>(all_rows.begin() + static_cast<std::ptrdiff_t>(first), all_rows.end());
+        };
+        all.push_back({from((*series)->values[0]), from(*found)});
     }
     return all;
 }

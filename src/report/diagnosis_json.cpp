@@ -79,7 +79,8 @@ Json gain_of_it(const Gain& gain) {
         conditions.push_back({{"condition", score.condition},
                               {"readings", score.readings},
                               {"chi_square_baseline", score.baseline},
-                              {"chi_square_extended", score.extended}});
+                              {"chi_square_extended", score.extended},
+                              {"nats", score.nats()}});
     Json json{{"on", gain.held_out ? "series held out" : "each condition from the others"},
               {"rms_baseline", gain.rms_baseline},
               {"rms_extended", gain.rms_extended},
@@ -117,7 +118,11 @@ Json beds_of(const Diagnosis& diagnosis) {
 }
 
 Json adequacy_of_it(const Adequacy& adequacy) {
-    return {{"p_blocks", adequacy.blocks}, {"p_fingerprints", adequacy.prints}, {"p", adequacy.p()}};
+    Json json{{"p_blocks", adequacy.blocks}, {"p_fingerprints", adequacy.prints}};
+    if (adequacy.swing)
+        json["p_swings"] = adequacy.swing->p;
+    json["p"] = adequacy.p();
+    return json;
 }
 
 Json besides_of(const std::optional<Besides>& besides) {
@@ -142,12 +147,13 @@ Json decision_of(const Diagnosis& diagnosis) {
         overstated["looks_like"] = diagnosis.alike;
     Json folds = Json::array();
     for (const Fold& fold : decision.folds)
-        folds.push_back({{"without", fold.condition},
+        folds.push_back({{"without", fold.score.condition},
                          {"amplitude", number(fold.amplitude)},
                          {"moved_standard_errors", number(fold.moved)},
-                         {"readings", fold.readings},
-                         {"chi_square_baseline", fold.baseline},
-                         {"chi_square_extended", fold.extended}});
+                         {"readings", fold.score.readings},
+                         {"chi_square_baseline", fold.score.baseline},
+                         {"chi_square_extended", fold.score.extended},
+                         {"nats", fold.score.nats()}});
     return {{"outcome", outcome_words(diagnosis)},
             {"verdict", verdict_of(diagnosis)},
             {"next", next_step(diagnosis)},

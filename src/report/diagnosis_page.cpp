@@ -155,8 +155,7 @@ std::string gain_section(const Diagnosis& diagnosis) {
         text, gain.shown ? "The gain is shown" : "The gain is not shown: some conditions do not improve",
         gain.held_out ? "held out" : "condition left out", diagnosis.beds.empty() ? "readings" : "numbers", rows,
         diagnosis.beds.empty()
-            ? " What only a record can tell comes from its first 30 %, for both alike; scored is the "
-              "rest."
+            ? " What only a record can tell, its clock say, is left as open as it was beforehand, for both alike."
             : "");
 }
 

@@ -3,6 +3,7 @@
 #include "observe/measures.h"
 #include "run/schedule.h"
 #include "run/simulation.h"
+#include "run/tracers.h"
 
 #include <algorithm>
 #include <array>
@@ -33,27 +34,42 @@ observe::Series empty_series(const Watched& watched) {
     return series;
 }
 
-void add_row(observe::Series& series, const Watched& watched, observe::Frame frame, Books books, double began) {
-    frame.time += began;
-    books.time += began;
+std::vector<double> row_of(const Watched& watched, const observe::Frame& frame, const Books& books) {
     const observe::Seen seen(frame, books, watched.axes_turned);
     std::vector<double> row{frame.time};
     for (const observe::Measure& measure : watched.measures)
         row.push_back(measure.value(seen));
-    series.append(row);
+    return row;
+}
+
+void add_row(observe::Series& series, const Watched& watched, observe::Frame frame, Books books, double began) {
+    frame.time += began;
+    books.time += began;
+    series.append(row_of(watched, frame, books));
 }
 
 Result<observe::Series> record_steadily(const scene::Scene& scene, const Watched& watched, int threads) {
     Result<SimulationPtr> simulation = simulate(scene, threads);
     if (!simulation)
         return simulation.problems();
+    auto tracers = tracers_of(scene, (*simulation)->bodies());
+    if (!tracers)
+        return tracers.problems();
     observe::Series series = empty_series(watched);
+    for (const observe::TracerReader& tracer : *tracers)
+        for (std::string& head : tracer.columns())
+            series.columns.push_back(std::move(head));
     Schedule rows(scene.observe.every, scene.time_step);
     const std::int64_t last = std::llround(scene.duration / scene.time_step);
     for (std::int64_t step = 0;; step = std::min(rows.next(), last)) {
         if (const auto problem = (*simulation)->advance(step - (*simulation)->steps()))
             return *problem;
-        add_row(series, watched, (*simulation)->frame(), (*simulation)->books(), 0);
+        const observe::Frame frame = (*simulation)->frame();
+        std::vector<double> row = row_of(watched, frame, (*simulation)->books());
+        for (observe::TracerReader& tracer : *tracers)
+            for (const double value : tracer.row(frame))
+                row.push_back(value);
+        series.append(row);
         if (step == last)
             return series;
         rows.pass(step);
@@ -266,10 +282,12 @@ bool flies_alone(const scene::Scene& scene) {
 }
 
 Result<observe::Series> record(const scene::Scene& scene, int threads) {
-    const auto measures = observe::choose_measures(scene.observe.measures);
+    const auto measures = observe::choose_measures(without_tracers(scene.observe.measures));
     if (!measures)
         return measures.problems();
     const Watched watched{*measures, scene.observe.axes_turned};
+    if (!traced_bodies(scene.observe.measures).empty())
+        return record_steadily(scene, watched, threads);
     if (flies_alone(scene))
         return Flight(scene, watched).record();
     if (is_one_sphere(scene))

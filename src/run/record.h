@@ -13,7 +13,8 @@ namespace tumble::run {
 /// A sphere alone among walls that stand still (flies_alone) is taken through its flights in strides of observe.every
 /// and through its impacts in a whole number of steps, of about a quarter of the scene's: where in a step an impact
 /// begins and ends would otherwise scatter what comes after by more than a camera resolves. Its impacts have rows of
-/// their own, as close as they are short. On walls that move it takes a quarter of the scene's steps throughout.
+/// their own, as close as they are short. On walls that move it takes a quarter of the scene's steps throughout. Where
+/// a tracer follows it (docs/measures.md, "Tracers") it takes the scene's own steps, as everything else does.
 Result<observe::Series> record(const scene::Scene& scene, int threads = 1);
 
 /// One sphere placed exactly, walls that do not move.

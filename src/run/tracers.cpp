@@ -64,6 +64,8 @@ Result<std::vector<observe::TracerReader>> tracers_of(const scene::Scene& scene,
         tracer.sensor = body.written_from_principal.conjugate();
         if (scene.bodies[b].tracer_point)
             tracer.point = tracer.sensor * (*scene.bodies[b].tracer_point - body.written_centre);
+        if (const scene::Vector3d& turned = scene.bodies[b].tracer_turned; turned.norm() > 0)
+            tracer.turned = Eigen::AngleAxisd(turned.norm(), turned.normalized());
         readers.emplace_back(std::move(tracer));
     }
     return readers;

@@ -146,6 +146,12 @@ KeyTable body() {
                "Where a sensor sits in the body, in the coordinates of its spheres before `scale`; the measure "
                "`tracer:NAME` tells what it feels. Without it the centre of mass.")
             .in_3d(),
+        vector("tracer_turned_deg", "deg", from(-180, 180),
+               "How far that sensor sits turned from where it should: about the axis along this vector, in the "
+               "coordinates of the spheres, by its length. Who reads it does not know of it: `felt_` and `spin_` turn, "
+               "and gravity leaks into `summed_v`.")
+            .si(std::numbers::pi / 180)
+            .in_3d(),
         number(
             "cone_diameter_m", "m", above(0, 100),
             "Diameter of the upright cone on y = 0 that the spheres stand for, before `scale`: `reduce.spheres` fits "

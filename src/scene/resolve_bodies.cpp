@@ -166,6 +166,8 @@ void resolve_bodies(const View& root, const Resolving& to) {
         }
         if (view.given("tracer_point_m"))
             body.tracer_point = view.vector("tracer_point_m") * (view.given("scale") ? view.number("scale") : 1.0);
+        if (view.given("tracer_turned_deg"))
+            body.tracer_turned = view.vector("tracer_turned_deg");
         body.cone = resolve_cone(view, to);
         to.scene.bodies.push_back(std::move(body));
     }

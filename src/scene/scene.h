@@ -62,7 +62,9 @@ struct BodyTemplate {
     std::optional<double> mass;                // kg, given instead of density * volume
     std::optional<Vector3d> principal_inertia; // kg m2, about the principal axes, given instead of the union's
     std::optional<Vector3d> tracer_point; // m, template frame: where a tracer's sensor sits; else the centre of mass
-    std::optional<fit::Cone> cone;        // what the spheres stand for, in the template frame; to fit anew
+    Vector3d tracer_turned =
+        Vector3d::Zero();          // rad about its direction: how the sensor sits, against the template frame
+    std::optional<fit::Cone> cone; // what the spheres stand for, in the template frame; to fit anew
 };
 
 /// How Box2D is told to work; docs/hard-contacts.md. Two dimensions only.

@@ -153,6 +153,8 @@ void write_bodies(const Scene& scene, TomlWriter& to) {
             to.vector("inertia_kg_m2", *body.principal_inertia);
         if (body.tracer_point)
             to.vector("tracer_point_m", *body.tracer_point);
+        if (body.tracer_turned != Vector3d::Zero())
+            to.vector("tracer_turned_deg", body.tracer_turned);
         if (body.cone) {
             to.number("cone_diameter_m", body.cone->diameter);
             to.number("cone_height_m", body.cone->height);

@@ -87,7 +87,9 @@ void TomlWriter::number(const std::string& name, double si) {
 }
 
 void TomlWriter::vector(const std::string& name, const Eigen::Vector3d& value) {
-    line(name, list(value.data(), static_cast<std::size_t>(dimension_)));
+    const double si = key(name).si;
+    const double all[3] = {typed(value.x(), si), typed(value.y(), si), typed(value.z(), si)};
+    line(name, list(all, static_cast<std::size_t>(dimension_)));
 }
 
 void TomlWriter::span(const std::string& name, double lo, double hi) {

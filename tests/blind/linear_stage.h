@@ -52,7 +52,6 @@ inline Evidence compressed(const Evidence& full) {
     few.directions.prints = few_rows(full.directions.prints);
     few.directions.condition.assign(static_cast<std::size_t>(basis.cols()), 0);
     few.directions.condition.resize(static_cast<std::size_t>(few.residual.size()), -1);
-    few.directions.early.assign(static_cast<std::size_t>(few.residual.size()), false);
     few.directions.conditions = {"all"};
     return few;
 }

@@ -15,7 +15,7 @@ bool named_by_held_out_score(const Evidence& evidence) {
             continue;
         double better = 0;
         for (const Fold& fold : folds_of(evidence, refit_linear(evidence, {static_cast<int>(k)})))
-            better += fold.baseline - fold.extended;
+            better += fold.score.nats();
         best = std::max(best, better);
     }
     return best > 0;

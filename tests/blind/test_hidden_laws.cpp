@@ -132,7 +132,46 @@ Measurement of_plate(double drift, const std::function<double(double)>& more) {
     return all;
 }
 
+/// What a logger on the tripod sums up while it slides from rest at this angle, down towards +x: both components of its
+/// velocity. It sits turned by `askew` about z; what it feels, a - g, is turned back by that, and g is added where it
+/// believes it to be.
+Record logged(double degrees, double friction, double askew, Rng& rng) {
+    const double angle = degrees * pi / 180, g = 9.81;
+    const double gx = g * std::sin(angle), gy = -g * std::cos(angle);
+    const double ax = gx + (degrees > 0 ? friction : -friction) * gy;
+    const double c = std::cos(askew), s = std::sin(askew);
+    const double believed[2] = {c * (ax - gx) - s * gy + gx, -s * (ax - gx) - c * gy + gy};
+    Record record = read_of(fmt::format("{} deg", degrees), {fmt::format("gravity_m_s2=[{:.9f}, {:.9f}, 0]", gx, gy)},
+                            "tracer:tripod_summed_vx", 5e-3, 100, 1, rng, [&](double t) { return believed[0] * t; });
+    diagnose::Channel upwards = record.channels[0];
+    upwards.measure = "tracer:tripod_summed_vy";
+    for (std::size_t k = 0; k < record.time.size(); ++k)
+        upwards.value[k] = believed[1] * record.time[k] + upwards.sigma * gauss(rng);
+    record.channels.push_back(std::move(upwards));
+    for (diagnose::Channel& channel : record.channels) {
+        channel.head = "v_m_s";
+        channel.unit = "m_s";
+    }
+    return record;
+}
+
+Measurement of_logger(double askew) {
+    Rng rng(17);
+    Measurement all;
+    all.nuisances = {{.key = "pair.plastic-board.friction", .instrument = "", .spread = 0.03}};
+    for (const double degrees : {18.0, -18.0, 24.0, -24.0})
+        all.records.push_back(logged(degrees, 0.28, askew, rng));
+    return all;
+}
+
 } // namespace
+
+TEST_CASE("gravity that leaks into an accelerometer which sits askew is named from the velocities it sums up") {
+    const Diagnosis upright = diagnosed_as(scene_of(Bench::slope), of_logger(0));
+    CHECK_MESSAGE(upright.decision.outcome == Outcome::consistent, verdict_of(upright));
+    // What is felt has no component along z at all, so that a lean towards z shows by its square only.
+    check_found(diagnosed_as(scene_of(Bench::slope), of_logger(0.4 * pi / 180)), "ins.gravity_leak_x", 0.4);
+}
 
 TEST_CASE("rolling resistance that grows with speed is named where masses and places differ: "
           "drag would go by mass, a high pass by place") {

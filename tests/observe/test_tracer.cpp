@@ -27,7 +27,7 @@ std::map<std::string, double> told(observe::TracerReader& reader, const observe:
 }
 
 observe::Tracer sensor(const Vector3d& point) {
-    return {"sensor", 0, point, Eigen::Quaterniond::Identity(), {0, -g, 0}};
+    return {.name = "sensor", .point = point, .gravity = {0, -g, 0}};
 }
 
 observe::Frame with_body(double time, const Vector3d& position, const Vector3d& velocity,
@@ -107,6 +107,47 @@ TEST_CASE("carried round an axis, a sensor off its body's centre feels the centr
     CHECK(std::hypot(row.at("ax_m_s2"), row.at("az_m_s2")) == about(rate * rate * radius, 1e-3));
     CHECK(std::hypot(row.at("point_ax_m_s2"), row.at("point_az_m_s2")) == about(rate * rate * (radius + 0.02), 1e-3));
     CHECK(std::abs(row.at("point_ay_m_s2")) < 1e-12);
+}
+
+TEST_CASE("what a sensor sums up is its point's velocity, but for the gravity that leaks in where it sits askew") {
+    const double askew = 0.02, interval = 0.01;
+    for (const double turned : {0.0, askew}) {
+        observe::Tracer tracer = sensor(Vector3d(0.02, 0, 0));
+        tracer.turned = Eigen::AngleAxisd(turned, Vector3d::UnitZ());
+        observe::TracerReader reader(tracer);
+        std::map<std::string, double> row;
+        for (int i = 0; i <= 10; ++i) // pushed along x at 3 m/s2
+            row = told(reader, with_body(interval * i, Vector3d::Zero(), {3 * interval * i, 0, 0}));
+        // Axes turned counter-clockwise see g lean towards their x: what is felt, (3, g), read as if they were not.
+        const double time = 10 * interval, c = std::cos(turned), s = std::sin(turned);
+        CHECK(row.at("point_vx_m_s") == about(3 * time));
+        CHECK(row.at("summed_vx_m_s") == about((3 * c + g * s) * time));
+        CHECK(std::abs(row.at("summed_vy_m_s") - (g * c - 3 * s - g) * time) < 1e-12);
+        CHECK(row.at("felt_x_m_s2") == about(3 * c + g * s));
+    }
+    // While the body turns, the leak turns with it: after half a turn it points the other way.
+    observe::Tracer tracer = sensor(Vector3d::Zero());
+    tracer.turned = Eigen::AngleAxisd(askew, Vector3d::UnitZ());
+    observe::TracerReader reader(tracer);
+    double most = 0, last = 0;
+    for (int i = 0; i <= 1000; ++i) {
+        const Eigen::Quaterniond turn(Eigen::AngleAxisd(2 * M_PI * i / 1000, Vector3d::UnitY()));
+        last = told(reader, with_body(1e-3 * i, Vector3d::Zero(), Vector3d::Zero(), turn, {0, 2 * M_PI, 0}))
+                   .at("summed_vz_m_s");
+        most = std::max(most, std::abs(last));
+    }
+    CHECK(most == about(g * std::sin(askew) / M_PI, 1e-3)); // of g sin(askew) sin(2 pi t), summed over half a turn
+    CHECK(std::abs(last) < 1e-3 * most);
+}
+
+TEST_CASE("a tracer's columns are told apart by their longest name") {
+    CHECK(observe::traced_by("tracer:ball_felt_x")->body == "ball");
+    CHECK(observe::traced_by("tracer:ball_felt_x")->inertial);
+    CHECK(observe::traced_by("tracer:ball_summed_vy")->unit == "m_s");
+    CHECK(observe::traced_by("tracer:my_ball_point_vx")->body == "my_ball");
+    CHECK_FALSE(observe::traced_by("tracer:ball_vx")->inertial);
+    for (const char* none : {"tracer:ball", "tracer:_x", "ball_felt_x", "tracer:ball_vx_m_s"})
+        CHECK_FALSE_MESSAGE(observe::traced_by(none), none);
 }
 
 TEST_CASE("a tracer follows the body of its shape with the lowest id, and is not a number while there is none") {

@@ -82,6 +82,7 @@ TEST_CASE("a resolved scene loads again to the same bodies and fills, bit for bi
         CHECK(a.bodies[i].mass == b.bodies[i].mass);
         CHECK(a.bodies[i].principal_inertia == b.bodies[i].principal_inertia);
         CHECK(a.bodies[i].tracer_point == b.bodies[i].tracer_point);
+        CHECK(a.bodies[i].tracer_turned == b.bodies[i].tracer_turned);
         REQUIRE(a.bodies[i].cone.has_value() == b.bodies[i].cone.has_value());
         CHECK((!a.bodies[i].cone || a.bodies[i].cone->height == b.bodies[i].cone->height));
         REQUIRE(a.bodies[i].spheres.size() == b.bodies[i].spheres.size());

@@ -1,6 +1,5 @@
 #include "case.h"
 
-#include "records.h"
 #include "separation.h"
 #include "setups.h"
 #include "told.h"
@@ -78,9 +77,7 @@ void measure(Case& made, std::size_t first, Random& random) {
         offset = spread * std::clamp(0.004 * late * random.normal(), -0.012, 0.012);
     for (double& speed : truth.speeds)
         speed = std::clamp(0.02 * random.normal(), -0.06, 0.06);
-    const Dirt drawn = draw_dirt(random);
-    for (std::string& csv :
-         records_of(made.setup, first, readings_of(made.setup, truth), distracts ? distracting : drawn, random)) {
+    for (std::string& csv : records_of(made.setup, first, readings_of(made.setup, truth), made.dirt, random)) {
         made.files.push_back(fmt::format("{}-{}.csv", record_word(order.bench), made.files.size() + 1));
         made.csv.push_back(std::move(csv));
     }
@@ -101,6 +98,10 @@ Case make_case(const Order& order, Random& random) {
     Case made;
     made.order = order;
     made.setup = draw_setup(order.bench, order.more, random);
+    made.dirt = draw_dirt(random);
+    if (order.kind == "distractor")
+        made.dirt = distracting;
+    made.setup.memory = made.dirt.memory;
     made.without = baseline(order.bench);
     const double off = random.uniform(-1, 1); // of restitution or friction, from what the scene has
     made.without.ball.restitution += 0.03 * off;

@@ -2,6 +2,7 @@
 
 #include "experiment.h"
 #include "random.h"
+#include "records.h"
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -27,6 +28,7 @@ std::vector<Order> mixed_orders(int count, Random& random);
 struct Case {
     Order order;
     Setup setup;
+    Dirt dirt{};
     Truth without;                  // what is innocent, but clocks and speeds
     std::vector<double> amplitudes; // of the order's effects
     std::vector<std::string> files; // names, in the order of trials

@@ -263,22 +263,62 @@ Eigen::VectorXd readings_of(const Setup& setup, const Truth& truth) {
     return Eigen::Map<Eigen::VectorXd>(readings.data(), static_cast<Eigen::Index>(readings.size()));
 }
 
+namespace {
+
+/// Calls with the first row and the length of every channel of every record, clocks aside.
+template <class Each> void each_channel(const Setup& setup, Each each) {
+    Eigen::Index first = 0;
+    for (const Trial& trial : setup.trials)
+        for (std::size_t c = 0; c < channels_of(setup.bench).size(); ++c) {
+            const auto count = static_cast<Eigen::Index>(times_of(setup, trial).size());
+            each(first, count);
+            first += count;
+        }
+}
+
+} // namespace
+
+Eigen::VectorXd whitened(const Setup& setup, Eigen::VectorXd readings) {
+    const double fresh = std::sqrt(1 - setup.memory * setup.memory);
+    each_channel(setup, [&](Eigen::Index first, Eigen::Index count) {
+        for (Eigen::Index k = first + count - 1; k > first; --k)
+            readings[k] = (readings[k] - setup.memory * readings[k - 1]) / fresh;
+    });
+    return readings;
+}
+
+std::vector<bool> lone(const Setup& setup, const Eigen::VectorXd& differences) {
+    constexpr double far = 4;
+    constexpr Eigen::Index around = 3;
+    std::vector<bool> all(static_cast<std::size_t>(differences.size()), false);
+    each_channel(setup, [&](Eigen::Index first, Eigen::Index count) {
+        for (Eigen::Index k = first; k < first + count; ++k) {
+            const Eigen::Index from = std::max(first, k - around), to = std::min(first + count, k + around + 1);
+            const auto others = (differences.segment(from, to - from).array().abs() > far).count();
+            all[static_cast<std::size_t>(k)] = std::abs(differences[k]) > far && others <= 2; // itself and one more
+        }
+    });
+    return all;
+}
+
 std::vector<Innocent> innocents_of(const Setup& setup) {
     std::vector<Innocent> innocents;
     const bool bounces_only = setup.bench == Bench::drop || setup.bench == Bench::plate;
     if (bounces_only || setup.bench == Bench::oblique)
-        innocents.push_back({[](Truth& t, double a) { t.ball.restitution += a; }, 0.05});
+        innocents.push_back({Innocent::law, [](Truth& t, double a) { t.ball.restitution += a; }, 0.05});
     if (!bounces_only && setup.bench != Bench::roll)
-        innocents.push_back({[](Truth& t, double a) {
+        innocents.push_back({Innocent::law,
+                             [](Truth& t, double a) {
                                  t.lane.fast_friction *= 1 + a / t.lane.friction;
                                  t.lane.friction += a;
                              },
                              0.03});
     const bool thrown = setup.bench == Bench::lane || setup.bench == Bench::roll || setup.bench == Bench::oblique;
     for (std::size_t r = 0; r < setup.trials.size(); ++r) {
-        innocents.push_back({[r](Truth& t, double a) { t.offsets[r] += a; }, setup.bench == Bench::spin ? 2e-3 : 5e-3});
+        innocents.push_back({Innocent::clock, [r](Truth& t, double a) { t.offsets[r] += a; },
+                             setup.bench == Bench::spin ? 2e-3 : 5e-3});
         if (thrown)
-            innocents.push_back({[r](Truth& t, double a) { t.speeds[r] += a; }, 0.03});
+            innocents.push_back({Innocent::throws, [r](Truth& t, double a) { t.speeds[r] += a; }, 0.03});
     }
     return innocents;
 }

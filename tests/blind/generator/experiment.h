@@ -49,6 +49,7 @@ struct Setup {
     double duration = 2.5; // s
     double sigma = 2e-3;   // SI, of every channel but the clock
     bool clock = false;    // a clock in the picture, read to a millisecond
+    double memory = 0;     // of every channel's errors but the clock's, from one reading to the next
 };
 
 /// What is true in one case.
@@ -78,8 +79,16 @@ std::vector<double> times_of(const Setup& setup, const Trial& trial);
 /// Every reading without noise, over its sigma: record by record, channel by channel, then clocks.
 Eigen::VectorXd readings_of(const Setup& setup, const Truth& truth);
 
+/// Differences of such readings, their memory taken out: errors of 1 that know nothing of each other.
+Eigen::VectorXd whitened(const Setup& setup, Eigen::VectorXd readings);
+
+/// Readings that differ by more than 4 standard errors while all but one of the three to either side do not: whoever
+/// looks at a record leaves them out as slips.
+std::vector<bool> lone(const Setup& setup, const Eigen::VectorXd& differences);
+
 /// Something that is unknown but innocent: what a measurement adjusts under every explanation.
 struct Innocent {
+    enum Kind { law, clock, throws } kind = law;
     std::function<void(Truth&, double)> add;
     double spread = 0; // of what is known beforehand
 };

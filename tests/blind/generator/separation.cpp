@@ -12,32 +12,54 @@ constexpr int iterations = 12;
 constexpr double enough = 1e-3;      // fall of chi-square that ends a fit
 constexpr std::size_t close = 4;     // rivals that are fitted: the nearest ones by slopes
 constexpr double same_answer = 0.02; // share of an effect that its rival leaves, below which it is none
+constexpr double disbelieved = 1e3;  // spreads: farther than any experiment is long
 constexpr double nudge = 1e-5;       // of everything innocent, for slopes
+
+/// Readings without noise, and those of them that nobody would use.
+struct Data {
+    Eigen::VectorXd readings;
+    std::vector<bool> left_out;
+};
 
 /// What is innocent, adjusted from where it is known to be, and the amplitude of a rival.
 class Explanation {
 public:
-    Explanation(const Setup& setup, const Truth& base, const Effect* rival, const Eigen::VectorXd& data)
+    Explanation(const Setup& setup, const Truth& base, const Effect* rival, const Data& data)
         : setup_(setup), base_(base), rival_(rival), data_(data), innocents_(innocents_of(setup)),
           count_(static_cast<Eigen::Index>(innocents_.size())) {}
 
+    /// Whatever was said of this kind of innocents beforehand; false where there is none of the kind.
+    bool disbelieve(Innocent::Kind kind) {
+        bool any = false;
+        for (Innocent& one : innocents_)
+            if (one.kind == kind) {
+                one.spread *= disbelieved;
+                any = true;
+            }
+        return any;
+    }
+
     [[nodiscard]] Eigen::VectorXd residual(const Eigen::VectorXd& p) const {
         Truth truth = base_;
-        Eigen::VectorXd all(data_.size() + count_);
+        const Eigen::Index rows = data_.readings.size();
+        Eigen::VectorXd all(rows + count_);
         for (Eigen::Index k = 0; k < count_; ++k) {
             innocents_[static_cast<std::size_t>(k)].add(truth, p[k]);
-            all[data_.size() + k] = -p[k] / innocents_[static_cast<std::size_t>(k)].spread;
+            all[rows + k] = -p[k] / innocents_[static_cast<std::size_t>(k)].spread;
         }
         if (rival_ && p[count_] != 0)
             rival_->hide(truth, p[count_]);
-        all.head(data_.size()) = data_ - readings_of(setup_, truth);
+        all.head(rows) = whitened(setup_, data_.readings - readings_of(setup_, truth));
+        for (std::size_t k = 0; k < data_.left_out.size(); ++k)
+            if (data_.left_out[k])
+                all[static_cast<Eigen::Index>(k)] = 0;
         return all;
     }
 
     [[nodiscard]] Eigen::VectorXd start() const { return Eigen::VectorXd::Zero(count_ + (rival_ ? 1 : 0)); }
 
     [[nodiscard]] Eigen::MatrixXd slopes(const Eigen::VectorXd& p) const {
-        Eigen::MatrixXd all(data_.size() + count_, p.size());
+        Eigen::MatrixXd all(data_.readings.size() + count_, p.size());
         for (Eigen::Index k = 0; k < p.size(); ++k) {
             const double width = k == count_ ? 0.05 * rival_->typical : nudge;
             Eigen::VectorXd above = p, below = p;
@@ -76,7 +98,7 @@ private:
     const Setup& setup_;
     const Truth& base_;
     const Effect* rival_;
-    const Eigen::VectorXd& data_;
+    const Data& data_;
     std::vector<Innocent> innocents_;
     Eigen::Index count_;
 };
@@ -84,7 +106,8 @@ private:
 } // namespace
 
 Separation separation_of(const Setup& setup, const Truth& truth, const Truth& without, const std::string& own) {
-    const Eigen::VectorXd data = readings_of(setup, truth);
+    Data data{readings_of(setup, truth), {}};
+    data.left_out = lone(setup, data.readings - readings_of(setup, without));
     Separation result;
     const Explanation none(setup, without, nullptr, data);
     const Eigen::MatrixXd innocent_slopes = none.slopes(none.start());
@@ -108,6 +131,16 @@ Separation separation_of(const Setup& setup, const Truth& truth, const Truth& wi
         if (left < result.separable && left > same_answer * result.detectable) {
             result.separable = left;
             result.nearest = rivals[k].second->id;
+        }
+    }
+    for (const auto& [kind, word] : {std::pair{Innocent::clock, "late clocks"}, {Innocent::throws, "other throws"}}) {
+        Explanation farther(setup, without, nullptr, data);
+        if (!farther.disbelieve(kind))
+            continue;
+        const double left = std::sqrt(farther.least(farther.start()));
+        if (left < result.separable) {
+            result.separable = left;
+            result.nearest = word;
         }
     }
     return result;

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double one_sided_95 = 1.645; // standard errors
 constexpr double least_share = 0.005;  // of an effect that nuisances must leave: less is rounding of the slopes
+constexpr double missed_by_slopes = 0.1; // of a fall of chi-square, at most: seen, 2 % at 49 standard errors
 constexpr double pair_gate_extra = 2;  // chi-square a pair must reach beyond the gate
 constexpr double pair_adequacy = 0.05; // a pair explains more by chance, so it must fit better
 constexpr std::size_t most_pairs_fitted = 6;
@@ -133,8 +134,13 @@ private:
             d_.gate = e_.gate > 0 ? e_.gate : quantile_of_largest(correlation, settings_.alpha_gate, 1, e_.degrees);
     }
 
+    /// How far behind the best by slopes a rival may lie and still win: what slopes miss grows with the effect.
+    [[nodiscard]] double within_reach(double largest) const {
+        return std::max(2 * settings_.rival_window, missed_by_slopes * largest);
+    }
+
     void fit_rivals() {
-        const double enough = d_.largest - 2 * settings_.rival_window;
+        const double enough = d_.largest - within_reach(d_.largest);
         for (int k = 0; k < count_; ++k)
             if (one(k).visible && one(k).gain > 0 && one(k).gain >= enough) {
                 one(k).refit = refit_({k});
@@ -227,7 +233,7 @@ private:
         std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
         std::vector<std::pair<int, int>> likely;
         for (const auto& [gain, pair] : all)
-            if (likely.size() < most_pairs_fitted && gain > all[0].first - 2 * settings_.rival_window)
+            if (likely.size() < most_pairs_fitted && gain > all[0].first - within_reach(all[0].first))
                 likely.push_back(pair);
         return likely;
     }

@@ -1,5 +1,6 @@
 #include "diagnose/swings.h"
 
+#include "base/column.h"
 #include "base/distributions.h"
 
 #include <algorithm>
@@ -13,6 +14,7 @@ namespace {
 
 constexpr std::size_t fewest = 16; // readings of a record
 constexpr double least_periods = 2;
+constexpr double beside_mains = 3; // resolutions: farther off a line leaks less than a hundredth of its power
 constexpr double mains[] = {50, 60, 100, 120}; // Hz
 
 /// The records of one measure, and the frequencies that all of them resolve.
@@ -29,7 +31,7 @@ struct Band {
     [[nodiscard]] bool hums(double frequency) const {
         return std::any_of(std::begin(mains), std::end(mains), [&](double line) {
             const double folded = std::abs(line - rate * std::round(line / rate));
-            return std::abs(frequency - folded) < 1 / shortest;
+            return std::abs(frequency - folded) < beside_mains / shortest;
         });
     }
 };
@@ -44,7 +46,10 @@ std::map<std::string, Band> bands_of(const std::vector<Course>& courses) {
         band.courses.push_back(&course);
         band.length = std::max(band.length, length);
         band.shortest = std::min(band.shortest, length);
-        band.rate = std::min(band.rate, static_cast<double>(course.time.size() - 1) / length);
+        std::vector<double> steps;
+        for (std::size_t k = 1; k < course.time.size(); ++k)
+            steps.push_back(course.time[k] - course.time[k - 1]);
+        band.rate = std::min(band.rate, 1 / median(std::move(steps))); // frames may be lost
     }
     return bands;
 }

@@ -313,7 +313,12 @@ private:
             free.push_back(model_->parameter_of(causes[k]));
             slopes.col(baseline_.slopes.cols() + static_cast<Eigen::Index>(k)) = effects_.col(causes[k]);
         }
-        const auto fitted = fit(*model_, noise_, baseline_.values, free, {.slopes = &slopes});
+        auto fitted = fit(*model_, noise_, baseline_.values, free, {.slopes = &slopes});
+        if (!fitted || !fitted->converged) { // the baseline may have gone astray to explain what the cause does
+            auto anew = fit(*model_, noise_, model_->start(), free, {.progressive = true});
+            if (anew && (!fitted || anew->chi_square < fitted->chi_square))
+                fitted = std::move(anew);
+        }
         if (!fitted) {
             refit.refused = fitted.problems()[0].what;
             return refit;

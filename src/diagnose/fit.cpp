@@ -11,7 +11,7 @@ namespace {
 
 // Steps of difference quotients, in standard errors of all readings together: small against what is curved and kinked,
 // large against what a simulation rounds.
-constexpr double visible_step = 1;
+constexpr double visible_step = 2;
 constexpr double exact_step = 0.01; // where no simulation is run
 constexpr int tunings = 4;
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double share_of_step = 0.25;     // of the scene's step, for impacts
 constexpr double steps_of_trial = 4;       // of those, one step of the trial that finds an impact's beginning and end
-constexpr double share_of_rub = 1.0 / 64; // of those again, for impacts that friction turns
+constexpr double share_of_rub = 1.0 / 256; // of those again, for impacts that friction turns
 constexpr double steps_of_row = 4;         // of the scene, between two rows of a sphere that is shaken
 constexpr double rows_of_impact = 24;      // of those: spins and ways along a wall that change within are read between
 

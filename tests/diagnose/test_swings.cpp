@@ -72,13 +72,17 @@ TEST_CASE("mains are told apart, at 50 Hz and where they fold to") {
     Rng rng(5);
     for (const auto& [rate, shown] : {std::pair{120.0, 50.0}, {80.0, 30.0}}) {
         const std::vector<Course> all = courses(rate);
-        VectorXd residual = noise(all, rng);
-        shake(residual, all, 0.5, 50);
-        CHECK(strongest_swing(residual, all)->p > 0.01);
-        const auto hum = mains_hum(residual, all);
-        REQUIRE(hum);
-        CHECK(std::abs(hum->frequency - shown) < 0.5);
-        CHECK(hum->p < 1e-6);
+        int seen = 0;
+        for (int k = 0; k < 40; ++k) {
+            VectorXd residual = noise(all, rng);
+            shake(residual, all, 0.5, 50);
+            seen += strongest_swing(residual, all)->p < 0.05;
+            const auto hum = mains_hum(residual, all);
+            REQUIRE(hum);
+            CHECK(std::abs(hum->frequency - shown) < 0.5);
+            CHECK(hum->p < 1e-6);
+        }
+        CHECK(seen <= 8); // 2 are the most to be expected of noise, and four standard deviations more
     }
 }
 

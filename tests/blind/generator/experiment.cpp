@@ -106,6 +106,7 @@ std::vector<Effect> listed() {
          }},
         {"grav.tilt_x", true, 0.02, 5, false, in_open_air & ~drops,
          [](Truth& t, double a) { t.lane.slope += a * pi / 180; }},
+        {"mass.density", true, 0.05, 1, false, bounces, [](Truth& t, double a) { t.ball.mass *= std::exp(a); }},
         {"num.stiffness", true, 0.1, 3, false, bounces,
          [](Truth& t, double a) {
              t.ball.modulus *= std::exp(a);

@@ -221,7 +221,11 @@ Result<std::vector<double>> Table::quantity(std::string_view name, std::span<con
                    0,
                    std::string(name),
                    fmt::format("no column for {}", name),
-                   fmt::format("call it {}", fmt::join(accepted, " or "))};
+                   heads_.size() == 1 && heads_[0].find_first_of(";\t") != std::string::npos
+                       ? "separate columns by commas"
+                       : fmt::format("call it {}; there {} {}", fmt::join(accepted, " or "),
+                                     heads_.size() == 1 ? "is" : "are",
+                                     excerpt(fmt::format("{}", fmt::join(heads_, ", "))))};
 }
 
 std::string csv_line(std::span<const std::string> cells) {

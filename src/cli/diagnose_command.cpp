@@ -154,9 +154,16 @@ Problems leave_files(const DiagnoseArguments& arguments, const diagnose::Diagnos
              arguments.pictures ? report::pictures_of(diagnosis) : std::vector<report::PictureFile>{})
             leave(arguments.report / picture.name, picture.svg);
     }
-    if (!arguments.extended.empty() && diagnosis.extended)
+    if (arguments.extended.empty())
+        return problems;
+    if (!diagnosis.decision.sure)
+        problems.push_back({.file = arguments.extended.string(),
+                            .what = "no extended scene was written: the name is not sure, for " +
+                                    diagnosis.decision.reason,
+                            .fix = diagnosis.decision.remedy});
+    else if (diagnosis.extended)
         leave(arguments.extended, scene::to_toml(*diagnosis.extended));
-    if (!arguments.extended.empty() && !diagnosis.extended)
+    else
         problems.push_back({.file = arguments.extended.string(),
                             .what = "no extended scene was written: no cause is named that a scene could hold",
                             .fix = "what is wrong with an instrument is mended there, not in the scene"});
@@ -207,6 +214,8 @@ int diagnose_it(const DiagnoseArguments& arguments) {
         say_json(report::to_json(*diagnosis, run::version()));
     else
         tell(*diagnosis, arguments.quiet);
+    if (!arguments.json && !arguments.report.empty())
+        say(fmt::format("report: {}", (arguments.report / "diagnosis.html").string()));
     return problems.empty() ? static_cast<int>(fine) : refuse(problems, false, failed);
 }
 

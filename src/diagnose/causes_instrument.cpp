@@ -49,6 +49,7 @@ std::vector<Cause> of_the_sensor() {
          .lo = -0.05,
          .hi = 0.05,
          .typical = 1e-4,
+         .range = Cause::Range::readings,
          .name = "a zero that is shifted",
          .look = "constant, at rest and in motion",
          .keys = "the instrument's readings, plus a constant",
@@ -60,6 +61,7 @@ std::vector<Cause> of_the_sensor() {
          .lo = -0.05,
          .hi = 0.05,
          .typical = 1e-4,
+         .range = Cause::Range::readings_per_second,
          .name = "a zero that wanders with time",
          .look = "straight in time, whatever the body does",
          .keys = "the instrument's readings, plus a constant times time",
@@ -92,9 +94,9 @@ std::vector<Cause> of_the_sensor() {
          .lo = 0,
          .hi = 0.9,
          .typical = 0.02,
-         .name = "readings that are cut off at the top of their range",
-         .look = "negative at the highest readings only, zero elsewhere",
-         .keys = "the instrument's readings, at most a ceiling",
+         .name = "readings that are cut off at the end of the sensor's range",
+         .look = "at the largest readings only, towards zero; at the same limit in every record",
+         .keys = "the instrument's readings, within a limit to either side of zero",
          .distort = [](Instrument& i, double d) { i.clipping += d; }},
     };
 }

@@ -44,6 +44,10 @@ public:
             return d_;
         }
         fit_rivals();
+        if (d_.baseline.p() > settings_.alpha_adequacy && !stays_over_the_gate()) {
+            d_.outcome = Outcome::consistent; // by slopes alone it went over
+            return d_;
+        }
         const int winner = best_possible();
         if (winner < 0 || one(winner).gain < d_.gate)
             return try_pairs(winner);
@@ -148,6 +152,14 @@ private:
             }
     }
 
+    /// Some cause, fitted anew, still explains as much as chance hardly ever does.
+    bool stays_over_the_gate() {
+        d_.largest = 0;
+        for (const Seen& seen : d_.seen)
+            d_.largest = std::max(d_.largest, seen.refit ? seen.refit->gain : seen.gain);
+        return d_.largest >= d_.gate;
+    }
+
     int best_possible() {
         int best = -1;
         for (int k = 0; k < count_; ++k)
@@ -180,14 +192,20 @@ private:
             d_.remedy = std::move(remedy);
         };
         if (d_.folds.empty())
-            return speak("there is only one condition, so the name was tried on none that it was not fitted to",
+            return speak("there is only one condition, so nothing was tried on one that it was not fitted to",
                          "Measure under a second condition, best a very different one.");
+        for (int k = 0; k < count_; ++k)
+            if (one(k).refit && one(k).refit->at_end && d_.outcome == Outcome::named &&
+                nats_between(e_, d_.best->gain, one(k).refit->gain) < settings_.margin)
+                speak(fmt::format("{} would explain it as well, at the end of its range ({:.3g}) or beyond", cause(k).id,
+                                  one(k).refit->amplitude[0]),
+                      "Find out whether that can be. If not, leave it out of the causes that are considered.");
         double better = 0;
         for (const Fold& fold : d_.folds) {
             better += fold.score.nats();
             if (std::abs(fold.moved) > settings_.fold_veto)
-                speak(fmt::format("its amplitude moves by {:.1f} standard errors when {} is left out",
-                                  std::abs(fold.moved), fold.score.condition),
+                speak(fmt::format("the amplitude of {} moves by {:.1f} standard errors when {} is left out",
+                                  cause(fold.mover).id, std::abs(fold.moved), fold.score.condition),
                       "Repeat the condition that disagrees before you believe the name.");
         }
         if (better <= 0)
@@ -219,8 +237,10 @@ private:
         d_.outcome = d_.pairs.size() == 1 ? Outcome::two_causes : Outcome::ambiguous;
         d_.causes = fitted[0].causes;
         d_.best = fitted[0];
-        if (d_.outcome == Outcome::two_causes)
+        if (d_.outcome == Outcome::two_causes) {
             d_.folds = folds_of(e_, *d_.best);
+            veto();
+        }
         return d_;
     }
 
@@ -293,6 +313,13 @@ double nats_between(const Evidence& evidence, double better, double worse) {
         return 0.5 * (better - worse);
     const double n = evidence.degrees, whole = evidence.residual.squaredNorm();
     return 0.5 * (n + 1) * std::log((n + whole - worse) / (n + whole - better));
+}
+
+double gain_behind(const Evidence& evidence, double best, double nats) {
+    if (std::isinf(evidence.degrees))
+        return best - 2 * nats;
+    const double n = evidence.degrees, whole = evidence.residual.squaredNorm();
+    return n + whole - (n + whole - best) * std::exp(2 * nats / (n + 1));
 }
 
 Adequacy adequacy_of(const VectorXd& residual, const MatrixXd& slopes, const Directions& directions, double degrees) {

@@ -30,6 +30,9 @@ struct Evidence {
 /// estimated covariance chi-square is Hotelling's T squared, whose density goes with (1 + T^2/n)^(-(n+1)/2).
 double nats_between(const Evidence& evidence, double better, double worse);
 
+/// The fall of chi-square that is so many nats less likely than one of `best`.
+double gain_behind(const Evidence& evidence, double best, double nats);
+
 /// One or two causes fitted with all nuisances.
 struct Refit {
     std::vector<int> causes;
@@ -40,6 +43,7 @@ struct Refit {
     MatrixXd slopes;       // nuisances, then the causes
     VectorXd values{};     // of all parameters, where a model was fitted
     bool possible = false; // converged, with plausible amplitudes
+    bool at_end = false;   // of the range that is plausible
     std::string refused{}; // why not
 };
 
@@ -89,7 +93,8 @@ struct Score {
 struct Fold {
     Score score;
     double amplitude = 0; // from the other conditions, of the first cause
-    double moved = 0;     // standard errors away from the amplitude of all
+    double moved = 0;     // standard errors away from the amplitude of all, of the cause that moves most
+    int mover = 0;        // which that is
 };
 
 struct Decision {

@@ -22,7 +22,6 @@ std::vector<int> first_numbers(int count) {
 
 constexpr double most_between_repeats = 1.2; // of their scatter over that of the readings in one record
 constexpr double far_away = 4;               // spreads of what was known beforehand
-constexpr double shown_hum = 0.0027;         // probability that noise alone swings so much
 constexpr double seen_well = 3; // standard errors, left beside nuisances: how far off the slope of a filter is taken
 
 /// A record has what it takes to show the cause.
@@ -61,6 +60,21 @@ Result<std::vector<Cause>> causes_for(const Measurement& measurement) {
     return causes;
 }
 
+/// A zero may be off by half of what is read, whatever that is, and may get there within a record.
+void widen(Cause& cause, const std::vector<Record>& records) {
+    if (cause.range == Cause::Range::own)
+        return;
+    double most = 0;
+    for (const Record& record : records)
+        for (const Channel& channel : record.channels)
+            for (const double value : channel.value)
+                if (!channel.shows_time())
+                    most = std::max(most, std::abs(value) /
+                                              (cause.range == Cause::Range::readings ? 1 : record.time.back()));
+    cause.hi = std::max(cause.hi, 0.5 * most);
+    cause.lo = -cause.hi;
+}
+
 class Diagnosing {
 public:
     Diagnosing(const SceneText& scene, const Measurement& measurement, const Simulate& simulate, const TellStage& tell)
@@ -77,6 +91,8 @@ public:
         if (!causes)
             return causes.problems();
         d_.causes = std::move(*causes);
+        for (Cause& cause : d_.causes)
+            widen(cause, measurement_.records);
         std::vector<Record> used;
         for (const Record& record : measurement_.records)
             (record.held_out ? aside_ : used).push_back(record);
@@ -103,7 +119,7 @@ public:
         }
         if (!problems.empty())
             return problems;
-        if (plan || d_.decision.outcome == Outcome::ambiguous) {
+        if (plan || d_.decision.outcome == Outcome::ambiguous || d_.decision.one_class) {
             tell("looks for experiments that would tell the causes apart");
             propose();
         }
@@ -291,11 +307,13 @@ private:
     /// What the sensor did not show cannot bear a name, unless it is the name.
     void doubt_name() {
         Decision& decision = d_.decision;
-        if (decision.outcome != Outcome::named || !decision.sure)
+        if ((decision.outcome != Outcome::named && decision.outcome != Outcome::two_causes) || !decision.sure)
             return;
+        const bool clips = std::any_of(decision.causes.begin(), decision.causes.end(), [this](int k) {
+            return d_.causes[static_cast<std::size_t>(k)].id == "ins.clipping";
+        });
         for (const Problem& warning : d_.warnings)
-            if (warning.key == "clipped" &&
-                d_.causes[static_cast<std::size_t>(decision.causes[0])].id != "ins.clipping") {
+            if (warning.key == "clipped" && !clips) {
                 decision.sure = false;
                 decision.reason = "readings are clipped (" + warning.what + "), and what was cut off may be the cause";
                 decision.remedy = "Record it again with a sensor of a larger range.";
@@ -340,6 +358,7 @@ private:
             refit.amplitude[k] = fitted->values[model_->parameter_of(causes[static_cast<std::size_t>(k)])];
             if (refit.amplitude[k] <= parameter.lo || refit.amplitude[k] >= parameter.hi) {
                 refit.possible = false;
+                refit.at_end = true;
                 refit.refused =
                     fmt::format("would have to be {} {:g}, the end of its range: look for a slip, or another "
                                 "cause",
@@ -412,7 +431,7 @@ private:
                                                                             : seen.amplitude);
         }
         d_.proposals = proposals_for(scene_, *model_, measurement_.nuisances, noise_, simulate_, baseline_.values,
-                                     rivals, amplitudes);
+                                     rivals, amplitudes, d_.warnings);
     }
 
     void draw() {

@@ -106,7 +106,7 @@ std::vector<Fold> folds_of(const Evidence& evidence, const Refit& extended) {
     if (directions.conditions.size() < 2)
         return folds;
     const Eigen::Index at = evidence.nuisances.cols();
-    const double error = errors_of(extended.slopes)[at];
+    const VectorXd errors = errors_of(extended.slopes);
     const Beforehand known = known_beforehand(extended.slopes, evidence, &extended),
                      known_without = known_beforehand(evidence.nuisances, evidence, nullptr);
     for (std::size_t c = 0; c < directions.conditions.size(); ++c) {
@@ -121,9 +121,18 @@ std::vector<Fold> folds_of(const Evidence& evidence, const Refit& extended) {
                       .spread = with.own.spread - baseline.own.spread};
         fold.amplitude = extended.amplitude[0] + with.step[at];
         // The amplitude of all uses the others' data, too: the variance of the difference is that of the variances.
-        const double without = errors_of(rows_of(extended.slopes, split.others))[at];
-        const double own = std::sqrt(std::max(1e-300, without * without - error * error));
-        fold.moved = without > 1.02 * error ? with.step[at] / own : 0;
+        const VectorXd without = errors_of(rows_of(extended.slopes, split.others));
+        fold.mover = extended.causes[0];
+        for (std::size_t k = 0; k < extended.causes.size(); ++k) {
+            const Eigen::Index row = at + static_cast<Eigen::Index>(k);
+            const double own =
+                std::sqrt(std::max(1e-300, without[row] * without[row] - errors[row] * errors[row]));
+            const double moved = without[row] > 1.02 * errors[row] ? with.step[row] / own : 0;
+            if (std::abs(moved) > std::abs(fold.moved)) {
+                fold.moved = moved;
+                fold.mover = extended.causes[k];
+            }
+        }
         folds.push_back(std::move(fold));
     }
     return folds;

@@ -19,6 +19,7 @@ namespace tumble::diagnose {
 namespace {
 
 constexpr std::size_t largest_measurement = std::size_t{1} << 20; // bytes
+constexpr std::size_t fewest_in_series = 8; // of a series
 constexpr std::size_t largest_data = std::size_t{64} << 20;       // bytes
 
 class Reader {
@@ -147,30 +148,34 @@ private:
         auto cells = parse_table(std::move(*text), record.file.string());
         if (!cells)
             return report_.add(cells.problems());
-        auto time = cells->quantity("time", units_for("s"));
+        if (cells->rows() < fewest_in_series)
+            return report_.add(
+                Problems{{.file = cells->file(),
+                          .what = fmt::format("{} readings are too few for a series over time", cells->rows()),
+                          .fix = fmt::format("give {} or more", fewest_in_series)}});
+        const auto& heads = cells->heads();
+        const auto has = [&](const char* head) { return std::find(heads.begin(), heads.end(), head) != heads.end(); };
+        const std::string clock = !has("time_s") && !has("time_ms") && (has("t_s") || has("t_ms")) ? "t" : "time";
+        auto time = cells->quantity(clock, units_for("s"));
         if (!time)
             return report_.add(time.problems());
         record.time = std::move(*time);
-        check_time(*cells, record.time);
+        check_time(*cells, clock, record.time);
         for (const TypedTable& column : tables_of(*table.node, "column", *keys_[3], report_))
             channel(column.view, *cells, record);
         if (!record.channels.empty())
             read_.records.push_back(std::move(record));
     }
 
-    void check_time(const Table& cells, const std::vector<double>& time) {
-        const Result<std::size_t> seconds = cells.find("time_s");
-        const std::size_t column = seconds ? *seconds : *cells.find("time_ms");
+    void check_time(const Table& cells, const std::string& clock, const std::vector<double>& time) {
+        const Result<std::size_t> seconds = cells.find(clock + "_s");
+        const std::size_t column = seconds ? *seconds : *cells.find(clock + "_ms");
         for (std::size_t k = 1; k < time.size(); ++k)
             if (time[k] <= time[k - 1])
                 return report_.add(Problems{cells.problem_at(
                     k, column,
                     fmt::format("time does not rise: {} after {}", cells.cell(k, column), cells.cell(k - 1, column)),
                     "sort the rows by time and leave one of each instant")});
-        if (time.size() < 8)
-            report_.add(Problems{{.file = cells.file(),
-                                  .what = fmt::format("{} readings are too few for a series over time", time.size()),
-                                  .fix = "give eight or more"}});
     }
 
     void channel(const scene::View& view, const Table& cells, Record& record) {

@@ -275,17 +275,28 @@ Result<std::vector<Signal>> Model::signals(const VectorXd& values, int record, d
 
 Result<VectorXd> Model::predict(const VectorXd& values, double horizon) {
     run_ahead({values}, horizon);
+    std::vector<std::vector<Signal>> truths;
+    std::map<std::string, double> largest; // magnitude, by measure
+    for (std::size_t r = 0; r < records_.size(); ++r) {
+        auto truth = signals(values, static_cast<int>(r), horizon);
+        if (!truth)
+            return truth.problems();
+        for (std::size_t c = 0; c < truth->size(); ++c)
+            for (std::size_t k = 0; k < (*truth)[c].time.size() && (*truth)[c].time[k] <= records_[r].time.back(); ++k) {
+                double& most = largest[records_[r].channels[c].measure];
+                most = std::max(most, std::abs((*truth)[c].value[k]));
+            }
+        truths.push_back(std::move(*truth));
+    }
     VectorXd all(readings_.size());
     Eigen::Index row = 0;
     for (std::size_t r = 0; r < records_.size(); ++r) {
-        const auto truth = signals(values, static_cast<int>(r), horizon);
-        if (!truth)
-            return truth.problems();
         const Instrument instrument = instrument_at(values, static_cast<int>(r));
         for (std::size_t c = 0; c < records_[r].channels.size(); ++c) {
             const auto seen = records_[r].channels[c].shows_time()
                                   ? clock_seen_through(instrument, records_[r].time)
-                                  : seen_through(instrument, (*truth)[c], records_[r].time);
+                                  : seen_through(instrument, truths[r][c], records_[r].time,
+                                                 largest[records_[r].channels[c].measure]);
             for (const double value : seen)
                 all[row++] = value;
         }

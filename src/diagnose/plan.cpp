@@ -1,6 +1,8 @@
 #include "diagnose/plan.h"
 
+#include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace tumble::diagnose {
 
@@ -12,8 +14,13 @@ constexpr double clock_reading = 1e-3; // s, scatter of a clock read from a pict
 struct Experiment {
     const char* id;
     const char* sentence;
-    void (*add)(std::vector<Record>&); // appends the new records to those there are
+    bool (*add)(std::vector<Record>&); // appends the new records or channels; false: they are there already
 };
+
+bool reads(const Record& record, const std::string& measure) {
+    return std::any_of(record.channels.begin(), record.channels.end(),
+                       [&](const Channel& channel) { return channel.measure == measure; });
+}
 
 /// A second set of the records, changed.
 template <class Change> void add_copies(std::vector<Record>& records, const std::string& mark, Change change) {
@@ -30,23 +37,32 @@ template <class Change> void add_copies(std::vector<Record>& records, const std:
 void with_an_eighth_of_the_mass(scene::Scene& scene) {
     for (contact::Material& material : scene.materials)
         material.density /= 8;
-    for (scene::BodyTemplate& body : scene.bodies)
+    for (scene::BodyTemplate& body : scene.bodies) {
         if (body.mass)
             *body.mass /= 8;
-}
-
-void add_light_body(std::vector<Record>& records) {
-    add_copies(records, ", light body", [](Record& record) { record.change = with_an_eighth_of_the_mass; });
-}
-
-void add_clock(std::vector<Record>& records) {
-    for (Record& record : records) {
-        Channel clock{.head = "clock_s", .measure = "time", .unit = "s", .value = record.time, .sigma = clock_reading};
-        record.channels.push_back(std::move(clock));
+        if (body.principal_inertia)
+            *body.principal_inertia /= 8;
     }
 }
 
-void add_longer(std::vector<Record>& records) {
+bool add_light_body(std::vector<Record>& records) {
+    add_copies(records, ", light body", [](Record& record) { record.change = with_an_eighth_of_the_mass; });
+    return true;
+}
+
+bool add_clock(std::vector<Record>& records) {
+    if (std::all_of(records.begin(), records.end(), [](const Record& record) { return reads(record, "time"); }))
+        return false;
+    for (Record& record : records) {
+        if (reads(record, "time"))
+            continue;
+        Channel clock{.head = "clock_s", .measure = "time", .unit = "s", .value = record.time, .sigma = clock_reading};
+        record.channels.push_back(std::move(clock));
+    }
+    return true;
+}
+
+bool add_longer(std::vector<Record>& records) {
     add_copies(records, ", longer", [](Record& record) {
         const double step = record.time[1] - record.time[0];
         const std::size_t before = record.time.size();
@@ -55,21 +71,33 @@ void add_longer(std::vector<Record>& records) {
         for (Channel& channel : record.channels)
             channel.value.resize(record.time.size(), 0);
     });
+    return true;
 }
 
-void add_sideways(std::vector<Record>& records) {
+/// As well as a position that is read already.
+bool add_sideways(std::vector<Record>& records) {
+    bool added = false;
     for (Record& record : records) {
-        const Channel first = record.channels.front();
+        const auto place = std::find_if(record.channels.begin(), record.channels.end(),
+                                        [](const Channel& channel) { return channel.unit == "m"; });
+        if (place == record.channels.end())
+            continue;
+        const Channel known = *place;
         for (const char* measure : {"centre_of_mass_x", "centre_of_mass_z"}) {
-            Channel side = first;
+            if (reads(record, measure))
+                continue;
+            Channel side = known;
             side.head = side.measure = measure;
             record.channels.push_back(std::move(side));
+            added = true;
         }
     }
+    return added;
 }
 
-void add_repeats(std::vector<Record>& records) {
+bool add_repeats(std::vector<Record>& records) {
     add_copies(records, ", again", [](Record&) {});
+    return true;
 }
 
 constexpr Experiment catalogue[] = {
@@ -149,25 +177,36 @@ int repeats_for(double separation) {
 
 std::vector<Proposal> proposals_for(const SceneText& scene, const Model& model, const std::vector<Nuisance>& nuisances,
                                     const Noise& noise, const Simulate& simulate, const VectorXd& values,
-                                    const std::vector<int>& causes, const std::vector<double>& amplitudes) {
+                                    const std::vector<int>& causes, const std::vector<double>& amplitudes,
+                                    Problems& warnings) {
     std::vector<Cause> rivals;
     for (const int k : causes)
         rivals.push_back(model.causes()[static_cast<std::size_t>(k)]);
     std::vector<Proposal> proposals;
     for (const Experiment& experiment : catalogue) {
         std::vector<Record> records = model.records();
-        experiment.add(records);
-        auto planned = Model::make(scene, records, nuisances, rivals, simulate);
-        if (!planned)
+        if (!experiment.add(records))
             continue;
+        const auto cannot = [&](const Problems& why) {
+            warnings.push_back({.key = "no such experiment",
+                                .what = fmt::format("'{}' cannot be planned for this scene", experiment.sentence),
+                                .fix = why.front().what});
+        };
+        auto planned = Model::make(scene, records, nuisances, rivals, simulate);
+        if (!planned) {
+            cannot(planned.problems());
+            continue;
+        }
         VectorXd at = planned->start();
         for (std::size_t k = 0; k < planned->parameters().size(); ++k)
             for (std::size_t i = 0; i < static_cast<std::size_t>(model.nuisances()); ++i)
                 if (model.parameters()[i].name == planned->parameters()[k].name)
                     at[static_cast<Eigen::Index>(k)] = values[static_cast<Eigen::Index>(i)];
         const auto apart = separation_in(*planned, noise_for(*planned, noise), at, amplitudes);
-        if (!apart)
+        if (!apart) {
+            cannot(apart.problems());
             continue;
+        }
         proposals.push_back({experiment.id, experiment.sentence, *apart, repeats_for(*apart)});
     }
     std::sort(proposals.begin(), proposals.end(),

@@ -20,9 +20,11 @@ std::vector<int> rivals_in(const Decision& decision);
 int repeats_for(double separation);
 
 /// Every experiment of the catalogue, the most telling first. `values`: where the nuisances are; `amplitudes`: what the
-/// causes, numbers of the model's, would have to be. Experiments that cannot be simulated are left out.
+/// causes, numbers of the model's, would have to be. Those that are done
+/// already are left out; those that cannot be simulated, too, with a warning that says why.
 std::vector<Proposal> proposals_for(const SceneText& scene, const Model& model, const std::vector<Nuisance>& nuisances,
                                     const Noise& noise, const Simulate& simulate, const VectorXd& values,
-                                    const std::vector<int>& causes, const std::vector<double>& amplitudes);
+                                    const std::vector<int>& causes, const std::vector<double>& amplitudes,
+                                    Problems& warnings);
 
 } // namespace tumble::diagnose

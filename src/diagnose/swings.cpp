@@ -27,13 +27,8 @@ struct Band {
     [[nodiscard]] double from() const { return least_periods / shortest; }
     /// At half the rate itself a sine cannot be told from nothing.
     [[nodiscard]] double until() const { return 0.5 * rate - 1 / shortest; }
-    /// Mains show at this frequency once they are folded.
-    [[nodiscard]] bool hums(double frequency) const {
-        return std::any_of(std::begin(mains), std::end(mains), [&](double line) {
-            const double folded = std::abs(line - rate * std::round(line / rate));
-            return std::abs(frequency - folded) < beside_mains / shortest;
-        });
-    }
+    /// Where a line shows that is folded at the rate of readings.
+    [[nodiscard]] double folded(double line) const { return std::abs(line - rate * std::round(line / rate)); }
 };
 
 std::map<std::string, Band> bands_of(const std::vector<Course>& courses) {
@@ -71,45 +66,71 @@ double taken(const VectorXd& residual, const Course& course, double frequency) {
     return (ss * cr * cr - 2 * cs * cr * sr + cc * sr * sr) / determinant;
 }
 
-std::optional<Swing> strongest(const VectorXd& residual, const std::vector<Course>& courses, bool of_mains) {
-    std::optional<Swing> found;
-    const auto bands = bands_of(courses);
-    for (const auto& [measure, band] : bands) {
-        double most = 0, at = 0;
-        int tried = 0;
-        for (double f = band.from(); f < band.until(); f += band.step()) {
-            if (band.hums(f) != of_mains)
-                continue;
-            ++tried;
-            double sum = 0;
-            for (const Course* course : band.courses)
-                sum += taken(residual, *course, f);
-            if (sum > most) {
-                most = sum;
-                at = f;
-            }
+double taken_by(const VectorXd& residual, const Band& band, double frequency) {
+    double sum = 0;
+    for (const Course* course : band.courses)
+        sum += taken(residual, *course, frequency);
+    return sum;
+}
+
+/// The strongest of these frequencies; `tests`: how many of its kind are made.
+std::optional<Swing> strongest_of(const VectorXd& residual, const std::string& measure, const Band& band,
+                                  const std::vector<double>& frequencies, std::size_t tests) {
+    if (frequencies.empty())
+        return std::nullopt;
+    double most = 0, at = 0, readings = 0;
+    for (const double f : frequencies)
+        if (const double sum = taken_by(residual, band, f); sum > most) {
+            most = sum;
+            at = f;
         }
-        if (tried == 0)
-            continue;
-        double readings = 0;
-        for (const Course* course : band.courses)
-            readings += static_cast<double>(course->time.size());
-        const double dimensions = 2 * static_cast<double>(band.courses.size());
-        const double p = std::min(1.0, static_cast<double>(bands.size()) * tried * chi_square_tail(most, dimensions));
-        if (!found || p < found->p)
-            found = Swing{measure, at, std::sqrt(2 * most / readings), p};
-    }
-    return found;
+    for (const Course* course : band.courses)
+        readings += static_cast<double>(course->time.size());
+    const double dimensions = 2 * static_cast<double>(band.courses.size());
+    const auto tried = static_cast<double>(tests * frequencies.size());
+    return Swing{measure, at, std::sqrt(2 * most / readings), std::min(1.0, tried * chi_square_tail(most, dimensions))};
+}
+
+/// Where mains would show, as far as they can.
+std::vector<double> mains_in(const Band& band) {
+    std::vector<double> lines;
+    for (const double line : mains)
+        if (const double f = band.folded(line); f > band.from() && f < band.until())
+            lines.push_back(f);
+    return lines;
+}
+
+void keep_stronger(std::optional<Swing>& found, const std::optional<Swing>& other) {
+    if (other && (!found || other->p < found->p))
+        found = other;
 }
 
 } // namespace
 
 std::optional<Swing> strongest_swing(const VectorXd& residual, const std::vector<Course>& courses) {
-    return strongest(residual, courses, false);
+    std::optional<Swing> found;
+    const auto bands = bands_of(courses);
+    for (const auto& [measure, band] : bands) {
+        std::vector<double> hums;
+        for (const double line : mains_in(band))
+            if (strongest_of(residual, measure, band, {line}, std::size(mains))->p < shown_hum)
+                hums.push_back(line);
+        std::vector<double> frequencies;
+        for (double f = band.from(); f < band.until(); f += band.step())
+            if (std::none_of(hums.begin(), hums.end(),
+                             [&, width = beside_mains / band.shortest](double hum) { return std::abs(f - hum) < width; }))
+                frequencies.push_back(f);
+        keep_stronger(found, strongest_of(residual, measure, band, frequencies, bands.size()));
+    }
+    return found;
 }
 
 std::optional<Swing> mains_hum(const VectorXd& residual, const std::vector<Course>& courses) {
-    return strongest(residual, courses, true);
+    std::optional<Swing> found;
+    const auto bands = bands_of(courses);
+    for (const auto& [measure, band] : bands)
+        keep_stronger(found, strongest_of(residual, measure, band, mains_in(band), bands.size()));
+    return found;
 }
 
 } // namespace tumble::diagnose

@@ -7,6 +7,9 @@
 
 namespace tumble::diagnose {
 
+/// Probability that noise alone swings so much, below which mains show.
+constexpr double shown_hum = 0.0027;
+
 using Eigen::VectorXd;
 
 /// Readings of one measure in one record, in rows as a Fit has them, and when each was read.
@@ -26,12 +29,12 @@ struct Swing {
 
 /// The strongest in a residual of scatter 1, between two periods in the shortest record and half its rate of readings.
 /// Of every record least squares give chi-square of two dimensions, summed over records (the Lomb-Scargle periodogram,
-/// Scargle 1982); p is that sum's tail times the frequencies tried, half a resolution apart (Bonferroni). Mains, 50 and
-/// 60 Hz with the octave of each, folded at the rate of readings, are no swing of the experiment: left aside, within three
-/// resolutions. Nothing where no record has 16 readings.
+/// Scargle 1982); p is that sum's tail times the frequencies tried, half a resolution apart (Bonferroni). Mains, 50 and 60 Hz with the octave
+/// of each, folded at the rate of readings, are no swing of the experiment: where they show, three resolutions to either
+/// side are left aside. Nothing where no record has 16 readings.
 std::optional<Swing> strongest_swing(const VectorXd& residual, const std::vector<Course>& courses);
 
-/// The strongest of mains only.
+/// The strongest of mains only, each at its own frequency.
 std::optional<Swing> mains_hum(const VectorXd& residual, const std::vector<Course>& courses);
 
 } // namespace tumble::diagnose

@@ -59,6 +59,10 @@ std::string gain_words(const Diagnosis& diagnosis) {
                        diagnosis.beds.empty() ? "reading" : "mean");
 }
 
+std::string doubt_words(const Decision& decision) {
+    return decision.sure ? "" : fmt::format(" But {}: UNSURE.", decision.reason);
+}
+
 std::string named(const Diagnosis& diagnosis) {
     const Decision& decision = diagnosis.decision;
     std::string text = fmt::format("The data differ from the simulation by {}.", found(diagnosis, 0));
@@ -67,9 +71,7 @@ std::string named(const Diagnosis& diagnosis) {
         text += fmt::format(" These data cannot tell it from {}: they are one answer.",
                             fmt::join(ids_of(diagnosis, others), ", "));
     }
-    if (!decision.sure)
-        text += fmt::format(" But {}: UNSURE.", decision.reason);
-    return text + gain_words(diagnosis);
+    return text + doubt_words(decision) + gain_words(diagnosis);
 }
 
 std::string ambiguous(const Diagnosis& diagnosis) {
@@ -124,7 +126,7 @@ std::string outcome_words(const Diagnosis& diagnosis) {
     case Outcome::ambiguous:
         return "AMBIGUOUS";
     case Outcome::two_causes:
-        return "TWO CAUSES";
+        return decision.sure ? "TWO CAUSES" : "UNSURE";
     case Outcome::none_known:
         return "NONE OF THE KNOWN CAUSES";
     case Outcome::cannot_decide:
@@ -142,8 +144,8 @@ std::string verdict_of(const Diagnosis& diagnosis) {
     case Outcome::ambiguous:
         return ambiguous(diagnosis);
     case Outcome::two_causes:
-        return fmt::format("Two causes act together: {}; {}.{}", found(diagnosis, 0), found(diagnosis, 1),
-                           gain_words(diagnosis));
+        return fmt::format("Two causes act together: {}; {}.{}{}", found(diagnosis, 0), found(diagnosis, 1),
+                           doubt_words(diagnosis.decision), gain_words(diagnosis));
     case Outcome::none_known:
         return none_known(diagnosis);
     case Outcome::cannot_decide:
@@ -154,7 +156,8 @@ std::string verdict_of(const Diagnosis& diagnosis) {
 
 std::string next_step(const Diagnosis& diagnosis) {
     const auto& proposals = diagnosis.proposals;
-    if (diagnosis.decision.outcome == Outcome::ambiguous && !proposals.empty() && proposals[0].repeats > 0)
+    const bool to_part = diagnosis.decision.outcome == Outcome::ambiguous || diagnosis.decision.one_class;
+    if (to_part && !proposals.empty() && proposals[0].repeats > 0)
         return fmt::format("To tell them apart, {}{}: that would set them {:.1f} standard errors apart.",
                            proposals[0].sentence,
                            proposals[0].repeats > 1 ? fmt::format(", {} times", proposals[0].repeats) : "",
@@ -163,13 +166,19 @@ std::string next_step(const Diagnosis& diagnosis) {
     case Outcome::consistent:
         return "Nothing needs to be changed; to exclude smaller effects, measure more often or under more conditions.";
     case Outcome::named:
-        if (diagnosis.decision.sure)
+        if (!diagnosis.decision.sure)
+            return diagnosis.decision.remedy;
+        if (diagnosis.extended)
             return "Write the extended scene (--write-extended), and confirm it with an experiment not used here.";
-        return diagnosis.decision.remedy;
+        return fmt::format("It is the instrument, not the scene: calibrate it ({}) or correct the readings, and confirm it "
+                           "with an experiment not used here.",
+                           cause_of(diagnosis, diagnosis.decision.causes[0]).keys);
     case Outcome::ambiguous:
-        return "No experiment of the catalogue would tell them apart; measure another quantity.";
+        return "No experiment of the catalogue would tell them apart. Measure under another condition: at another speed, "
+               "height or angle, or both ways; or measure another quantity.";
     case Outcome::two_causes:
-        return "Confirm each with an experiment in which the other cannot act.";
+        return diagnosis.decision.sure ? "Confirm each with an experiment in which the other cannot act."
+                                       : diagnosis.decision.remedy;
     case Outcome::none_known:
         if (diagnosis.overstated)
             return fmt::format(
@@ -224,8 +233,11 @@ std::string standing_of(const Diagnosis& diagnosis, int cause) {
     if (decision.best && one_explains_it) {
         if (decision.best->causes == std::vector<int>{cause})
             return "comes nearest";
-        return fmt::format("{:.1f} nats behind", nats_between(diagnosis.evidence, decision.best->gain, seen.gain));
+        const double behind = nats_between(diagnosis.evidence, decision.best->gain, seen.gain);
+        return behind < 0 ? "as near by its slope, not fitted" : fmt::format("{:.1f} nats behind", behind);
     }
+    if (decision.outcome == Outcome::none_known)
+        return "no limit: the scene does not fit";
     const Cause& suspect = cause_of(diagnosis, cause);
     const double low = std::max(seen.lower, suspect.lo), high = std::min(seen.upper, suspect.hi);
     return suspect.lo == 0 ? fmt::format("below {:.2g}{} (95 %)", high, unit_words(suspect))

@@ -92,7 +92,7 @@ std::string library_section(const Diagnosis& diagnosis) {
     }
     std::vector<Mark> marks{{decision.gate, "gate"}};
     if (best > decision.gate)
-        marks.push_back({std::max(0.0, best - 2 * diagnosis.settings.margin), "margin"});
+        marks.push_back({std::max(0.0, gain_behind(diagnosis.evidence, best, diagnosis.settings.margin)), "margin"});
     std::string rest;
     for (const auto& [why, ids] : silent)
         rest += fmt::format(" {}: {}.", ids, why);
@@ -247,7 +247,7 @@ std::string with_sign(std::string text) {
 
 std::string page_of(const Diagnosis& diagnosis, const std::string& version) {
     const Outcome outcome = diagnosis.decision.outcome;
-    const bool found = (outcome == Outcome::named && diagnosis.decision.sure) || outcome == Outcome::two_causes;
+    const bool found = diagnosis.decision.sure && (outcome == Outcome::named || outcome == Outcome::two_causes);
     const char* mood = outcome == Outcome::consistent ? "good" : found ? "" : "bad";
     std::string page = fmt::format(
         "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>{}</title><style>{}{}</style></head>"

@@ -57,7 +57,9 @@ TEST_CASE("quantities are scaled to SI by the unit in the head") {
     CHECK(table.quantity("depth", lengths)->at(0) == 2e-3);
     CHECK(table.quantity("width", lengths)->at(0) == 3.0);
     CHECK(to_string(table.quantity("height", lengths).problems()) ==
-          "t.csv:1: no column for height\n    call it height_m or height_mm\n");
+          "t.csv:1: no column for height\n    call it height_m or height_mm; there are depth_mm, width_m\n");
+    CHECK(to_string(table_of("height_m;width_m\n2;3\n").quantity("height", lengths).problems()) ==
+          "t.csv:1: no column for height\n    separate columns by commas\n");
 }
 
 TEST_CASE("a missing column is named with the one that was probably meant") {

@@ -109,7 +109,18 @@ def records(name):
     return command
 
 
+def of_the_generator(bench, scene):
+    """A case of blindgen's with nothing hidden: impacts that need finer steps than a run takes."""
+    def command(tumble, folder):
+        blindgen = pathlib.Path(tumble).parent / "tests" / "blind" / "blindgen"
+        subprocess.run([blindgen, folder, "1", "77", bench, "null", "nothing", "5"], check=True, capture_output=True)
+        return [tumble, "diagnose", str(ROOT / "scenes" / f"{scene}.toml"), "--data", str(folder / "case-0000" / "measurement.toml")]
+    return command
+
+
 COMMANDS = {name: records(name) for name in EXPERIMENTS}
+COMMANDS["oblique"] = of_the_generator("oblique", "lane")
+COMMANDS["plate"] = of_the_generator("plate", "plate")
 COMMANDS["trough"] = beds("scenes/measured/trough/trough.toml", "scenes/measured/trough/measurement-2.toml", 3)
 COMMANDS["heap"] = beds("tests/blind/beds/heap.toml", "tests/blind/beds/rolling.toml", 4)
 

@@ -5,7 +5,8 @@
 
 blindgen writes cases and commitments; its answers stay in this program's memory until every diagnosis is written, and
 are then held against their commitments. Every diagnosis runs in a folder that holds its case and the scene, nothing
-else. A seed is drawn unless one is given; it is printed, and thresholds apply to seeds drawn. The public seeds stand in
+else. A seed is drawn unless one is given; it is printed, and targets apply to seeds drawn: where the counts refute one (its
+one-sided 95 % limit lies on the wrong side), the exit status is 1. The public seeds stand in
 this file: what goes wrong there may be looked into, and what was mended by them is proved by others.
 
 An ambiguous case whose first recommendation the generator can do is diagnosed again, with that one experiment and no other.
@@ -49,6 +50,7 @@ def make_cases(args, seed, folder):
     only = args.only or []
     made = subprocess.run([args.blindgen, folder, str(args.cases), str(seed), *only],
                           capture_output=True, text=True, check=True)
+    print(made.stderr, end="")
     return [json.loads(line) for line in made.stdout.splitlines()]
 
 
@@ -157,57 +159,63 @@ def bounds(hits, cases):
     return low, high
 
 
-def share(rows, chosen, good):
-    """Line of the table of targets: hits of cases, rate, limits."""
+def share(rows, chosen, good, wanted):
+    """Of the table of targets: hits of cases, rate, limits; and what that makes of the target, "at least 95 %"."""
     cases = [r for r in rows if chosen(r)]
     hits = sum(good(r) for r in cases)
     if not cases:
-        return "no case"
+        return "no case", "open"
     low, high = bounds(hits, len(cases))
-    return f"{hits} of {len(cases)}, {100 * hits / len(cases):.1f} % (95 %: {low:.1f} to {high:.1f})"
+    rate = 100 * hits / len(cases)
+    least, limit = wanted.startswith("at least"), float(wanted.split()[2])
+    if low >= limit if least else high <= limit:
+        word = "proved"
+    elif high < limit if least else low > limit:
+        word = "refuted"
+    else:
+        word = "met" if (rate >= limit if least else rate <= limit) else "missed"
+    return f"{hits} of {len(cases)}, {rate:.1f} % (95 %: {low:.1f} to {high:.1f})", word
 
 
 def targets(rows):
-    """The promises, each with what was found (Markdown)."""
+    """The promises, each with what was found (Markdown). Whether one is refuted."""
     listed = lambda r: r["kind"] == "listed"
     unlisted = lambda r: r["kind"] == "unlisted"
     said = lambda *words: lambda r: r["verdict"] in words
     single = said("correct", "misnamed")
-    lines = [
-        ("right name or class, d_sep >= 5", "at least 95 %",
-         share(rows, lambda r: listed(r) and r["d_sep"] > 4.8, said("correct"))),
-        ("right name or class, d_sep >= 8", "at least 98 %",
-         share(rows, lambda r: listed(r) and r["d_sep"] > 7.7, said("correct"))),
-        ("listed effect, confident wrong name, any size", "at most 1 %", share(rows, listed, said("misnamed"))),
-        ("nothing hidden: confident name", "at most 1 %",
-         share(rows, lambda r: r["kind"] == "null", said("misnamed", "wrong pair"))),
-        ("nothing hidden: any alarm", "at most 2 %",
-         share(rows, lambda r: r["kind"] == "null", lambda r: r["verdict"] != "none")),
-        ("not in the library, d_res >= 8: single name", "at most 3 %",
-         share(rows, lambda r: unlisted(r) and r["d_sep"] > 7.7, said("misnamed"))),
-        ("the same, pairs too", "at most 10 %",
-         share(rows, lambda r: unlisted(r) and r["d_sep"] > 7.7, said("misnamed", "wrong pair"))),
-        ("the same, flagged or ambiguous", "at least 90 %",
-         share(rows, lambda r: unlisted(r) and r["d_sep"] > 7.7, said("unknown", "ambiguous without truth", "unsure"))),
+    far = lambda r: unlisted(r) and r["d_sep"] > 7.7
+    targets = [
+        ("right name or class, d_sep >= 5", "at least 95 %", lambda r: listed(r) and r["d_sep"] > 4.8, said("correct")),
+        ("right name or class, d_sep >= 8", "at least 98 %", lambda r: listed(r) and r["d_sep"] > 7.7, said("correct")),
+        ("listed effect, confident wrong name, any size", "at most 1 %", listed, said("misnamed")),
+        ("nothing hidden: confident name", "at most 1 %", lambda r: r["kind"] == "null", said("misnamed", "wrong pair")),
+        ("nothing hidden: any alarm", "at most 2 %", lambda r: r["kind"] == "null", lambda r: r["verdict"] != "none"),
+        ("not in the library, d_res >= 8: single name", "at most 3 %", far, said("misnamed")),
+        ("the same, pairs too", "at most 10 %", far, said("misnamed", "wrong pair")),
+        ("the same, flagged or ambiguous", "at least 90 %", far, said("unknown", "ambiguous without truth", "unsure")),
         ("noise and clocks out of the ordinary, nothing hidden: confident name", "at most 1 %",
-         share(rows, lambda r: r["kind"] == "distractor", said("misnamed", "wrong pair"))),
+         lambda r: r["kind"] == "distractor", said("misnamed", "wrong pair")),
         ("ambiguous, then the first experiment recommended, alone, d_sep >= 5", "at least 95 %",
-         share(rows, lambda r: r["kind"] == "loop" and r["d_sep"] > 4.8, said("correct"))),
+         lambda r: r["kind"] == "loop" and r["d_sep"] > 4.8, said("correct")),
         ("ambiguous: the set holds the truth", "at least 98 %",
-         share(rows, lambda r: listed(r) and r["verdict"].startswith("ambiguous"), said("ambiguous with truth"))),
+         lambda r: listed(r) and r["verdict"].startswith("ambiguous"), said("ambiguous with truth")),
     ]
     print(f"\n{len(rows)} cases" + (", of public seeds: they prove nothing" if rows[0].get("public") else ""))
-    print("\n| figure | target | found |\n| --- | --- | --- |")
-    for line in lines:
-        print("| " + " | ".join(line) + " |")
+    print("\n| figure | target | found | which makes it |\n| --- | --- | --- | --- |")
+    refuted = False
+    for name, wanted, chosen, good in targets:
+        found, word = share(rows, chosen, good, wanted)
+        refuted = refuted or word == "refuted"
+        print(f"| {name} | {wanted} | {found} | {word} |")
     if len(values := pulls(rows)) > 2:
         mean = sum(values) / len(values)
         spread = (sum((v - mean) ** 2 for v in values) / (len(values) - 1)) ** 0.5
         low, high = bounds(sum(abs(v) < 1.96 for v in values), len(values))
         print(f"| pull of amplitudes rightly named | mean within 0.15, sd 0.9 to 1.15 | {mean:+.2f} +- "
-              f"{spread / len(values) ** 0.5:.2f}, sd {spread:.2f}, {len(values)} cases |")
+              f"{spread / len(values) ** 0.5:.2f}, sd {spread:.2f}, {len(values)} cases | |")
         print(f"| 95 % intervals that hold the truth | 92 to 98 % | "
-              f"{sum(abs(v) < 1.96 for v in values)} of {len(values)} (95 %: {low:.1f} to {high:.1f}) |")
+              f"{sum(abs(v) < 1.96 for v in values)} of {len(values)} (95 %: {low:.1f} to {high:.1f}) | |")
+    return refuted
 
 
 def calibration(rows):
@@ -235,14 +243,16 @@ def loops(rows):
 
 
 def told(rows):
-    """Seeds drawn and public ones are never added up."""
+    """Seeds drawn and public ones are never added up. Whether those drawn refute a target."""
+    refuted = False
     for some in ([r for r in rows if not r.get("public")], [r for r in rows if r.get("public")]):
         if some:
             tabulate(some)
             confusion(some)
-            targets(some)
+            refuted = targets(some) and not some[0].get("public") or refuted
             loops(some)
             calibration(some)
+    return refuted
 
 
 def judged(args, seed):
@@ -280,8 +290,7 @@ def judged(args, seed):
 def main():
     args = arguments()
     if args.tell:
-        told([json.loads(line) for file in args.tell for line in file.read_text().splitlines()])
-        return
+        sys.exit(told([json.loads(line) for file in args.tell for line in file.read_text().splitlines()]))
     args.tumble, args.blindgen = (str(pathlib.Path(p).resolve()) for p in (args.tumble, args.blindgen))
     seeds = PUBLIC if args.public else [args.seed if args.seed is not None else secrets.randbits(48)]
     rows = [row for seed in seeds for row in judged(args, seed)]
@@ -291,7 +300,7 @@ def main():
     settings = json.dumps(rows[0]["settings"], sort_keys=True)
     print(f"seed {', '.join(map(str, seeds))}, settings {hashlib.sha256(settings.encode()).hexdigest()[:12]}, {len(rows)} cases, "
           f"{sum(r['took'] for r in rows) / len(rows):.1f} s each\n")
-    told(rows)
+    sys.exit(told(rows))
 
 
 if __name__ == "__main__":

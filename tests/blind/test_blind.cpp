@@ -33,6 +33,12 @@ void check_quiet(const std::vector<Quiet>& cases) {
 
 using Hidden = std::vector<std::pair<Bench, std::string>>;
 
+/// The amplitude that this order's case hides.
+double hidden_in(const Order& order) {
+    Random random(21);
+    return make_case(order, random).amplitudes[0];
+}
+
 void check_named(const Hidden& hidden) {
     for (const auto& [bench, effect] : hidden) {
         Diagnosis diagnosis;
@@ -40,7 +46,11 @@ void check_named(const Hidden& hidden) {
             .kind = "listed", .effects = {effect}, .wanted = 8, .bench = bench, .more = bench == Bench::lane};
         const std::string verdict = case_of(order, 21, diagnosis);
         CHECK_MESSAGE(diagnosis.decision.outcome == Outcome::named, effect << ": " << verdict);
-        CHECK_MESSAGE(holds(diagnosis, effect), effect << ": " << verdict);
+        CHECK_MESSAGE(diagnosis.decision.sure, effect << ": " << verdict);
+        REQUIRE_MESSAGE(holds(diagnosis, effect), effect << ": " << verdict);
+        const Refit& best = *diagnosis.decision.best;
+        if (diagnosis.causes[static_cast<std::size_t>(best.causes[0])].id == effect)
+            CHECK_MESSAGE(std::abs(best.amplitude[0] - hidden_in(order)) < 4 * best.error[0], effect << ": " << verdict);
     }
 }
 

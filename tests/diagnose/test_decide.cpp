@@ -206,13 +206,71 @@ TEST_CASE("of noise hardly ever any direction stands out, however many are tried
     CHECK(follows(VectorXd::Zero(rows)).gate > 1.5 * found.gate);
 }
 
-TEST_CASE("an amplitude that one condition alone asks for is vetoed") {
-    // The effect acts in the first condition only: what the others say of its amplitude is 0.
+/// A laboratory whose adequacy looks nowhere near, so that only the veto can object.
+Evidence unwatched() {
     Evidence evidence = laboratory(distinct);
-    VectorXd effect = 40 * distinct[1];
+    evidence.directions.blocks = wave(40, 0);
+    evidence.directions.prints = wave(45, 0);
+    return evidence;
+}
+
+Decision decided_on(Evidence evidence, const VectorXd& residual, const Settings& settings = {}) {
+    evidence.residual = Projector(evidence.nuisances).out(residual);
+    return decide(evidence, settings, [&](const std::vector<int>& causes) { return refit_linear(evidence, causes); });
+}
+
+/// In the first condition only.
+VectorXd at_first(VectorXd effect) {
     effect.tail(rows * 3 / 4).setZero();
-    const Tally all = tally(evidence, effect, 1, 30, 18);
-    CHECK(all.named_right + all.named_wrong <= 1);
+    return effect;
+}
+
+TEST_CASE("an amplitude that one condition alone asks for is vetoed: it moves, and predicts nothing elsewhere") {
+    Settings careless;
+    careless.fold_veto = 1e9;
+    const VectorXd uneven = 20 * distinct[1] + at_first(20 * distinct[1]);
+    const Decision moved = decided_on(unwatched(), uneven);
+    REQUIRE(moved.outcome == Outcome::named);
+    CHECK(!moved.sure);
+    CHECK(moved.reason.find("the amplitude of cause-1 moves by") == 0);
+    CHECK(decided_on(unwatched(), uneven, careless).sure);
+    CHECK(decided_on(unwatched(), 20 * distinct[1]).sure);
+    // Just over the gate, all of it in the first: whoever learns from it errs in the three others.
+    const Decision worse = decided_on(unwatched(), at_first(14 * distinct[1]), careless);
+    REQUIRE(worse.outcome == Outcome::named);
+    CHECK(!worse.sure);
+    CHECK_MESSAGE(worse.reason == "it does not improve the prediction of conditions that are left out", worse.reason);
+}
+
+TEST_CASE("two causes are vetoed as one is: each of them must hold in every condition, and there must be several") {
+    const VectorXd both = 20 * distinct[1] + 20 * distinct[3];
+    Evidence watched = unwatched(); // each sees the other
+    watched.directions.blocks = distinct[1];
+    watched.directions.prints = distinct[3];
+    CHECK(decided_on(watched, both).sure);
+    const Decision second = decided_on(watched, 20 * distinct[1] + 10 * distinct[3] + at_first(20 * distinct[3]));
+    REQUIRE(second.outcome == Outcome::two_causes);
+    CHECK(!second.sure);
+    CHECK(second.reason.find("the amplitude of cause-3 moves by") == 0);
+    Evidence alone = watched;
+    alone.directions.conditions = {"a"};
+    alone.directions.condition.assign(rows, 0);
+    const Decision one_condition = decided_on(alone, both);
+    REQUIRE(one_condition.outcome == Outcome::two_causes);
+    CHECK(!one_condition.sure);
+    CHECK(one_condition.reason.find("there is only one condition") == 0);
+}
+
+TEST_CASE("what goes over the gate by its slope only is nothing, where the baseline leaves nothing but noise") {
+    Evidence evidence = unwatched();
+    evidence.residual = 5 * distinct[1];
+    const Decision decision = decide(evidence, {}, [&](const std::vector<int>& causes) {
+        Refit refit = refit_linear(evidence, causes);
+        refit.gain = 4;
+        return refit;
+    });
+    CHECK(decision.outcome == Outcome::consistent);
+    CHECK(decision.largest < decision.gate);
 }
 
 } // namespace test_decide

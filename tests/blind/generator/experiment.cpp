@@ -38,7 +38,16 @@ std::vector<double> filtered(const Path& path, const Sensor& sensor, double end)
     return y;
 }
 
-std::vector<double> read(const Path& path, const Sensor& sensor, const std::vector<double>& times, double offset) {
+/// The largest magnitude of a path until then, looked for every millisecond.
+double largest_of(const Path& path, double end) {
+    double most = 0;
+    for (double t = 0; t <= end; t += 1e-3)
+        most = std::max(most, std::abs(path.at(t)));
+    return most;
+}
+
+std::vector<double> read(const Path& path, const Sensor& sensor, const std::vector<double>& times, double offset,
+                         double largest) {
     const bool filters = sensor.low_pass > 0 || sensor.high_pass > 0;
     const std::vector<double> grid = filters ? filtered(path, sensor, path.end()) : std::vector<double>{};
     std::vector<double> y;
@@ -54,15 +63,9 @@ std::vector<double> read(const Path& path, const Sensor& sensor, const std::vect
             y.push_back(path.at(t));
         }
     }
-    if (sensor.clip > 0) {
-        double lo = 1e300, hi = -1e300;
-        for (double t = 0; t < path.end(); t += 1e-3) {
-            lo = std::min(lo, path.at(t));
-            hi = std::max(hi, path.at(t));
-        }
-        for (double& one : y)
-            one = std::min(one, hi - sensor.clip * (hi - lo));
-    }
+    for (double& one : y)
+        if (const double limit = (1 - sensor.clip) * largest; sensor.clip > 0 && std::abs(one) > limit)
+            one = std::copysign(limit, one);
     for (std::size_t k = 0; k < y.size(); ++k)
         y[k] = (1 + sensor.gain) * (y[k] + sensor.bend * y[k] * y[k]) + sensor.bias + sensor.drift * real[k];
     for (std::size_t k = 0; sensor.shake != 0 && k < y.size(); ++k)
@@ -252,10 +255,18 @@ std::vector<double> times_of(const Setup& setup, const Trial& trial) {
 
 Eigen::VectorXd readings_of(const Setup& setup, const Truth& truth) {
     std::vector<double> readings;
+    std::vector<double> largest(channels_of(setup.bench).size(), 0); // one sensor sees all records
+    for (std::size_t r = 0; truth.sensor.clip > 0 && r < setup.trials.size(); ++r) {
+        const std::vector<Path> paths = paths_in(setup, truth, r);
+        for (std::size_t c = 0; c < paths.size(); ++c)
+            largest[c] = std::max(largest[c], largest_of(paths[c], times_of(setup, setup.trials[r]).back()));
+    }
     for (std::size_t r = 0; r < setup.trials.size(); ++r) {
         const std::size_t done = truth.swapped && (r == 0 || r == 2) ? 2 - r : r;
-        for (const Path& path : paths_in(setup, truth, done))
-            for (const double y : read(path, truth.sensor, times_of(setup, setup.trials[r]), truth.offsets[r]))
+        const std::vector<Path> paths = paths_in(setup, truth, done);
+        for (std::size_t c = 0; c < paths.size(); ++c)
+            for (const double y :
+                 read(paths[c], truth.sensor, times_of(setup, setup.trials[r]), truth.offsets[r], largest[c]))
                 readings.push_back(y / setup.sigma);
     }
     for (std::size_t r = 0; setup.clock && r < setup.trials.size(); ++r)

@@ -17,7 +17,7 @@ struct Sensor {
     double drift = 0;     // m/s
     double low_pass = 0;  // s
     double high_pass = 0; // 1/s
-    double clip = 0;      // share of the range of a record
+    double clip = 0;      // share of the largest way, height or spin of all records that is beyond its range
     double bend = 0;      // 1/m, reads y + bend y^2; in no library
     double shake = 0;     // m, of a camera that shakes at 7.3 Hz; in no library
 };

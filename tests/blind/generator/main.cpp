@@ -1,13 +1,14 @@
 // blindgen OUT COUNT SEED [BENCH KIND EFFECT SIZE]: writes cases OUT/case-0000 ... with measured data, and a commitment
 // to each answer; of a plain one with a listed effect four more, CASE-EXPERIMENT, each with one experiment that a
 // diagnosis may ask for; prints the answers with their salts, one JSON object a line, for whoever judges. Nothing else
-// is written.
+// is written. Orders that no amplitude can fill are told on the standard error.
 #include "case.h"
 #include "seal.h"
 #include "told.h"
 
 #include <cstdio>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -65,8 +66,11 @@ int main(int count, char** words) {
     int number = 0;
     for (const Order& order : orders) {
         const Case made = make_case(order, random);
-        if (!made.possible)
+        if (!made.possible) {
+            std::cerr << fmt::format("no amplitude gives {} on {} a size of {}\n", fmt::join(order.effects, "+"),
+                                     word_of(order.bench), order.wanted);
             continue;
+        }
         const std::string name = fmt::format("case-{:04}", number++);
         answers.push_back(leave(made, out / name, salts));
         for (const char* experiment : experiments)

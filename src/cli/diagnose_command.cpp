@@ -157,10 +157,10 @@ Problems leave_files(const DiagnoseArguments& arguments, const diagnose::Diagnos
     if (arguments.extended.empty())
         return problems;
     if (!diagnosis.decision.sure)
-        problems.push_back({.file = arguments.extended.string(),
-                            .what = "no extended scene was written: the name is not sure, for " +
-                                    diagnosis.decision.reason,
-                            .fix = diagnosis.decision.remedy});
+        problems.push_back(
+            {.file = arguments.extended.string(),
+             .what = "no extended scene was written: the name is not sure, for " + diagnosis.decision.reason,
+             .fix = diagnosis.decision.remedy});
     else if (diagnosis.extended)
         leave(arguments.extended, scene::to_toml(*diagnosis.extended));
     else

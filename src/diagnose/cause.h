@@ -26,10 +26,10 @@ struct Cause {
     std::vector<std::string> needs{}; // considered only where one record has all of these measures; never of beds
     enum class Range { own, readings, readings_per_second }; // what is plausible: lo and hi, or half of the readings
     Range range = Range::own;
-    bool inertial = false;            // considered only where a record has what an accelerometer in a body read
-    std::string name{};               // for sentences: "air resistance growing with the square of speed"
-    std::string look{};               // its fingerprint: what the residual (data less baseline) does
-    std::string keys{};               // scene keys that it sets, or what it does to the instrument
+    bool inertial = false; // considered only where a record has what an accelerometer in a body read
+    std::string name{};    // for sentences: "air resistance growing with the square of speed"
+    std::string look{};    // its fingerprint: what the residual (data less baseline) does
+    std::string keys{};    // scene keys that it sets, or what it does to the instrument
     std::function<void(scene::Scene&, double)> extend{}; // exactly one of the two is set
     std::function<void(Instrument&, double)> distort{};
 

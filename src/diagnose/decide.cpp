@@ -11,11 +11,11 @@ namespace tumble::diagnose {
 
 namespace {
 
-constexpr double one_sided_95 = 1.645; // standard errors
-constexpr double least_share = 0.005;  // of an effect that nuisances must leave: less is rounding of the slopes
+constexpr double one_sided_95 = 1.645;   // standard errors
+constexpr double least_share = 0.005;    // of an effect that nuisances must leave: less is rounding of the slopes
 constexpr double missed_by_slopes = 0.1; // of a fall of chi-square, at most: seen, 2 % at 49 standard errors
-constexpr double pair_gate_extra = 2;  // chi-square a pair must reach beyond the gate
-constexpr double pair_adequacy = 0.05; // a pair explains more by chance, so it must fit better
+constexpr double pair_gate_extra = 2;    // chi-square a pair must reach beyond the gate
+constexpr double pair_adequacy = 0.05;   // a pair explains more by chance, so it must fit better
 constexpr std::size_t most_pairs_fitted = 6;
 constexpr double least_left = 1e-3;           // of a direction that a fit has nearly used up
 constexpr double followed_by_chance = 0.0027; // P(|z| > 3), shared by all directions that are tried
@@ -145,8 +145,9 @@ private:
 
     void fit_rivals() {
         const double enough = d_.largest - within_reach(d_.largest);
+        const bool all = astray(e_.residual.squaredNorm(), e_.residual.size());
         for (int k = 0; k < count_; ++k)
-            if (one(k).visible && one(k).gain > 0 && one(k).gain >= enough) {
+            if (one(k).visible && (all || (one(k).gain > 0 && one(k).gain >= enough))) {
                 one(k).refit = refit_({k});
                 one(k).gain = one(k).refit->possible ? one(k).refit->gain : 0;
             }
@@ -176,13 +177,21 @@ private:
             if (k != winner && one(k).refit && one(k).refit->possible &&
                 nats_between(e_, one(winner).gain, one(k).gain) < settings_.margin) {
                 d_.causes.push_back(k);
-                alike = alike && d_.isolability(winner, k) < settings_.same_class;
+                alike = alike && same_answer(winner, k);
             }
         d_.one_class = alike && d_.causes.size() > 1;
         d_.outcome = alike ? Outcome::named : Outcome::ambiguous;
         d_.folds = folds_of(e_, *d_.best);
         if (d_.outcome == Outcome::named)
             veto();
+    }
+
+    /// By their slopes, or by what each leaves once it is fitted: slopes about a baseline that went astray say little.
+    bool same_answer(int i, int k) {
+        const Refit &one_fit = *one(i).refit, &other = *one(k).refit;
+        return d_.isolability(i, k) < settings_.same_class ||
+               (one_fit.residual.size() == other.residual.size() &&
+                (one_fit.residual - other.residual).norm() < settings_.same_class * std::sqrt(one_fit.gain));
     }
 
     void veto() {
@@ -197,8 +206,8 @@ private:
         for (int k = 0; k < count_; ++k)
             if (one(k).refit && one(k).refit->at_end && d_.outcome == Outcome::named &&
                 nats_between(e_, d_.best->gain, one(k).refit->gain) < settings_.margin)
-                speak(fmt::format("{} would explain it as well, at the end of its range ({:.3g}) or beyond", cause(k).id,
-                                  one(k).refit->amplitude[0]),
+                speak(fmt::format("{} would explain it as well, at the end of its range ({:.3g}) or beyond",
+                                  cause(k).id, one(k).refit->amplitude[0]),
                       "Find out whether that can be. If not, leave it out of the causes that are considered.");
         double better = 0;
         for (const Fold& fold : d_.folds) {

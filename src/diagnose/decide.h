@@ -26,6 +26,12 @@ struct Evidence {
     std::vector<std::string> beforehand{};
 };
 
+/// The baseline misses the data by so much that it was pulled far away to explain what it lacks, and slopes about it
+/// say little: chi-square is twice what noise leaves.
+inline bool astray(double chi_square, Eigen::Index rows) {
+    return chi_square > 2 * static_cast<double>(rows);
+}
+
 /// How much likelier, in nats, an explanation is under which chi-square falls by `better` than one by `worse`. With an
 /// estimated covariance chi-square is Hotelling's T squared, whose density goes with (1 + T^2/n)^(-(n+1)/2).
 double nats_between(const Evidence& evidence, double better, double worse);

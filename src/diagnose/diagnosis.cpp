@@ -69,8 +69,8 @@ void widen(Cause& cause, const std::vector<Record>& records) {
         for (const Channel& channel : record.channels)
             for (const double value : channel.value)
                 if (!channel.shows_time())
-                    most = std::max(most, std::abs(value) /
-                                              (cause.range == Cause::Range::readings ? 1 : record.time.back()));
+                    most = std::max(most,
+                                    std::abs(value) / (cause.range == Cause::Range::readings ? 1 : record.time.back()));
     cause.hi = std::max(cause.hi, 0.5 * most);
     cause.lo = -cause.hi;
 }
@@ -278,6 +278,9 @@ private:
         for (int k = 0; k < model_->nuisances(); ++k) {
             const Parameter& parameter = model_->parameters()[static_cast<std::size_t>(k)];
             d_.nuisances.push_back({parameter.name, parameter.start, baseline_.values[k], errors[k]});
+            const auto& best = d_.decision.best;
+            if (best && !d_.decision.causes.empty() && best->values.size() > 0)
+                d_.nuisances.back().extended = best->values[k];
             const double away = std::abs(baseline_.values[k] - parameter.start);
             if (parameter.spread > 0 && away > far_away * parameter.spread)
                 d_.warnings.push_back(
@@ -332,7 +335,7 @@ private:
             slopes.col(baseline_.slopes.cols() + static_cast<Eigen::Index>(k)) = effects_.col(causes[k]);
         }
         auto fitted = fit(*model_, noise_, baseline_.values, free, {.slopes = &slopes});
-        if (!fitted || !fitted->converged) { // the baseline may have gone astray to explain what the cause does
+        if (!fitted || !fitted->converged || astray(baseline_.chi_square, baseline_.residual.size())) {
             auto anew = fit(*model_, noise_, model_->start(), free, {.progressive = true});
             if (anew && (!fitted || anew->chi_square < fitted->chi_square))
                 fitted = std::move(anew);

@@ -40,6 +40,7 @@ struct Confirmation {
 struct FittedNuisance {
     std::string name;
     double start = 0, value = 0, error = 0;
+    std::optional<double> extended{}; // with what was named
 };
 
 /// All that a report tells.

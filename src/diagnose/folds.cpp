@@ -125,8 +125,7 @@ std::vector<Fold> folds_of(const Evidence& evidence, const Refit& extended) {
         fold.mover = extended.causes[0];
         for (std::size_t k = 0; k < extended.causes.size(); ++k) {
             const Eigen::Index row = at + static_cast<Eigen::Index>(k);
-            const double own =
-                std::sqrt(std::max(1e-300, without[row] * without[row] - errors[row] * errors[row]));
+            const double own = std::sqrt(std::max(1e-300, without[row] * without[row] - errors[row] * errors[row]));
             const double moved = without[row] > 1.02 * errors[row] ? with.step[row] / own : 0;
             if (std::abs(moved) > std::abs(fold.moved)) {
                 fold.moved = moved;

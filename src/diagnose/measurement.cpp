@@ -19,7 +19,7 @@ namespace tumble::diagnose {
 namespace {
 
 constexpr std::size_t largest_measurement = std::size_t{1} << 20; // bytes
-constexpr std::size_t fewest_in_series = 8; // of a series
+constexpr std::size_t fewest_in_series = 8;                       // of a series
 constexpr std::size_t largest_data = std::size_t{64} << 20;       // bytes
 
 class Reader {

@@ -99,8 +99,12 @@ Result<Done> Model::find_starts() {
         Parameter& parameter = parameters_[k];
         const Result<double> value =
             scene::number_in(text_.toml, text_.file, written_sets(parameter.record), nuisance.key);
-        if (!value)
-            return value.problems();
+        if (!value) {
+            Problems problems = value.problems();
+            for (Problem& problem : problems)
+                problem.what = fmt::format("nuisance '{}' of the measurement: {}", nuisance.key, problem.what);
+            return problems;
+        }
         parameter.start = *value;
         const double width = nuisance.spread > 0 ? 20 * nuisance.spread : std::max(1.0, 10 * std::abs(*value));
         parameter.lo = *value - width;
@@ -282,7 +286,8 @@ Result<VectorXd> Model::predict(const VectorXd& values, double horizon) {
         if (!truth)
             return truth.problems();
         for (std::size_t c = 0; c < truth->size(); ++c)
-            for (std::size_t k = 0; k < (*truth)[c].time.size() && (*truth)[c].time[k] <= records_[r].time.back(); ++k) {
+            for (std::size_t k = 0; k < (*truth)[c].time.size() && (*truth)[c].time[k] <= records_[r].time.back();
+                 ++k) {
                 double& most = largest[records_[r].channels[c].measure];
                 most = std::max(most, std::abs((*truth)[c].value[k]));
             }

@@ -117,8 +117,9 @@ std::optional<Swing> strongest_swing(const VectorXd& residual, const std::vector
                 hums.push_back(line);
         std::vector<double> frequencies;
         for (double f = band.from(); f < band.until(); f += band.step())
-            if (std::none_of(hums.begin(), hums.end(),
-                             [&, width = beside_mains / band.shortest](double hum) { return std::abs(f - hum) < width; }))
+            if (std::none_of(hums.begin(), hums.end(), [&, width = beside_mains / band.shortest](double hum) {
+                    return std::abs(f - hum) < width;
+                }))
                 frequencies.push_back(f);
         keep_stronger(found, strongest_of(residual, measure, band, frequencies, bands.size()));
     }

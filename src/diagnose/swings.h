@@ -29,9 +29,9 @@ struct Swing {
 
 /// The strongest in a residual of scatter 1, between two periods in the shortest record and half its rate of readings.
 /// Of every record least squares give chi-square of two dimensions, summed over records (the Lomb-Scargle periodogram,
-/// Scargle 1982); p is that sum's tail times the frequencies tried, half a resolution apart (Bonferroni). Mains, 50 and 60 Hz with the octave
-/// of each, folded at the rate of readings, are no swing of the experiment: where they show, three resolutions to either
-/// side are left aside. Nothing where no record has 16 readings.
+/// Scargle 1982); p is that sum's tail times the frequencies tried, half a resolution apart (Bonferroni). Mains, 50 and
+/// 60 Hz with the octave of each, folded at the rate of readings, are no swing of the experiment: where they show,
+/// three resolutions to either side are left aside. Nothing where no record has 16 readings.
 std::optional<Swing> strongest_swing(const VectorXd& residual, const std::vector<Course>& courses);
 
 /// The strongest of mains only, each at its own frequency.

@@ -170,11 +170,13 @@ std::string next_step(const Diagnosis& diagnosis) {
             return diagnosis.decision.remedy;
         if (diagnosis.extended)
             return "Write the extended scene (--write-extended), and confirm it with an experiment not used here.";
-        return fmt::format("It is the instrument, not the scene: calibrate it ({}) or correct the readings, and confirm it "
-                           "with an experiment not used here.",
-                           cause_of(diagnosis, diagnosis.decision.causes[0]).keys);
+        return fmt::format(
+            "It is the instrument, not the scene: calibrate it ({}) or correct the readings, and confirm it "
+            "with an experiment not used here.",
+            cause_of(diagnosis, diagnosis.decision.causes[0]).keys);
     case Outcome::ambiguous:
-        return "No experiment of the catalogue would tell them apart. Measure under another condition: at another speed, "
+        return "No experiment of the catalogue would tell them apart. Measure under another condition: at another "
+               "speed, "
                "height or angle, or both ways; or measure another quantity.";
     case Outcome::two_causes:
         return diagnosis.decision.sure ? "Confirm each with an experiment in which the other cannot act."

@@ -198,11 +198,14 @@ Json to_json(const Diagnosis& diagnosis, const std::string& version) {
                              {"repeats", proposal.repeats}});
     json["experiments"] = std::move(proposals);
     Json nuisances = Json::array();
-    for (const FittedNuisance& nuisance : diagnosis.nuisances)
+    for (const FittedNuisance& nuisance : diagnosis.nuisances) {
         nuisances.push_back({{"name", nuisance.name},
                              {"start", nuisance.start},
                              {"value", nuisance.value},
                              {"standard_error", number(nuisance.error)}});
+        if (nuisance.extended)
+            nuisances.back()["with_the_cause"] = *nuisance.extended;
+    }
     json["nuisances"] = std::move(nuisances);
     Json measures;
     for (const auto& [measure, one] : diagnosis.noise.of)

@@ -208,9 +208,10 @@ std::string correlations_of(const Diagnosis& diagnosis) {
 std::string small_print(const Diagnosis& diagnosis, const std::string& version) {
     std::string rows;
     for (const FittedNuisance& nuisance : diagnosis.nuisances)
-        rows +=
-            fmt::format("<tr><td>{}</td><td class=\"n\">{:.6g}</td><td class=\"n\">{:.6g} &plusmn; {:.2g}</td></tr>",
-                        escaped(nuisance.name), nuisance.start, nuisance.value, nuisance.error);
+        rows += fmt::format("<tr><td>{}</td><td class=\"n\">{:.6g}</td><td class=\"n\">{:.4g} &plusmn; {:.1g}</td>"
+                            "<td class=\"n\">{}</td></tr>",
+                            escaped(nuisance.name), nuisance.start, nuisance.value, nuisance.error,
+                            nuisance.extended ? fmt::format("{:.4g}", *nuisance.extended) : "");
     std::map<std::string, std::string> files; // of each sentence
     for (const Problem& warning : diagnosis.warnings) {
         const std::string sentence =
@@ -224,8 +225,10 @@ std::string small_print(const Diagnosis& diagnosis, const std::string& version) 
     if (!diagnosis.beds.empty())
         return bed_small_print(diagnosis, warnings, version);
     return fmt::format(
-        "<h2>Small print</h2>{}<table><tr><th>adjusted under every explanation</th><th>in the scene</th><th>fitted, "
-        "baseline</th></tr>{}</table><p class=\"small\">{} readings, scatter {:.3g} (stated: {}); errors of "
+        "<h2>Small print</h2>{}<table><tr><th>adjusted under every explanation (SI)</th><th>in the "
+        "scene</th><th>fitted, "
+        "baseline</th><th>with what is named</th></tr>{}</table><p class=\"small\">{} readings, scatter {:.3g} "
+        "(stated: {}); errors of "
         "neighbouring readings correlate by {}. Adequacy of the baseline p = {:.2g}, of the extension p = {:.2g}. {} "
         "runs, {:.3g} s simulated. Scene "
         "{}, "

@@ -50,7 +50,8 @@ void check_named(const Hidden& hidden) {
         REQUIRE_MESSAGE(holds(diagnosis, effect), effect << ": " << verdict);
         const Refit& best = *diagnosis.decision.best;
         if (diagnosis.causes[static_cast<std::size_t>(best.causes[0])].id == effect)
-            CHECK_MESSAGE(std::abs(best.amplitude[0] - hidden_in(order)) < 4 * best.error[0], effect << ": " << verdict);
+            CHECK_MESSAGE(std::abs(best.amplitude[0] - hidden_in(order)) < 4 * best.error[0],
+                          effect << ": " << verdict);
     }
 }
 

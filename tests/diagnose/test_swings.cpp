@@ -54,7 +54,8 @@ TEST_CASE("noise swings as much as its probability says, no oftener") {
     CHECK(seen <= 22); // 10 are the most to be expected, and four standard deviations more
 }
 
-TEST_CASE("a swing of half a standard error is found with its frequency and its size, whatever its phase in each record") {
+TEST_CASE(
+    "a swing of half a standard error is found with its frequency and its size, whatever its phase in each record") {
     const std::vector<Course> all = courses(120);
     Rng rng(4);
     for (const double frequency : {3.1, 7.3, 41.0}) {

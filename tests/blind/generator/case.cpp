@@ -14,8 +14,8 @@ namespace {
 const double sizes[] = {2, 3.5, 5, 8};
 // Throws at the floor half as often as what else there is, for a diagnosis of them takes ten times as long; the plate
 // only by order: no diagnosis of it has been proved yet.
-constexpr Bench drawn[] = {Bench::drop,  Bench::drop, Bench::lane, Bench::lane, Bench::slope,  Bench::slope,
-                           Bench::roll,  Bench::roll, Bench::spin, Bench::spin, Bench::oblique};
+constexpr Bench drawn[] = {Bench::drop, Bench::drop, Bench::lane, Bench::lane, Bench::slope,  Bench::slope,
+                           Bench::roll, Bench::roll, Bench::spin, Bench::spin, Bench::oblique};
 
 std::vector<std::string> ids(bool listed, Bench bench) {
     std::vector<std::string> all;

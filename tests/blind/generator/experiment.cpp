@@ -313,6 +313,19 @@ std::vector<bool> lone(const Setup& setup, const Eigen::VectorXd& differences) {
     return all;
 }
 
+double share_of_one_record(const Setup& setup, const Eigen::VectorXd& differences) {
+    std::vector<double> squares(setup.trials.size(), 0);
+    const std::size_t channels = channels_of(setup.bench).size();
+    std::size_t channel = 0;
+    each_channel(setup, [&](Eigen::Index first, Eigen::Index count) {
+        squares[channel++ / channels] += differences.segment(first, count).squaredNorm();
+    });
+    double all = 0;
+    for (const double one : squares)
+        all += one;
+    return all > 0 ? *std::max_element(squares.begin(), squares.end()) / all : 0;
+}
+
 std::vector<Innocent> innocents_of(const Setup& setup) {
     std::vector<Innocent> innocents;
     const bool bounces_only = setup.bench == Bench::drop || setup.bench == Bench::plate;

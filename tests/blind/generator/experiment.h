@@ -86,6 +86,9 @@ Eigen::VectorXd whitened(const Setup& setup, Eigen::VectorXd readings);
 /// looks at a record leaves them out as slips.
 std::vector<bool> lone(const Setup& setup, const Eigen::VectorXd& differences);
 
+/// Of the squares of such differences, the share of the record that has most of them.
+double share_of_one_record(const Setup& setup, const Eigen::VectorXd& differences);
+
 /// Something that is unknown but innocent: what a measurement adjusts under every explanation.
 struct Innocent {
     enum Kind { law, clock, throws } kind = law;

@@ -12,6 +12,7 @@ constexpr int iterations = 12;
 constexpr double enough = 1e-3;      // fall of chi-square that ends a fit
 constexpr std::size_t close = 4;     // rivals that are fitted: the nearest ones by slopes
 constexpr double same_answer = 0.02; // share of an effect that its rival leaves, below which it is none
+constexpr double borne_by_one = 0.9; // of an effect's squares, in one record: no other bears its name out
 constexpr double disbelieved = 1e3;  // spreads: farther than any experiment is long
 constexpr double nudge = 1e-5;       // of everything innocent, for slopes
 
@@ -107,7 +108,14 @@ private:
 
 Separation separation_of(const Setup& setup, const Truth& truth, const Truth& without, const std::string& own) {
     Data data{readings_of(setup, truth), {}};
-    data.left_out = lone(setup, data.readings - readings_of(setup, without));
+    Eigen::VectorXd changed = data.readings - readings_of(setup, without);
+    data.left_out = lone(setup, changed);
+    for (std::size_t k = 0; k < data.left_out.size(); ++k)
+        if (data.left_out[k])
+            changed[static_cast<Eigen::Index>(k)] = 0;
+    const Effect* named = find_effect(own);
+    if (named && named->listed && share_of_one_record(setup, changed) > borne_by_one)
+        return {.detectable = changed.norm(), .separable = 0, .nearest = "one odd record"};
     Separation result;
     const Explanation none(setup, without, nullptr, data);
     const Eigen::MatrixXd innocent_slopes = none.slopes(none.start());

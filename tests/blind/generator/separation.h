@@ -8,8 +8,9 @@ namespace blind {
 /// the truth, everything innocent (restitution, clocks, speeds of throws) fitted anew, without and with each listed
 /// rival. A rival, too, is that all clocks, or all speeds of throws, lie farther off than was said of them: what only
 /// that says against is no effect that readings show. Errors have the memory that the setup says, and readings that
-/// would be left out as slips count for nothing. All by the generator's own physics and Gauss and Newton's method;
-/// nothing is linear in the amplitude.
+/// would be left out as slips count for nothing. A listed effect that one record alone shows, as a ceiling does that
+/// only the highest drop reaches, is no more than an odd record: 0. All by the generator's own physics and Gauss and
+/// Newton's method; nothing is linear in the amplitude.
 struct Separation {
     double detectable = 0; // without any rival: d'
     double separable = 0;  // from the nearest rival: d'_sep, or d'_res of an unlisted effect

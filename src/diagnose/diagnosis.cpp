@@ -22,6 +22,7 @@ std::vector<int> first_numbers(int count) {
 
 constexpr double most_between_repeats = 1.2; // of their scatter over that of the readings in one record
 constexpr double far_away = 4;               // spreads of what was known beforehand
+constexpr double missed = 0.01; // of chi-square: nats that a baseline far off may lack
 constexpr double seen_well = 3; // standard errors, left beside nuisances: how far off the slope of a filter is taken
 
 /// A record has what it takes to show the cause.
@@ -159,6 +160,8 @@ private:
         if (!fitted)
             return fitted.problems();
         baseline_ = std::move(*fitted);
+        if (astray(baseline_.chi_square, baseline_.residual.size()) && baseline_.decrement < missed * baseline_.chi_square)
+            baseline_.converged = true; // what it still lacks is nothing beside what it misses
         if (!baseline_.converged) {
             d_.decision.reason = fmt::format("the baseline could not be fitted: a further step would still gain {:.2g} "
                                              "nats",

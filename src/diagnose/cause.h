@@ -24,7 +24,7 @@ struct Cause {
     bool turns = false;   // an angle in degrees, of which 360 are none
     bool beds = false;    // considered where beds were measured only: one body does not show it beside a nuisance
     std::vector<std::string> needs{}; // considered only where one record has all of these measures; never of beds
-    enum class Range { own, readings, readings_per_second }; // what is plausible: lo and hi, or half of the readings
+    enum class Range { own, readings, readings_per_second }; // what is plausible: lo and hi, or a share of what is read
     Range range = Range::own;
     bool inertial = false; // considered only where a record has what an accelerometer in a body read
     std::string name{};    // for sentences: "air resistance growing with the square of speed"

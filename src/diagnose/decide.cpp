@@ -43,17 +43,17 @@ public:
             d_.outcome = d_.baseline.p() > settings_.alpha_adequacy ? Outcome::consistent : Outcome::none_known;
             return d_;
         }
-        fit_rivals();
+        fit_rivals(false);
         if (d_.baseline.p() > settings_.alpha_adequacy && !stays_over_the_gate()) {
             d_.outcome = Outcome::consistent; // by slopes alone it went over
             return d_;
         }
-        const int winner = best_possible();
-        if (winner < 0 || one(winner).gain < d_.gate)
-            return try_pairs(winner);
-        d_.best = one(winner).refit;
-        d_.winner = adequacy_of(d_.best->residual, d_.best->slopes, e_.directions, e_.degrees);
-        if (d_.winner.p() <= settings_.alpha_adequacy)
+        int winner = best_possible();
+        if (!suffices(winner) && astray(e_.residual.squaredNorm(), e_.residual.size())) {
+            fit_rivals(true);
+            winner = best_possible();
+        }
+        if (!suffices(winner))
             return try_pairs(winner);
         name(winner);
         return d_;
@@ -143,11 +143,19 @@ private:
         return std::max(2 * settings_.rival_window, missed_by_slopes * largest);
     }
 
-    void fit_rivals() {
+    /// It explains more than chance does, and leaves nothing but noise.
+    bool suffices(int winner) {
+        if (winner < 0 || one(winner).gain < d_.gate)
+            return false;
+        d_.best = one(winner).refit;
+        d_.winner = adequacy_of(d_.best->residual, d_.best->slopes, e_.directions, e_.degrees);
+        return d_.winner.p() > settings_.alpha_adequacy;
+    }
+
+    void fit_rivals(bool all) {
         const double enough = d_.largest - within_reach(d_.largest);
-        const bool all = astray(e_.residual.squaredNorm(), e_.residual.size());
         for (int k = 0; k < count_; ++k)
-            if (one(k).visible && (all || (one(k).gain > 0 && one(k).gain >= enough))) {
+            if (one(k).visible && !one(k).refit && (all || (one(k).gain > 0 && one(k).gain >= enough))) {
                 one(k).refit = refit_({k});
                 one(k).gain = one(k).refit->possible ? one(k).refit->gain : 0;
             }

@@ -61,7 +61,10 @@ Result<std::vector<Cause>> causes_for(const Measurement& measurement) {
     return causes;
 }
 
-/// A zero may be off by half of what is read, whatever that is, and may get there within a record.
+constexpr double zero_off = 0.05;    // of the largest reading, at most
+constexpr double zero_wanders = 0.02; // of the largest reading, in a second, at most
+
+/// A zero may be off by a share of what is read, whatever that is.
 void widen(Cause& cause, const std::vector<Record>& records) {
     if (cause.range == Cause::Range::own)
         return;
@@ -70,9 +73,8 @@ void widen(Cause& cause, const std::vector<Record>& records) {
         for (const Channel& channel : record.channels)
             for (const double value : channel.value)
                 if (!channel.shows_time())
-                    most = std::max(most,
-                                    std::abs(value) / (cause.range == Cause::Range::readings ? 1 : record.time.back()));
-    cause.hi = std::max(cause.hi, 0.5 * most);
+                    most = std::max(most, std::abs(value));
+    cause.hi = std::max(cause.hi, (cause.range == Cause::Range::readings ? zero_off : zero_wanders) * most);
     cause.lo = -cause.hi;
 }
 

@@ -22,7 +22,7 @@ std::vector<int> first_numbers(int count) {
 
 constexpr double most_between_repeats = 1.2; // of their scatter over that of the readings in one record
 constexpr double far_away = 4;               // spreads of what was known beforehand
-constexpr double missed = 0.01; // of chi-square: nats that a baseline far off may lack
+constexpr double missed = 0.01;              // of chi-square: nats that a baseline far off may lack
 constexpr double seen_well = 3; // standard errors, left beside nuisances: how far off the slope of a filter is taken
 
 /// A record has what it takes to show the cause.
@@ -61,7 +61,7 @@ Result<std::vector<Cause>> causes_for(const Measurement& measurement) {
     return causes;
 }
 
-constexpr double zero_off = 0.05;    // of the largest reading, at most
+constexpr double zero_off = 0.05;     // of the largest reading, at most
 constexpr double zero_wanders = 0.02; // of the largest reading, in a second, at most
 
 /// A zero may be off by a share of what is read, whatever that is.
@@ -162,7 +162,8 @@ private:
         if (!fitted)
             return fitted.problems();
         baseline_ = std::move(*fitted);
-        if (astray(baseline_.chi_square, baseline_.residual.size()) && baseline_.decrement < missed * baseline_.chi_square)
+        if (astray(baseline_.chi_square, baseline_.residual.size()) &&
+            baseline_.decrement < missed * baseline_.chi_square)
             baseline_.converged = true; // what it still lacks is nothing beside what it misses
         if (!baseline_.converged) {
             d_.decision.reason = fmt::format("the baseline could not be fitted: a further step would still gain {:.2g} "
@@ -367,10 +368,8 @@ private:
             if (refit.amplitude[k] <= parameter.lo || refit.amplitude[k] >= parameter.hi) {
                 refit.possible = false;
                 refit.at_end = true;
-                refit.refused =
-                    fmt::format("would have to be {} {:g}, the end of its range: look for a slip, or another "
-                                "cause",
-                                refit.amplitude[k] <= parameter.lo ? "below" : "above", refit.amplitude[k]);
+                refit.refused = fmt::format("would have to be {} {:.3g}, the end of its range",
+                                            refit.amplitude[k] <= parameter.lo ? "below" : "above", refit.amplitude[k]);
             }
         }
         return refit;

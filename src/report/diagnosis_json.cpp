@@ -2,8 +2,8 @@
 
 #include "base/table.h"
 #include "base/text.h"
-#include "diagnose/measure_units.h"
 #include "diagnose/verdict.h"
+#include "report/residual_plots.h"
 
 #include <cmath>
 
@@ -261,18 +261,6 @@ std::string beds_csv(const Diagnosis& diagnosis) {
 
 } // namespace
 
-namespace {
-
-/// The column's name with the SI unit in which its numbers are given here: "way_m" of "way_mm".
-std::string si_head(const Curve& curve) {
-    for (const Unit& unit : units_for(curve.unit))
-        if (!unit.name.empty() && curve.head.ends_with("_" + unit.name))
-            return curve.head.substr(0, curve.head.size() - unit.name.size()) + curve.unit;
-    return curve.head;
-}
-
-} // namespace
-
 std::string residuals_csv(const Diagnosis& diagnosis) {
     if (!diagnosis.beds.empty())
         return beds_csv(diagnosis);
@@ -281,7 +269,7 @@ std::string residuals_csv(const Diagnosis& diagnosis) {
         for (std::size_t k = 0; k < curve.time.size(); ++k) {
             const double with = curve.extended.empty() ? curve.baseline[k] : curve.extended[k];
             const std::vector<std::string> cells{curve.record,
-                                                 si_head(curve),
+                                                 curve.unit.empty() ? curve.head : bare_head(curve) + "_" + curve.unit,
                                                  shortest(curve.time[k]),
                                                  shortest(curve.measured[k]),
                                                  shortest(curve.baseline[k]),

@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "diagnose/verdict.h"
+#include "observe/measures.h"
 #include "report/bed_section.h"
 #include "report/residual_plots.h"
 #include "report/svg_plot.h"
@@ -30,7 +31,7 @@ svg{max-width:100%;height:auto}.plots{display:flex;flex-wrap:wrap;gap:12px}
 
 std::string axis_of(const Curve& curve) {
     return curve.unit.empty() ? curve.head
-                              : fmt::format("{} [{}]", curve.head.substr(0, curve.head.rfind('_')), curve.unit);
+                              : fmt::format("{} [{}]", bare_head(curve), observe::spelled_unit(curve.unit));
 }
 
 std::string measured_section(const Diagnosis& diagnosis) {
@@ -52,7 +53,7 @@ std::string measured_section(const Diagnosis& diagnosis) {
         plot.traces.push_back(
             {.label = "baseline", .x = curve.time, .y = curve.baseline, .color = color_of(1), .line = true});
         if (!curve.extended.empty())
-            plot.traces.push_back({.label = "extended",
+            plot.traces.push_back({.label = second_explanation(diagnosis),
                                    .x = curve.time,
                                    .y = curve.extended,
                                    .color = color_of(0),

@@ -1,5 +1,7 @@
 #include "report/residual_plots.h"
 
+#include "diagnose/measure_units.h"
+#include "observe/measures.h"
 #include "report/svg_plot.h"
 
 #include <algorithm>
@@ -89,14 +91,28 @@ double largest_residual(const Diagnosis& diagnosis) {
 
 } // namespace
 
+std::string bare_head(const Curve& curve) {
+    for (const Unit& unit : units_for(curve.unit))
+        if (!unit.name.empty() && curve.head.ends_with("_" + unit.name))
+            return curve.head.substr(0, curve.head.size() - unit.name.size() - 1);
+    return curve.head;
+}
+
+std::string second_explanation(const Diagnosis& diagnosis) {
+    const auto& best = diagnosis.decision.best;
+    return best && diagnosis.decision.outcome == Outcome::none_known
+               ? diagnosis.causes[static_cast<std::size_t>(best->causes[0])].id
+               : "the extended scene";
+}
+
 std::vector<std::string> residual_plots(const Diagnosis& diagnosis) {
-    const std::string unit = diagnosis.curves.empty() ? "" : diagnosis.curves[0].unit;
+    const std::string unit = diagnosis.curves.empty() ? "" : observe::spelled_unit(diagnosis.curves[0].unit);
     std::vector<std::string> plots{
         svg_of(residuals(diagnosis, "against time", over_time, false, true)),
         svg_of(residuals(diagnosis, "against speed", fmt::format("speed [{}/s]", unit), false)),
         svg_of(residuals(diagnosis, "against the reading", fmt::format("reading [{}]", unit), false))};
     if (has_extension(diagnosis)) {
-        Plot after = residuals(diagnosis, "with the extended scene, against time", over_time, true);
+        Plot after = residuals(diagnosis, "with " + second_explanation(diagnosis) + ", against time", over_time, true);
         const double most = largest_residual(diagnosis) * 1.05;
         after.y_range = std::array{-most, most};
         plots.push_back(svg_of(after));

@@ -125,7 +125,7 @@ Measurement of_plate(double drift, const std::function<double(double)>& more) {
     all.nuisances = {{.key = "", .instrument = "bias", .spread = 1e-4}};
     for (const double f : {10.0, 7.0})
         all.records.push_back(read_of(shortest(f) + " Hz", {"wall.0.motion.0.frequency_Hz=" + shortest(f)},
-                                      "centre_of_mass_y", 2e-5, 400, 0.9, rng, [&](double t) {
+                                      "centre_of_mass_y", 6e-5, 400, 0.9, rng, [&](double t) {
                                           const double angle = 2 * pi * f * (t + 0.5 * drift * t * t);
                                           return 0.01 + 1e-3 * (std::cos(angle) - 1 + more(angle));
                                       }));
@@ -142,7 +142,7 @@ Record logged(double degrees, double friction, double askew, Rng& rng) {
     const double c = std::cos(askew), s = std::sin(askew);
     const double believed[2] = {c * (ax - gx) - s * gy + gx, -s * (ax - gx) - c * gy + gy};
     Record record = read_of(fmt::format("{} deg", degrees), {fmt::format("gravity_m_s2=[{:.9f}, {:.9f}, 0]", gx, gy)},
-                            "tracer:tripod_summed_vx", 5e-3, 100, 1, rng, [&](double t) { return believed[0] * t; });
+                            "tracer:tripod_summed_vx", 3e-2, 100, 1, rng, [&](double t) { return believed[0] * t; });
     diagnose::Channel upwards = record.channels[0];
     upwards.measure = "tracer:tripod_summed_vy";
     for (std::size_t k = 0; k < record.time.size(); ++k)

@@ -118,14 +118,14 @@ phase_deg = 90
 )";
 
 /// The plate goes at no more than 4 m/s2, so the ball stays on it: `more` is what is not in the scene, by the angle.
-Measurement of_plate(double drift, const std::function<double(double)>& more) {
+Measurement of_plate(double drift, double sigma, const std::function<double(double)>& more) {
     Rng rng(5);
     Measurement all;
     all.causes = {"excitation", "sensor scale", "clock"};
     all.nuisances = {{.key = "", .instrument = "bias", .spread = 1e-4}};
     for (const double f : {10.0, 7.0})
         all.records.push_back(read_of(shortest(f) + " Hz", {"wall.0.motion.0.frequency_Hz=" + shortest(f)},
-                                      "centre_of_mass_y", 6e-5, 400, 0.9, rng, [&](double t) {
+                                      "centre_of_mass_y", sigma, 400, 0.9, rng, [&](double t) {
                                           const double angle = 2 * pi * f * (t + 0.5 * drift * t * t);
                                           return 0.01 + 1e-3 * (std::cos(angle) - 1 + more(angle));
                                       }));
@@ -199,11 +199,11 @@ TEST_CASE(
 TEST_CASE("a second harmonic of a plate is named, either part of it, and so is a frequency that drifts") {
     const SceneText scene{plate, "plate.toml"};
     // The plate's angle is a quarter ahead: 2 (angle + 90 deg) = 2 angle + 180 deg.
-    check_found(diagnosed_as(scene, of_plate(0, [](double angle) { return -0.05 * std::sin(2 * angle); })),
+    check_found(diagnosed_as(scene, of_plate(0, 6e-5, [](double angle) { return -0.05 * std::sin(2 * angle); })),
                 "exc.harmonic", 0.05);
-    check_found(diagnosed_as(scene, of_plate(0, [](double angle) { return -0.05 * (std::cos(2 * angle) - 1); })),
+    check_found(diagnosed_as(scene, of_plate(0, 6e-5, [](double angle) { return -0.05 * (std::cos(2 * angle) - 1); })),
                 "exc.harmonic_ahead", 0.05);
-    check_found(diagnosed_as(scene, of_plate(0.004, [](double) { return 0.0; })), "exc.drift", 0.004);
+    check_found(diagnosed_as(scene, of_plate(0.004, 2.5e-5, [](double) { return 0.0; })), "exc.drift", 0.004);
 }
 
 TEST_CASE("every cause that extends a scene is the scene itself at its null value, bit for bit") {

@@ -1,13 +1,12 @@
 #include "diagnose/diagnosis.h"
 
+#include "diagnose/considered.h"
 #include "diagnose/data_doubts.h"
 #include "diagnose/folds.h"
-#include "observe/tracer.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <numeric>
 
 namespace tumble::diagnose {
@@ -22,61 +21,8 @@ std::vector<int> first_numbers(int count) {
 
 constexpr double most_between_repeats = 1.2; // of their scatter over that of the readings in one record
 constexpr double far_away = 4;               // spreads of what was known beforehand
-constexpr double missed = 0.01;              // of chi-square: nats that a baseline far off may lack
+constexpr double may_lack = 0.01;              // of chi-square: nats that a baseline far off may lack
 constexpr double seen_well = 3; // standard errors, left beside nuisances: how far off the slope of a filter is taken
-
-/// A record has what it takes to show the cause.
-bool can_show(const Record& record, const Cause& cause) {
-    const auto any = [&](const auto& is_it) {
-        return std::any_of(record.channels.begin(), record.channels.end(), is_it);
-    };
-    const auto inertial = [](const Channel& channel) {
-        const auto traced = observe::traced_by(channel.measure);
-        return traced && traced->inertial;
-    };
-    return (!cause.inertial || any(inertial)) &&
-           std::all_of(cause.needs.begin(), cause.needs.end(), [&](const std::string& measure) {
-               return any([&](const Channel& channel) { return channel.measure == measure; });
-           });
-}
-
-/// Those chosen, without what needs measures that no record has. Problems: it was asked for.
-Result<std::vector<Cause>> causes_for(const Measurement& measurement) {
-    std::vector<Cause> chosen = *choose_causes(measurement.causes, Data::records), causes;
-    for (Cause& cause : chosen) {
-        const auto asked = [&](const std::string& word) { return word == cause.id || word == cause.family; };
-        if (std::any_of(measurement.records.begin(), measurement.records.end(),
-                        [&](const Record& record) { return can_show(record, cause); }))
-            causes.push_back(std::move(cause));
-        else if (std::any_of(measurement.causes.begin(), measurement.causes.end(), asked))
-            return Problem{.file = measurement.file.string(),
-                           .key = "causes",
-                           .what = cause.inertial ? cause.id + " shows only in what an accelerometer in a body reads"
-                                                  : fmt::format("{} shows only where one series has all of {}",
-                                                                cause.id, fmt::join(cause.needs, ", ")),
-                           .fix = cause.inertial ? "leave it out, or give columns of a tracer: tracer:BODY_felt_x or "
-                                                   "tracer:BODY_summed_vx, say"
-                                                 : "leave it out, or measure them together"};
-    }
-    return causes;
-}
-
-constexpr double zero_off = 0.05;     // of the largest reading, at most
-constexpr double zero_wanders = 0.02; // of the largest reading, in a second, at most
-
-/// A zero may be off by a share of what is read, whatever that is.
-void widen(Cause& cause, const std::vector<Record>& records) {
-    if (cause.range == Cause::Range::own)
-        return;
-    double most = 0;
-    for (const Record& record : records)
-        for (const Channel& channel : record.channels)
-            for (const double value : channel.value)
-                if (!channel.shows_time())
-                    most = std::max(most, std::abs(value));
-    cause.hi = std::max(cause.hi, (cause.range == Cause::Range::readings ? zero_off : zero_wanders) * most);
-    cause.lo = -cause.hi;
-}
 
 class Diagnosing {
 public:
@@ -90,12 +36,10 @@ public:
         d_.hash = measurement_.hash;
         d_.settings = measurement_.settings;
         d_.warnings = measurement_.warnings;
-        auto causes = causes_for(measurement_);
+        auto causes = considered_in(measurement_);
         if (!causes)
             return causes.problems();
         d_.causes = std::move(*causes);
-        for (Cause& cause : d_.causes)
-            widen(cause, measurement_.records);
         std::vector<Record> used;
         for (const Record& record : measurement_.records)
             (record.held_out ? aside_ : used).push_back(record);
@@ -163,7 +107,7 @@ private:
             return fitted.problems();
         baseline_ = std::move(*fitted);
         if (astray(baseline_.chi_square, baseline_.residual.size()) &&
-            baseline_.decrement < missed * baseline_.chi_square)
+            baseline_.decrement < may_lack * baseline_.chi_square)
             baseline_.converged = true; // what it still lacks is nothing beside what it misses
         if (!baseline_.converged) {
             d_.decision.reason = fmt::format("the baseline could not be fitted: a further step would still gain {:.2g} "

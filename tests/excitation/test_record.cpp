@@ -72,7 +72,7 @@ TEST_CASE("what makes a record useless is told by line, and no record comes back
               cells[1] = cells[0];
           })).find("column ay_m_s2 holds the time") != std::string::npos);
     CHECK(only_problem(rows("t_ms,height_m,az_deg", as_it_is)) ==
-          "a.csv:1: no column for az\n    call it az_m_s2 or az_g or az_mm_s2");
+          "a.csv:1: no column for az\n    call it az_m_s2 or az_g or az_mm_s2; there are t_ms, height_m, az_deg");
     CHECK(only_problem(rows("t_ms,height_m,width_m", as_it_is)).find("no column of acceleration") != std::string::npos);
     CHECK(only_problem(rows("sample,ay_g,az_g", as_it_is)).find("no column for t\n    call it t_s or t_ms or t_us") !=
           std::string::npos);

@@ -1,0 +1,70 @@
+#include "diagnose/considered.h"
+
+#include "observe/tracer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace tumble::diagnose {
+
+namespace {
+
+/// A record has what it takes to show the cause.
+bool can_show(const Record& record, const Cause& cause) {
+    const auto any = [&](const auto& is_it) {
+        return std::any_of(record.channels.begin(), record.channels.end(), is_it);
+    };
+    const auto inertial = [](const Channel& channel) {
+        const auto traced = observe::traced_by(channel.measure);
+        return traced && traced->inertial;
+    };
+    return (!cause.inertial || any(inertial)) &&
+           std::all_of(cause.needs.begin(), cause.needs.end(), [&](const std::string& measure) {
+               return any([&](const Channel& channel) { return channel.measure == measure; });
+           });
+}
+
+constexpr double zero_off = 0.05;     // of the largest reading, at most
+constexpr double zero_wanders = 0.02; // of the largest reading, in a second, at most
+
+/// A zero may be off by a share of what is read, whatever that is.
+void widen(Cause& cause, const std::vector<Record>& records) {
+    if (cause.range == Cause::Range::own)
+        return;
+    double most = 0;
+    for (const Record& record : records)
+        for (const Channel& channel : record.channels)
+            for (const double value : channel.value)
+                if (!channel.shows_time())
+                    most = std::max(most, std::abs(value));
+    cause.hi = std::max(cause.hi, (cause.range == Cause::Range::readings ? zero_off : zero_wanders) * most);
+    cause.lo = -cause.hi;
+}
+
+} // namespace
+
+Result<std::vector<Cause>> considered_in(const Measurement& measurement) {
+    std::vector<Cause> chosen = *choose_causes(measurement.causes, Data::records), causes;
+    for (Cause& cause : chosen) {
+        const auto asked = [&](const std::string& word) { return word == cause.id || word == cause.family; };
+        if (std::any_of(measurement.records.begin(), measurement.records.end(),
+                        [&](const Record& record) { return can_show(record, cause); }))
+            causes.push_back(std::move(cause));
+        else if (std::any_of(measurement.causes.begin(), measurement.causes.end(), asked))
+            return Problem{.file = measurement.file.string(),
+                           .key = "causes",
+                           .what = cause.inertial ? cause.id + " shows only in what an accelerometer in a body reads"
+                                                  : fmt::format("{} shows only where one series has all of {}",
+                                                                cause.id, fmt::join(cause.needs, ", ")),
+                           .fix = cause.inertial ? "leave it out, or give columns of a tracer: tracer:BODY_felt_x or "
+                                                   "tracer:BODY_summed_vx, say"
+                                                 : "leave it out, or measure them together"};
+    }
+    for (Cause& cause : causes)
+        widen(cause, measurement.records);
+    return causes;
+}
+
+} // namespace tumble::diagnose

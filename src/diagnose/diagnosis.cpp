@@ -21,7 +21,7 @@ std::vector<int> first_numbers(int count) {
 
 constexpr double most_between_repeats = 1.2; // of their scatter over that of the readings in one record
 constexpr double far_away = 4;               // spreads of what was known beforehand
-constexpr double may_lack = 0.01;              // of chi-square: nats that a baseline far off may lack
+constexpr double may_lack = 0.01;            // of chi-square: nats that a baseline far off may lack
 constexpr double seen_well = 3; // standard errors, left beside nuisances: how far off the slope of a filter is taken
 
 class Diagnosing {

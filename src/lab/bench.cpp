@@ -43,6 +43,14 @@ sheet::Parameter restitution_parameter(double standard) {
 sheet::Parameter friction_parameter(double standard) {
     return {"friction", "", standard, {.lo = 0, .hi = 5}, "Friction that the contact law is given"};
 }
+sheet::Parameter drag_parameter() {
+    return {
+        "drag_coefficient",
+        "",
+        0.44,
+        {.lo = 0, .hi = 5},
+        "Drag coefficient of the ball; 0.44: a sphere's at Reynolds numbers of 1e3 to 2e5 (Clift, Grace, Weber 1978)"};
+}
 
 scene::Scene bench(const contact::Material& material, const contact::PairProperties& pair, double radius,
                    double share) {

@@ -21,6 +21,8 @@ sheet::Parameter modulus_parameter(double standard = 4.6e7);
 sheet::Parameter poisson_parameter();
 sheet::Parameter restitution_parameter(double standard = 0.67);
 sheet::Parameter friction_parameter(double standard = 0.58);
+/// Of a sphere, by default as scenes have it (scene/keys_world.cpp, air.drag_coefficient).
+sheet::Parameter drag_parameter();
 
 /// Spheres of one material under gravity; a step of that share of the Rayleigh time of a sphere of that radius (m).
 /// 5 % is right for what rests and slides; impacts and strong damping want less.

@@ -141,7 +141,7 @@ Experiment drop() {
                            poisson_parameter(),
                            restitution_parameter(),
                            {"air_density_kg_m3", "kg/m3", 0, {.lo = 0, .hi = 2000}, "Density of the air; 0: none"},
-                           {"drag_coefficient", "", 0.47, {.lo = 0, .hi = 5}, "Drag coefficient of the ball"},
+                           drag_parameter(),
                            {"rate_Hz", "Hz", 1000, {.lo = 50, .hi = 1e5}, "Samples a second of the records"}},
             .perform = perform};
 }

@@ -96,7 +96,7 @@ Experiment roll_out() {
                            {"longest_s", "s", 3, {.lo = 0.05, .hi = 20}, "Watched no longer than this"},
                            {"bench_tilt_deg", "deg", 0, {.lo = -2, .hi = 2}, "How far the bench itself is off level"},
                            {"air_density_kg_m3", "kg/m3", 0, {.lo = 0, .hi = 2000}, "Density of the air; 0: none"},
-                           {"drag_coefficient", "", 0.47, {.lo = 0, .hi = 5}, "Drag coefficient of the ball"},
+                           drag_parameter(),
                            {"radius_mm", "mm", 12.75, {.lo = 0.5, .hi = 500}, "Radius of the ball"},
                            density_parameter(),
                            modulus_parameter(1e7),

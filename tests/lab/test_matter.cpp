@@ -25,7 +25,24 @@ TEST_CASE("the cone of 65 spheres has the volume and the mass that its union has
     CHECK(outcome.sheet.fact("mass_model") == about(4.675, 5e-4));
     // pi / 12 * 20^2 * 24 mm3 = 2513.3 mm3; 4.7 g over it.
     CHECK(outcome.sheet.fact("density_cone") == about(4.7e-3 / 2513.27e-9, 1e-4));
-    CHECK(outcome.sheet.fact("density_turned") == about(1665.7, 1e-3));
+    // 2 * 0.3 / 20, 0.3 / 24 and 0.03 / 4.7 of it: 3 %, 1.25 % and 0.64 %.
+    CHECK(outcome.sheet.fact("density_cone_error") == about(0.03312 * 4.7e-3 / 2513.27e-9, 1e-3));
+    CHECK(outcome.sheet.fact("density_model_error") == about(0.03e-3 / 2806.4e-9, 1e-3));
+    CHECK(outcome.recordings[0].rows.size() == 2);
+}
+
+TEST_CASE("a turned cylinder's density comes from its own mass and size, and from nothing if there are none") {
+    const auto density = [](const char* standard) {
+        return performed("weigh", {{"turned_diameter_mm", "10"},
+                                   {"turned_length_mm", "20"},
+                                   {"turned_mass_g", "2"},
+                                   {"density_kg_m3", standard}})
+            .sheet.fact("density_turned");
+    };
+    // pi / 4 * 10^2 * 20 mm3 = 1570.8 mm3; what density was typed has no part in it.
+    CHECK(density("1665.71") == about(2e-3 / 1570.796e-9, 1e-5));
+    CHECK(density("900") == density("1665.71"));
+    CHECK(refused("weigh", {{"turned_diameter_mm", "10"}, {"turned_mass_g", "2"}}).key == "--turned_length_mm");
 }
 
 TEST_CASE("the thesis' tables come out as printed, but for an average and a standard deviation") {

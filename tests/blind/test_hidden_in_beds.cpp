@@ -8,6 +8,8 @@
 
 #include <cmath>
 #include <doctest/doctest.h>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <unistd.h>
 
@@ -16,7 +18,9 @@ namespace {
 using namespace tumble;
 using namespace tumble::diagnose;
 
-Diagnosis diagnosed(const std::string& scene, const std::string& data, int seeds = 4) {
+/// `confirming`: a file with more runs of the table, of sealed cases' names; empty: there are none.
+Diagnosis diagnosed(const std::string& scene, const std::string& data, int seeds = 4,
+                    const std::string& confirming = "") {
     const std::filesystem::path root(TUMBLE_ROOT), file = root / scene;
     const auto text = scene::read_file(file, std::uintmax_t{1} << 20);
     REQUIRE(text);
@@ -31,6 +35,11 @@ Diagnosis diagnosed(const std::string& scene, const std::string& data, int seeds
     std::filesystem::path table = file;
     std::filesystem::copy_file(table.replace_extension(".response.csv"), copy,
                                std::filesystem::copy_options::overwrite_existing);
+    if (!confirming.empty()) {
+        const auto more = scene::read_file(root / confirming, std::uintmax_t{1} << 20);
+        REQUIRE(more);
+        std::ofstream(copy, std::ios::app) << *more;
+    }
     auto diagnosis =
         diagnose_beds({*text, file}, *measurement, nothing, {.table = copy, .seeds = seeds, .any_date = true});
     std::filesystem::remove(copy);
@@ -48,7 +57,44 @@ std::set<std::string> ids_of(const Diagnosis& diagnosis) {
 
 constexpr const char* trough = "scenes/measured/trough/trough.toml";
 
+/// What a sealed case's last line holds, two hexadecimal digits a byte.
+nlohmann::json answer_of(const std::string& folder) {
+    const auto seal = scene::read_file(std::filesystem::path(TUMBLE_ROOT) / folder / "sealed.txt", 65536);
+    REQUIRE(seal);
+    std::string text;
+    for (std::size_t k = seal->find('\n') + 1; k + 1 < seal->size(); k += 2)
+        text += static_cast<char>(std::stoi(seal->substr(k, 2), nullptr, 16));
+    return nlohmann::json::parse(text);
+}
+
+/// The diagnosis says what the seal says: no name where nothing is hidden, else that cause and that amplitude.
+void check_sealed_bed(const std::string& number, const std::string& scene, int seeds, const std::string& confirming) {
+    CAPTURE(number);
+    const std::string folder = "tests/blind/beds/sealed/" + number;
+    const Diagnosis diagnosis = diagnosed(scene, folder + "/measurement.toml", seeds, confirming);
+    const auto hidden = answer_of(folder).at("hidden");
+    if (hidden.empty()) {
+        CHECK_MESSAGE(diagnosis.decision.outcome == Outcome::consistent, verdict_of(diagnosis));
+        return;
+    }
+    REQUIRE_MESSAGE(diagnosis.decision.outcome == Outcome::named, verdict_of(diagnosis));
+    CHECK_MESSAGE(diagnosis.decision.sure, verdict_of(diagnosis));
+    CHECK_MESSAGE(ids_of(diagnosis) == std::set<std::string>{hidden[0].at("id").get<std::string>()},
+                  verdict_of(diagnosis));
+    const Refit& best = *diagnosis.decision.best;
+    CHECK_MESSAGE(std::abs(best.amplitude[0] - hidden[0].at("amplitude").get<double>()) < 4 * best.error[0],
+                  verdict_of(diagnosis));
+}
+
 } // namespace
+
+TEST_CASE("sealed beds come to what their seals say, which stands nowhere in this file") {
+    const std::string more = "tests/blind/beds/sealed/";
+    for (const char* number : {"1", "2", "3"})
+        check_sealed_bed(number, trough, 3, more + "trough.confirming.csv");
+    for (const char* number : {"4", "5"})
+        check_sealed_bed(number, "tests/blind/beds/heap.toml", 4, more + "heap.confirming.csv");
+}
 
 TEST_CASE("rolling resistance in a heap of discs is named, with its amplitude, and borne out by runs of other seeds") {
     const Diagnosis diagnosis = diagnosed("tests/blind/beds/heap.toml", "tests/blind/beds/rolling.toml");

@@ -51,6 +51,9 @@ public:
             BedModel::make(beds, measurement_.bulks, suspects_in(measurement_), measurement_.nuisances, d_.warnings);
         if (!model)
             return model.problems();
+        for (Problem& warning : d_.warnings)
+            if (warning.file.empty())
+                warning.file = scene_.file.string();
         model_ = &*model;
         d_.causes = model_->causes();
         baseline_ = model_->adjusted({}, {});

@@ -120,42 +120,28 @@ std::vector<Cause> of_the_camera() {
 }
 
 std::vector<Cause> of_the_accelerometer() {
-    const auto turn = [](int axis, double sense) {
-        return [axis, sense](scene::Scene& s, double d) {
-            for (scene::BodyTemplate& body : s.bodies)
-                body.tracer_turned[axis] += sense * d * std::numbers::pi / 180;
-        };
+    // What is felt at rest has a share of g along `leaks` where the sensor sits turned about `about`.
+    const auto leak = [](const std::string& leaks, const std::string& about, int axis, double sense) {
+        return Cause{.id = "ins.gravity_leak_" + leaks,
+                     .family = "accelerometer",
+                     .symbol = "leans",
+                     .unit = "deg",
+                     .lo = -10,
+                     .hi = 10,
+                     .typical = 0.05,
+                     .inertial = true,
+                     .name = "an accelerometer that sits askew: gravity leaks into " + leaks,
+                     .look = "velocity summed up from accelerations runs away in proportion to time while the body "
+                             "keeps its attitude, and swings with the body's turning where it does not; what is felt "
+                             "at rest has a share of g along " +
+                             leaks,
+                     .keys = "body.tracer_turned_deg (" + about + ")",
+                     .extend = [axis, sense](scene::Scene& s, double d) {
+                         for (scene::BodyTemplate& body : s.bodies)
+                             body.tracer_turned[axis] += sense * d * std::numbers::pi / 180;
+                     }};
     };
-    const std::string look =
-        "velocity summed up from accelerations runs away in proportion to time while the body keeps "
-        "its attitude, and swings with the body's turning where it does not; what is felt at rest "
-        "has a share of g along ";
-    return {
-        {.id = "ins.gravity_leak_x",
-         .family = "accelerometer",
-         .symbol = "leans",
-         .unit = "deg",
-         .lo = -10,
-         .hi = 10,
-         .typical = 0.05,
-         .inertial = true,
-         .name = "an accelerometer that sits askew: gravity leaks into x",
-         .look = look + "x",
-         .keys = "body.tracer_turned_deg (z)",
-         .extend = turn(2, 1)},
-        {.id = "ins.gravity_leak_z",
-         .family = "accelerometer",
-         .symbol = "leans",
-         .unit = "deg",
-         .lo = -10,
-         .hi = 10,
-         .typical = 0.05,
-         .inertial = true,
-         .name = "an accelerometer that sits askew: gravity leaks into z",
-         .look = look + "z",
-         .keys = "body.tracer_turned_deg (x)",
-         .extend = turn(0, -1)},
-    };
+    return {leak("x", "z", 2, 1), leak("z", "x", 0, -1)};
 }
 
 } // namespace tumble::diagnose

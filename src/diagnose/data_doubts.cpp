@@ -106,9 +106,17 @@ void doubt_channel(const Record& record, const Channel& channel, Problems& warni
         warn("sigma missing", "its scatter is not stated", "give sigma; it is estimated from the residual instead");
 }
 
+/// From the lowest to the highest reading; of a single number its magnitude.
+template <class Readings> double span_of(const Readings& readings) {
+    const auto [lowest, highest] = std::minmax_element(readings.begin(), readings.end());
+    return readings.size() == 1 ? std::abs(*lowest) : *highest - *lowest;
+}
+
 } // namespace
 
 void doubt_record(const Record& record, Problems& warnings) {
+    if (record.single())
+        return;
     doubt_time(record, warnings);
     for (const Channel& channel : record.channels)
         doubt_channel(record, channel, warnings);
@@ -118,6 +126,8 @@ Problems equal_columns(const std::vector<Record>& records) {
     Problems problems;
     std::vector<std::pair<const Record*, const Channel*>> seen;
     for (const Record& record : records) {
+        if (record.single()) // two drops may rebound alike
+            continue;
         for (const Channel& channel : record.channels) {
             if (channel.value == record.time && !channel.shows_time())
                 problems.push_back({.file = record.file.string(),
@@ -143,16 +153,15 @@ Problems unit_slips(const std::vector<Record>& records, const Eigen::VectorXd& p
     for (const Record& record : records)
         for (const Channel& channel : record.channels) {
             const auto count = static_cast<Eigen::Index>(record.time.size());
-            const auto [lowest, highest] = std::minmax_element(channel.value.begin(), channel.value.end());
-            const auto foretold = predicted.segment(row, count);
-            const double ratio = (*highest - *lowest) / std::max(1e-300, foretold.maxCoeff() - foretold.minCoeff());
+            const double ratio = span_of(channel.value) / std::max(1e-300, span_of(predicted.segment(row, count)));
             row += count;
             for (const auto& [factor, meaning, angle] : usual_slips)
                 if (angle == is_angle(channel.unit) && std::abs(std::log(ratio / factor)) < 0.2)
                     problems.push_back({.file = record.file.string(),
                                         .key = channel.head,
-                                        .what = fmt::format("{} spans {:.3g} times what the simulation does: {}?",
-                                                            channel.head, ratio, meaning),
+                                        .what = fmt::format("{} {} {:.3g} times what the simulation does: {}?",
+                                                            channel.head, record.single() ? "is" : "spans", ratio,
+                                                            meaning),
                                         .fix = "correct the unit in the head of the column"});
         }
     return problems;

@@ -3,6 +3,9 @@
 #include "diagnose/considered.h"
 #include "diagnose/data_doubts.h"
 #include "diagnose/folds.h"
+#include "diagnose/kinematics.h"
+#include "diagnose/refit.h"
+#include "scene/settled.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +23,7 @@ std::vector<int> first_numbers(int count) {
 }
 
 constexpr double most_between_repeats = 1.2; // of their scatter over that of the readings in one record
+constexpr double by_chance = 0.01; // less likely differences of repeats are not put down to chance
 constexpr double far_away = 4;               // spreads of what was known beforehand
 constexpr double may_lack = 0.01;            // of chi-square: nats that a baseline far off may lack
 constexpr double seen_well = 3; // standard errors, left beside nuisances: how far off the slope of a filter is taken
@@ -85,6 +89,10 @@ private:
     Problems find_baseline() {
         noise_ = first_noise(*model_);
         const VectorXd start = model_->start();
+        for (std::size_t r = 0; r < model_->records().size(); ++r)
+            if (const auto scene = model_->scene_at(start, static_cast<int>(r)))
+                for (Problem& doubt : kinematic_doubts(model_->records()[r], noise_.sigma[r], *scene))
+                    d_.warnings.push_back(std::move(doubt));
         const auto predicted = model_->predict(start);
         if (!predicted)
             return predicted.problems();
@@ -169,7 +177,8 @@ private:
                 effects_.col(static_cast<Eigen::Index>(k)) = *slope;
                 look_further(k);
             } else if (tune)
-                d_.warnings.push_back({.key = d_.causes[k].id,
+                d_.warnings.push_back({.file = scene_.file.string(),
+                                       .key = d_.causes[k].id,
                                        .what = d_.causes[k].id + " cannot be simulated in this scene",
                                        .fix = slope.problems()[0].what});
         }
@@ -189,9 +198,14 @@ private:
                                                           directions_.blocks.cols() + directions_.prints.cols());
         explained << baseline_.slopes, effects_, directions_.blocks, directions_.prints;
         noise_ = refined_noise(noise_, *model_, *misfit, explained, d_.noise);
-        d_.noise.repeats = scatter_of_repeats(noise_, *model_, *misfit);
-        if (d_.noise.repeats > most_between_repeats) {
-            d_.noise.widened = d_.noise.repeats;
+        const Repeats repeats = repeats_in(noise_, *model_, *misfit, slopes_of_own(), effects_);
+        d_.noise.repeats = repeats.scatter;
+        d_.noise.along = repeats.along;
+        if (repeats.chance < by_chance && repeats.scatter > most_between_repeats)
+            d_.noise.widened = repeats.scatter;
+        if (repeats.along_chance < by_chance && repeats.along > most_between_repeats)
+            d_.noise.widened = std::max(d_.noise.widened, repeats.along);
+        if (d_.noise.widened > 1) {
             d_.noise.used *= d_.noise.widened;
             for (std::vector<double>& record : noise_.sigma)
                 for (double& sigma : record)
@@ -201,6 +215,15 @@ private:
         if (Problems problems = fit_baseline(baseline_.values, false); !problems.empty())
             return problems;
         return find_effects(false);
+    }
+
+    /// Slopes of the nuisances that every record has its own of.
+    [[nodiscard]] MatrixXd slopes_of_own() const {
+        std::vector<Eigen::Index> own;
+        for (std::size_t k = 0; k < baseline_.free.size(); ++k)
+            if (model_->parameters()[static_cast<std::size_t>(baseline_.free[k])].record >= 0)
+                own.push_back(static_cast<Eigen::Index>(k));
+        return baseline_.slopes(Eigen::all, own);
     }
 
     Problems decide_it() {
@@ -213,7 +236,9 @@ private:
                 d_.evidence.beforehand.push_back(nuisance.key.empty() ? nuisance.instrument : nuisance.key);
             }
         d_.decision = decide(d_.evidence, measurement_.settings,
-                             [this](const std::vector<int>& causes) { return refit(causes); });
+                             [this](const std::vector<int>& causes) {
+                                 return refit_of(causes, *model_, noise_, baseline_, effects_);
+                             });
         d_.follows = followed_by(d_.evidence, d_.decision);
         doubt_mains();
         if (d_.decision.outcome == Outcome::none_known) {
@@ -272,51 +297,6 @@ private:
                 decision.remedy = "Record it again with a sensor of a larger range.";
                 return;
             }
-    }
-
-    Refit refit(const std::vector<int>& causes) {
-        Refit refit;
-        refit.causes = causes;
-        std::vector<int> free = baseline_.free;
-        MatrixXd slopes(baseline_.slopes.rows(), baseline_.slopes.cols() + static_cast<Eigen::Index>(causes.size()));
-        slopes.leftCols(baseline_.slopes.cols()) = baseline_.slopes;
-        for (std::size_t k = 0; k < causes.size(); ++k) {
-            free.push_back(model_->parameter_of(causes[k]));
-            slopes.col(baseline_.slopes.cols() + static_cast<Eigen::Index>(k)) = effects_.col(causes[k]);
-        }
-        auto fitted = fit(*model_, noise_, baseline_.values, free, {.slopes = &slopes});
-        if (!fitted || !fitted->converged || astray(baseline_.chi_square, baseline_.residual.size())) {
-            auto anew = fit(*model_, noise_, model_->start(), free, {.progressive = true});
-            if (anew && (!fitted || anew->chi_square < fitted->chi_square))
-                fitted = std::move(anew);
-        }
-        if (!fitted) {
-            refit.refused = fitted.problems()[0].what;
-            return refit;
-        }
-        const auto count = static_cast<Eigen::Index>(causes.size());
-        refit.values = fitted->values;
-        refit.residual = fitted->residual;
-        refit.slopes = fitted->slopes;
-        refit.gain = baseline_.chi_square - fitted->chi_square;
-        refit.error = errors_of(fitted->slopes).tail(count);
-        refit.amplitude.resize(count);
-        refit.possible = fitted->converged;
-        if (!fitted->converged)
-            refit.refused = fmt::format("its fit did not end ({:.2g} nats short)", fitted->decrement);
-        for (Eigen::Index k = 0; k < count; ++k) {
-            const Parameter& parameter =
-                model_
-                    ->parameters()[static_cast<std::size_t>(model_->parameter_of(causes[static_cast<std::size_t>(k)]))];
-            refit.amplitude[k] = fitted->values[model_->parameter_of(causes[static_cast<std::size_t>(k)])];
-            if (refit.amplitude[k] <= parameter.lo || refit.amplitude[k] >= parameter.hi) {
-                refit.possible = false;
-                refit.at_end = true;
-                refit.refused = fmt::format("would have to be {} {:.3g}, the end of its range",
-                                            refit.amplitude[k] <= parameter.lo ? "below" : "above", refit.amplitude[k]);
-            }
-        }
-        return refit;
     }
 
     Problems measure_gain() {
@@ -394,6 +374,8 @@ private:
         Eigen::Index row = 0;
         for (std::size_t r = 0; r < model_->records().size(); ++r) {
             const Record& record = model_->records()[r];
+            const auto scene = model_->scene_at(baseline_.values, static_cast<int>(r));
+            const double shaken = scene ? scene::slowest_period(*scene) : 0;
             for (std::size_t c = 0; c < record.channels.size(); ++c) {
                 const Channel& channel = record.channels[c];
                 Curve curve{.record = record.name,
@@ -405,7 +387,10 @@ private:
                             .measured = channel.value,
                             .baseline = {},
                             .extended = {},
-                            .left_out = {}};
+                            .left_out = {},
+                            .measure = channel.measure,
+                            .stated = channel.sigma,
+                            .shaken = shaken};
                 for (std::size_t k = 0; k < record.time.size(); ++k, ++row) {
                     curve.baseline.push_back((*baseline)[row]);
                     curve.left_out.push_back(noise_.left_out[static_cast<std::size_t>(row)]);
@@ -417,11 +402,18 @@ private:
         }
     }
 
+    [[nodiscard]] bool states_scatter_of(const std::string& measure) const {
+        return std::any_of(model_->rows().begin(), model_->rows().end(), [&](const Row& row) {
+            const Channel& channel = model_->channel_of(row);
+            return channel.measure == measure && channel.sigma > 0;
+        });
+    }
+
     void doubt_noise() {
         const NoiseReport& noise = d_.noise;
         for (const auto& [measure, one] : noise.of) {
             const std::string whose = noise.of.size() > 1 ? " of " + measure : "";
-            if (noise.stated > 0 && (one.ratio > 1.25 || one.ratio < 0.8))
+            if (states_scatter_of(measure) && (one.ratio > 1.25 || one.ratio < 0.8))
                 d_.warnings.push_back(
                     {.file = measurement_.file.string(),
                      .key = "sigma contradicted",
@@ -434,12 +426,13 @@ private:
                                                            whose, one.correlation),
                                        .fix = "nothing: readings are weighted for it"});
         }
-        if (noise.repeats > most_between_repeats)
+        if (noise.widened > 1)
             d_.warnings.push_back(
                 {.file = measurement_.file.string(),
                  .key = "repeats differ",
-                 .what = fmt::format("records of one condition differ by {:.2f} times what their readings scatter",
-                                     noise.repeats),
+                 .what = fmt::format("records of one condition differ by {:.2f} times what their readings scatter, and "
+                                     "as causes would do by {:.2f} times",
+                                     noise.repeats, noise.along),
                  .fix =
                      "something changes from run to run: give it as a nuisance with per = \"series\"; all errors are "
                      "stated that much larger"});

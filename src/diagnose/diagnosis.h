@@ -17,6 +17,9 @@ struct Curve {
     double sigma = 0;                                       // SI
     std::vector<double> time, measured, baseline, extended; // extended: empty where nothing is named
     std::vector<bool> left_out;                             // lone outliers
+    std::string measure{};                                  // "centre_of_mass_y"
+    double stated = 0;                                      // SI, sigma as the measurement has it; 0: not stated
+    double shaken = 0; // s, period of the slowest vibration of a wall; 0: none vibrates
 };
 
 /// One number of a bed beside what the simulation says of it, SI. Errors are standard errors of means.

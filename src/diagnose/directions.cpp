@@ -1,6 +1,7 @@
 #include "diagnose/directions.h"
 
 #include "diagnose/statistics.h"
+#include "observe/measures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +23,9 @@ struct Motion {
 
 Motion motion_of(const Signal& signal, const std::vector<double>& times, const Instrument& instrument) {
     Motion motion;
-    const double reading = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
-    const std::vector<double> impacts = impacts_of(signal, 2 * fewest_readings * reading);
+    const bool many = times.size() > 1;
+    const double reading = many ? (times.back() - times.front()) / static_cast<double>(times.size() - 1) : 0;
+    const std::vector<double> impacts = many ? impacts_of(signal, 2 * fewest_readings * reading) : std::vector<double>{};
     for (const double time : times) {
         const double t = time - instrument.clock_offset;
         motion.time.push_back(time);
@@ -65,28 +67,30 @@ class Columns {
 public:
     Columns(Eigen::Index rows, const Model& model, const Noise& noise) : rows_(rows), model_(model), noise_(noise) {}
 
-    /// `own` as Directions has it.
-    VectorXd& column(const std::string& name, const std::string& own = "") {
+    /// `own` and `unit` as Directions has them.
+    VectorXd& column(const std::string& name, const std::string& own = "", const std::string& unit = "") {
         const auto [found, added] = index_.try_emplace(name, columns_.size());
         if (added) {
             columns_.push_back(VectorXd::Zero(model_.readings().size()));
             names_.push_back(name);
             own_.push_back(own);
+            units_.push_back(unit);
         }
         return columns_[found->second];
     }
 
     [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
     [[nodiscard]] const std::vector<std::string>& own() const { return own_; }
+    [[nodiscard]] const std::vector<std::string>& units() const { return units_; }
 
-    /// Whitened, each of length 1, with zeros in the rows of priors.
+    /// Whitened, with zeros in the rows of priors.
     [[nodiscard]] MatrixXd whitened() const {
         MatrixXd all(model_.readings().size(), static_cast<Eigen::Index>(columns_.size()));
         for (std::size_t k = 0; k < columns_.size(); ++k)
             all.col(static_cast<Eigen::Index>(k)) = columns_[k];
         MatrixXd padded = MatrixXd::Zero(rows_, all.cols());
         padded.topRows(all.rows()) = noise_.whiten(all, model_);
-        return unit_columns(padded);
+        return padded;
     }
 
 private:
@@ -95,10 +99,25 @@ private:
     const Noise& noise_;
     std::map<std::string, std::size_t> index_;
     std::vector<VectorXd> columns_;
-    std::vector<std::string> names_, own_;
+    std::vector<std::string> names_, own_, units_;
 };
 
-void add_prints(Columns& prints, const std::string& measure, const Motion& motion, std::size_t k, Eigen::Index row) {
+/// A unit over another as people write it: "s2/m", "1/(m/s)".
+std::string over(const std::string& above, const std::string& below) {
+    if (below.empty())
+        return above;
+    const bool compound = below.find('/') != std::string::npos;
+    return (above.empty() ? "1" : above) + (compound ? "/(" + below + ")" : "/" + below);
+}
+
+/// Of a slope along what add_prints() adds, in that order: of the measure's `unit` over the direction's.
+std::vector<std::string> units_of_slopes(const std::string& unit) {
+    const std::string per_second = unit.find('/') == std::string::npos ? over(unit, "s") : "(" + unit + ")/s";
+    return {unit, "", over("", unit), "s", over("s\u00b2", unit), "s", per_second, "", "1/s", "1/s", unit, "s", "s"};
+}
+
+void add_prints(Columns& prints, const std::string& measure, const std::vector<std::string>& units,
+                const Motion& motion, std::size_t k, Eigen::Index row) {
     const double t = motion.time[k], y = motion.value[k], v = motion.rate[k];
     const int n = motion.impact[k];
     const double turn = n % 2 ? -1 : 1;
@@ -115,8 +134,8 @@ void add_prints(Columns& prints, const std::string& measure, const Motion& motio
                                                   {"impacts, one up and one down", turn},
                                                   {"speed, turned round at every impact", turn * v},
                                                   {"impacts so far times speed", n * v}};
-    for (const auto& [name, value] : all)
-        prints.column(fmt::format("{} ({})", name, measure))[row] = value;
+    for (std::size_t i = 0; i < std::size(all); ++i)
+        prints.column(fmt::format("{} ({})", all[i].first, measure), "", units[i])[row] = all[i].second;
 }
 
 /// A shared nuisance that would differ in one condition only.
@@ -172,24 +191,30 @@ Result<Directions> directions_at(Model& model, const Noise& noise, const Fit& fi
                 motion_of((*truth)[c], record.time, model.instrument_at(fit.values, static_cast<int>(r)));
             const std::vector<int> pieces = pieces_of(motion);
             const std::string& measure = record.channels[c].measure;
+            const std::string unit = observe::spelled_unit(record.channels[c].unit);
+            const std::vector<std::string> units = units_of_slopes(unit);
             all.courses.push_back({measure, row, record.time});
             for (std::size_t k = 0; k < record.time.size(); ++k, ++row) {
                 blocks.column(fmt::format("{} {} {}", r, c, pieces[k]))[row] = 1;
-                add_prints(prints, measure, motion, k, row);
+                add_prints(prints, measure, units, motion, k, row);
                 prints.column(fmt::format("a constant in '{}' alone ({})", record.condition, measure),
-                              "the zero of " + measure)[row] = 1;
+                              "the zero of " + measure, unit)[row] = 1;
                 all.condition.push_back(condition);
             }
         }
     }
     all.condition.resize(static_cast<std::size_t>(rows), -1);
-    all.blocks = blocks.whitened();
+    all.blocks = unit_columns(blocks.whitened());
     const MatrixXd usual = prints.whitened();
     all.names = prints.names();
     all.own = prints.own();
+    all.units = prints.units();
     const MatrixXd split = split_by_condition(fit, model, all);
+    all.units.resize(all.names.size()); // of a nuisance's value: its own
     all.prints.resize(rows, usual.cols() + split.cols());
-    all.prints << usual, unit_columns(split);
+    all.prints << usual, split;
+    all.lengths = all.prints.colwise().norm();
+    all.prints = unit_columns(all.prints);
     return all;
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 namespace tumble::diagnose {
@@ -139,31 +140,47 @@ private:
         return {};
     }
 
-    [[nodiscard]] VectorXd scaled_step(double damping) const {
-        const VectorXd scale = fit_.slopes.colwise().norm().cwiseMax(1e-12).transpose();
-        const MatrixXd unit = fit_.slopes * scale.cwiseInverse().asDiagonal();
+    /// The damped step inside the bounds: parameters that it would take beyond stop there, and the others make up for it.
+    [[nodiscard]] VectorXd bounded_step(double damping) const {
+        const auto count = static_cast<Eigen::Index>(fit_.free.size());
+        VectorXd step = VectorXd::Zero(count);
+        std::vector<Eigen::Index> moving(fit_.free.size());
+        std::iota(moving.begin(), moving.end(), 0);
+        while (!moving.empty()) {
+            step(moving) = damped_step(fit_.slopes(Eigen::all, moving), fit_.residual - fit_.slopes * step, damping);
+            const auto beyond = std::partition(moving.begin(), moving.end(),
+                                               [&](Eigen::Index k) { return inside(k, step[k]) == step[k]; });
+            if (beyond == moving.end())
+                break;
+            for (auto k = beyond; k != moving.end(); ++k)
+                step[*k] = inside(*k, step[*k]);
+            moving.erase(beyond, moving.end());
+            for (const Eigen::Index k : moving)
+                step[k] = 0;
+        }
+        return step;
+    }
+
+    static VectorXd damped_step(const MatrixXd& slopes, const VectorXd& residual, double damping) {
+        const VectorXd scale = slopes.colwise().norm().cwiseMax(1e-12).transpose();
+        const MatrixXd unit = slopes * scale.cwiseInverse().asDiagonal();
         MatrixXd normal = unit.transpose() * unit;
         normal.diagonal().array() += damping + 1e-12;
-        return normal.ldlt().solve(unit.transpose() * fit_.residual).cwiseQuotient(scale);
+        return normal.ldlt().solve(unit.transpose() * residual).cwiseQuotient(scale);
     }
 
     /// What a linear step inside the bounds would gain.
     [[nodiscard]] double decrement() const {
         if (fit_.free.empty())
             return 0;
-        const VectorXd step = inside(scaled_step(0));
-        return 0.5 * (fit_.residual.squaredNorm() - (fit_.residual - fit_.slopes * step).squaredNorm());
+        return 0.5 * (fit_.residual.squaredNorm() - (fit_.residual - fit_.slopes * bounded_step(0)).squaredNorm());
     }
 
-    /// The step, cut where it would leave a parameter's bounds.
-    [[nodiscard]] VectorXd inside(VectorXd step) const {
-        for (std::size_t k = 0; k < fit_.free.size(); ++k) {
-            const Parameter& parameter = model_.parameters()[static_cast<std::size_t>(fit_.free[k])];
-            const double from = fit_.values[fit_.free[k]];
-            double& part = step[static_cast<Eigen::Index>(k)];
-            part = std::clamp(from + part, parameter.lo, parameter.hi) - from;
-        }
-        return step;
+    /// A step of the k-th free parameter, cut where it would leave its bounds.
+    [[nodiscard]] double inside(Eigen::Index k, double step) const {
+        const Parameter& parameter = model_.parameters()[static_cast<std::size_t>(fit_.free[static_cast<std::size_t>(k)])];
+        const double from = fit_.values[fit_.free[static_cast<std::size_t>(k)]];
+        return from + step < parameter.lo ? parameter.lo - from : from + step > parameter.hi ? parameter.hi - from : step;
     }
 
     /// Broyden 1965: the least change of the slopes, each in units of its own effect, that explains what was missed.
@@ -175,7 +192,7 @@ private:
 
     bool advance() {
         for (int attempt = 0; attempt < 6; ++attempt) {
-            const VectorXd step = inside(scaled_step(damping_));
+            const VectorXd step = bounded_step(damping_);
             VectorXd values = fit_.values;
             for (std::size_t k = 0; k < fit_.free.size(); ++k)
                 values[fit_.free[k]] += step[static_cast<Eigen::Index>(k)];
@@ -212,7 +229,14 @@ Result<Fit> fit(Model& model, const Noise& noise, const VectorXd& start, const s
     bool known = options.slopes != nullptr;
     if (known)
         result.slopes = *options.slopes;
+    const auto known_by = [&](double horizon) {
+        return std::any_of(model.rows().begin(), model.rows().end(), [&](const Row& row) {
+            return row.time <= horizon * model.record_of(row).time.back();
+        });
+    };
     for (const double horizon : horizons) {
+        if (horizon < 1 && !known_by(horizon)) // single numbers
+            continue;
         const Problems problems = Descent(model, noise, result, horizon).run(options, known);
         if (!problems.empty())
             return problems;

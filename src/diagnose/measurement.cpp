@@ -7,6 +7,7 @@
 #include "diagnose/data_doubts.h"
 #include "diagnose/measure_units.h"
 #include "diagnose/read_bulk.h"
+#include "diagnose/read_table.h"
 #include "diagnose/typed_tables.h"
 #include "scene/read_file.h"
 #include "scene/read_toml.h"
@@ -39,6 +40,8 @@ public:
             nuisance(table.view);
         for (const TypedTable& table : tables_of(root_, "series", *keys_[2], report_))
             series(table);
+        for (const TypedTable& one : tables_of(root_, "table", *keys_[6], report_))
+            table(one);
         read_.bulks = read_bulks(root_, *keys_[4], *keys_[5], report_);
         check_kinds();
         for (const TypedTable& table : nuisances)
@@ -75,14 +78,16 @@ private:
     /// Records or numbers of beds, not both and not neither.
     void check_kinds() {
         const TypedTables bulks = tables_of(root_, "bulk", *keys_[4], report_);
-        const bool series = !tables_of(root_, "series", *keys_[2], report_).empty();
+        const bool series = !tables_of(root_, "series", *keys_[2], report_).empty() ||
+                            !tables_of(root_, "table", *keys_[6], report_).empty();
         if (bulks.empty() && !series)
-            return report_.add(root_.place, "series", "the measurement has neither [[series]] nor [[bulk]]",
-                               "add [[series]] for what was read over time, or [[bulk]] for means of a bed");
+            return report_.add(root_.place, "series", "the measurement has neither [[series]], [[table]] nor [[bulk]]",
+                               "add [[series]] for what was read over time, [[table]] for single numbers such as "
+                               "heights of rebounds, or [[bulk]] for means of a bed");
         if (bulks.empty())
             return;
         if (series)
-            report_.add(bulks[0].node->place, "bulk", "the measurement has [[series]] and [[bulk]]",
+            report_.add(bulks[0].node->place, "bulk", "the measurement has [[bulk]] beside [[series]] or [[table]]",
                         "make two measurements of them: a path of one body is compared as it is, of a bed only means");
     }
 
@@ -136,18 +141,10 @@ private:
         record.condition = table.view.given("condition") ? table.view.text("condition") : record.name;
         record.sets = table.view.words("set");
         record.held_out = table.view.flag("held_out");
-        if (!table.view.given("file"))
-            return;
-        record.file = read_.file.parent_path() / table.view.text("file");
-        auto text = scene::read_file(record.file, largest_data);
-        if (!text)
-            return report_.add(table.view.place("file"), "series.file",
-                               fmt::format("{} {}", record.file.string(), text.problems()[0].what),
-                               "give the CSV file's name as seen from this file's folder");
-        hash_.add(*text);
-        auto cells = parse_table(std::move(*text), record.file.string());
+        const auto cells = cells_of(table.view, "series.file");
         if (!cells)
-            return report_.add(cells.problems());
+            return;
+        record.file = cells->file();
         if (cells->rows() < fewest_in_series)
             return report_.add(
                 Problems{{.file = cells->file(),
@@ -162,7 +159,8 @@ private:
         record.time = std::move(*time);
         check_time(*cells, clock, record.time);
         for (const TypedTable& column : tables_of(*table.node, "column", *keys_[3], report_))
-            channel(column.view, *cells, record);
+            if (auto channel = channel_of(column.view, *cells, "series.column", report_))
+                record.channels.push_back(std::move(*channel));
         if (!record.channels.empty())
             read_.records.push_back(std::move(record));
     }
@@ -178,26 +176,30 @@ private:
                     "sort the rows by time and leave one of each instant")});
     }
 
-    void channel(const scene::View& view, const Table& cells, Record& record) {
-        const std::string head = view.text("head");
-        const auto unit = unit_of(view.text("measure"));
-        if (!view.given("head") || !view.given("measure"))
-            return;
-        if (!unit)
-            return report_.add(view.place("measure"), "series.column.measure", unit.problems()[0].what,
-                               unit.problems()[0].fix);
-        const std::vector<Unit> units = units_for(*unit);
-        auto values = cells.quantity(head, units);
-        if (!values)
-            return report_.add(values.problems());
-        Channel channel{.head = head, .measure = view.text("measure"), .unit = *unit, .value = std::move(*values)};
-        for (const Unit& one : units)
-            if (cells.find(head + "_" + one.name)) {
-                channel.head = head + "_" + one.name;
-                channel.sigma = view.given("sigma") ? view.number("sigma") * one.si : 0;
-                break;
-            }
-        record.channels.push_back(std::move(channel));
+    void table(const TypedTable& table) {
+        if (const auto cells = cells_of(table.view, "table.file"))
+            for (Record& record : records_of_table(table, *cells, *keys_[7], report_, read_.warnings))
+                read_.records.push_back(std::move(record));
+    }
+
+    /// The cells of the CSV file that a table names.
+    std::optional<Table> cells_of(const scene::View& view, const std::string& key) {
+        if (!view.given("file"))
+            return std::nullopt;
+        const std::filesystem::path file = read_.file.parent_path() / view.text("file");
+        auto text = scene::read_file(file, largest_data);
+        if (!text) {
+            report_.add(view.place("file"), key, fmt::format("{} {}", file.string(), text.problems()[0].what),
+                        "give the CSV file's name as seen from this file's folder");
+            return std::nullopt;
+        }
+        hash_.add(*text);
+        auto cells = parse_table(std::move(*text), file.string());
+        if (!cells) {
+            report_.add(cells.problems());
+            return std::nullopt;
+        }
+        return std::move(*cells);
     }
 
     const scene::Node& root_;

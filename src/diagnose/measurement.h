@@ -12,6 +12,9 @@
 
 namespace tumble::diagnose {
 
+/// What of a measure over time a reading is: each instant's value, or one number of the whole stretch.
+enum class Take { reading, highest, lowest, last, mean, rebound };
+
 /// One column of readings and what of the simulation it shows.
 struct Channel {
     std::string head;          // in the CSV, with its unit
@@ -19,6 +22,8 @@ struct Channel {
     std::string unit;          // SI, as measures have it: "m", "m_s"
     std::vector<double> value; // SI
     double sigma = 0;          // SI, scatter of one reading; 0: not stated
+    Take take = Take::reading; // of a record of single numbers: one of the others, of all its channels
+    double from = 0;           // s, where the stretch begins that a single number is of; it ends with the record
 
     [[nodiscard]] bool shows_time() const { return measure == "time"; }
 };
@@ -33,6 +38,9 @@ struct Record {
     bool held_out = false;                       // kept for measuring the gain, never fitted
     std::vector<double> time;                    // s, rising, on the instrument's clock
     std::vector<Channel> channels;
+
+    /// Of numbers that stand for all of it, such as the height of a rebound: `time` is the one at which it ends.
+    [[nodiscard]] bool single() const { return !channels.empty() && channels[0].take != Take::reading; }
 };
 
 /// The mean of one measure over a stretch of time, and over all runs that were made.
@@ -87,6 +95,9 @@ struct Measurement {
     Problems warnings; // nothing that forbids a verdict, everything that a reader should know
     std::string hash;  // of the file and of its data
 };
+
+/// Words for what a single number is, in the order of Take, which has Take::reading before them.
+const std::vector<std::string>& words_of_takes();
 
 /// The keys of a measurement, in the same form as those of a scene.
 const std::vector<scene::KeyTable>& measurement_keys();

@@ -117,10 +117,55 @@ scene::KeyTable number_of_bulk() {
             }};
 }
 
+scene::KeyTable table() {
+    using namespace scene;
+    return {.path = "table",
+            .head = "[[table]]",
+            .repeat = Repeat::many,
+            .sentence = "Single numbers of single bodies, a row for each time that the experiment ran.",
+            .keys = {
+                text("name", "What to call it.").must(),
+                file("file", "CSV with the columns named below and those that `set` names.").must(),
+                words("set", {},
+                      "Scene keys of a row's experiment; {HEAD} is the row's cell under that head: "
+                      "\"fill.0.position_m.1={height_m}\". Rows that set the same repeat each other.")
+                    .otherwise(std::vector<std::string>{}),
+                number("until_s", "s", above(0), "When the experiment ends.").must(),
+                flag("held_out", "Keep it for measuring the gain; it is never fitted."),
+            }};
+}
+
+scene::KeyTable column_of_table() {
+    using namespace scene;
+    return {
+        .path = "table.column",
+        .head = "[[table.column]]",
+        .repeat = Repeat::many,
+        .required = true,
+        .sentence = "One column of numbers.",
+        .keys = {
+            text("head", "Head of the column without its unit: \"rebound\" finds rebound_m, rebound_mm.").must(),
+            text("measure", "What it is a number of: a name of `tumble list measures`.").must(),
+            word("take", words_of_takes(),
+                 "Which number: the highest or lowest value, the last one, the mean, or rebound, the highest value "
+                 "after the first lowest one.")
+                .must(),
+            number("from_s", "s", from(0), "Where the stretch begins that it is taken of.").otherwise(0.0),
+            number("sigma", "unit of the column", above(0),
+                   "Scatter of one number (standard deviation); without it rows that repeat each other tell."),
+        }};
+}
+
 } // namespace
 
+const std::vector<std::string>& words_of_takes() {
+    static const std::vector<std::string> words{"highest", "lowest", "last", "mean", "rebound"};
+    return words;
+}
+
 const std::vector<scene::KeyTable>& measurement_keys() {
-    static const std::vector<scene::KeyTable> all{top(), nuisance(), series(), column(), bulk(), number_of_bulk()};
+    static const std::vector<scene::KeyTable> all{
+        top(), nuisance(), series(), column(), bulk(), number_of_bulk(), table(), column_of_table()};
     return all;
 }
 

@@ -1,6 +1,7 @@
 #include "diagnose/model.h"
 
 #include "base/text.h"
+#include "diagnose/taken.h"
 #include "observe/tracer.h"
 #include "scene/load.h"
 #include "scene/to_toml.h"
@@ -14,6 +15,7 @@ namespace tumble::diagnose {
 namespace {
 
 constexpr double rows_per_reading = 8; // of a run, between two readings: kinks are resolved well below a reading
+constexpr double steps_of_a_number = 100; // of a run of which one number is taken, in place of readings
 constexpr std::size_t most_remembered = 600;
 constexpr double room_for_clocks = 0.03; // s of a run beyond the last reading
 
@@ -48,8 +50,9 @@ std::size_t first_number_in(const std::vector<double>& values) {
         std::find_if(values.begin(), values.end(), [](double value) { return !std::isnan(value); }) - values.begin());
 }
 
-double middle_step(const std::vector<double>& time) {
-    return (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+double middle_step(const Record& record) {
+    return record.single() ? record.time.back() / steps_of_a_number
+                           : (record.time.back() - record.time.front()) / static_cast<double>(record.time.size() - 1);
 }
 
 } // namespace
@@ -178,7 +181,7 @@ Result<scene::Scene> Model::scene_to_run(const VectorXd& values, int record, dou
     if (!scene)
         return scene.problems();
     scene->duration = horizon * wanted.time.back() + room_for_clocks;
-    scene->observe.every = std::max(scene->time_step, middle_step(wanted.time) / rows_per_reading);
+    scene->observe.every = std::max(scene->time_step, middle_step(wanted) / rows_per_reading);
     scene->observe.measures.clear();
     for (const Record& other : records_) // every record of this experiment finds what it needs
         for (const Channel& channel : other.channels)
@@ -298,10 +301,13 @@ Result<VectorXd> Model::predict(const VectorXd& values, double horizon) {
     for (std::size_t r = 0; r < records_.size(); ++r) {
         const Instrument instrument = instrument_at(values, static_cast<int>(r));
         for (std::size_t c = 0; c < records_[r].channels.size(); ++c) {
-            const auto seen = records_[r].channels[c].shows_time()
-                                  ? clock_seen_through(instrument, records_[r].time)
-                                  : seen_through(instrument, truths[r][c], records_[r].time,
-                                                 largest[records_[r].channels[c].measure]);
+            const Channel& channel = records_[r].channels[c];
+            const double most = largest[channel.measure];
+            const auto seen =
+                records_[r].single()
+                    ? std::vector{number_taken(channel, records_[r].time[0], instrument, truths[r][c], most)}
+                : channel.shows_time() ? clock_seen_through(instrument, records_[r].time)
+                                       : seen_through(instrument, truths[r][c], records_[r].time, most);
             for (const double value : seen)
                 all[row++] = value;
         }

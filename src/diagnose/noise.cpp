@@ -5,15 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace tumble::diagnose {
 
 namespace {
 
 constexpr double least_correlation = 0.08;
+constexpr double most_correlation = 0.95;
 constexpr double outlier = 6;    // standard deviations
 constexpr std::size_t reach = 3; // readings to either side that a reading is held against
 constexpr double most_outliers = 0.02;
+constexpr double least_beside = 0.05; // of an effect, that nuisances leave
 
 bool follows(const Model& model, std::size_t row) {
     return row > 0 && model.rows()[row].record == model.rows()[row - 1].record &&
@@ -33,6 +36,8 @@ std::vector<bool> lone_outliers(const Model& model, const VectorXd& scaled) {
     const std::size_t rows = model.rows().size();
     std::vector<bool> out(rows, false);
     for (std::size_t k = 0; k < rows; ++k) {
+        if (model.record_of(model.rows()[k]).single())
+            continue;
         std::vector<double> around;
         for (std::size_t i = k; i > 0 && i + reach > k && follows(model, i); --i)
             around.push_back(scaled[static_cast<Eigen::Index>(i - 1)]);
@@ -45,13 +50,16 @@ std::vector<bool> lone_outliers(const Model& model, const VectorXd& scaled) {
     return out;
 }
 
-/// Scatter and memory of what is left, of each measure. `taken`: of each row, how much of it was projected out.
+/// Scatter and memory of what is left, of each measure that is read over time. `taken`: of each row, how much of it was
+/// projected out.
 std::map<std::string, NoiseOfMeasure> by_measure(const Model& model, const VectorXd& rest, const VectorXd& taken) {
     struct Sums {
         double squares = 0, taken = 0, now = 0, next = 0, rows = 0;
     };
     std::map<std::string, Sums> sums;
     for (std::size_t k = 0; k < model.rows().size(); ++k) {
+        if (model.record_of(model.rows()[k]).single())
+            continue;
         const auto i = static_cast<Eigen::Index>(k);
         Sums& one = sums[model.channel_of(model.rows()[k]).measure];
         one.squares += rest[i] * rest[i];
@@ -63,12 +71,82 @@ std::map<std::string, NoiseOfMeasure> by_measure(const Model& model, const Vecto
         one.now += 0.5 * (rest[i] * rest[i] + rest[i - 1] * rest[i - 1]);
     }
     std::map<std::string, NoiseOfMeasure> all;
-    for (const auto& [measure, one] :
-         sums) // smooth directions taken out leave a correlation of about minus their share
-        all[measure] = {std::sqrt(one.squares / std::max(1.0, one.rows - one.taken)),
-                        std::min(0.95, one.next / one.now + one.taken / one.rows)};
+    for (const auto& [measure, one] : sums) {
+        // Smooth directions carry (1 + phi) / (1 - phi) of what others do, and as much from one reading to the next: with
+        // their share s of it taken out, the variance is 1 - s and the covariance phi - s of what they were.
+        const double found = one.next / one.now, share = one.taken / one.rows;
+        double phi = 0, gone = share;
+        for (int k = 0; k < 20; ++k) {
+            phi = std::clamp(found * (1 - gone) + gone, 0.0, most_correlation);
+            gone = std::min(0.5, share * (1 + phi) / (1 - phi));
+        }
+        all[measure] = {std::sqrt(one.squares / std::max(1.0, one.rows * (1 - gone))), phi};
+    }
     return all;
 }
+
+/// Records of one condition and the same times.
+struct RepeatGroup {
+    std::vector<Eigen::Index> first{}; // row, of each record
+    Eigen::Index rows = 0;             // of one record
+};
+
+std::vector<RepeatGroup> groups_of_repeats(const Model& model) {
+    std::map<std::tuple<std::string, std::vector<double>, std::size_t>, RepeatGroup> all;
+    Eigen::Index next = 0;
+    for (const Record& record : model.records()) {
+        RepeatGroup& group = all[{record.condition, record.time, record.channels.size()}];
+        group.first.push_back(next);
+        group.rows = static_cast<Eigen::Index>(record.time.size() * record.channels.size());
+        next += group.rows;
+    }
+    std::vector<RepeatGroup> repeated;
+    for (auto& [what, group] : all)
+        if (group.first.size() > 1)
+            repeated.push_back(std::move(group));
+    return repeated;
+}
+
+/// Each record's readings less the mean of the group's, a column each; 0 where one of them was left out. `readings`:
+/// that are left of each.
+MatrixXd apart_in(const RepeatGroup& group, const VectorXd& white, const std::vector<bool>& left_out,
+                  double& readings) {
+    MatrixXd apart(group.rows, static_cast<Eigen::Index>(group.first.size()));
+    for (Eigen::Index k = 0; k < apart.cols(); ++k)
+        apart.col(k) = white.segment(group.first[static_cast<std::size_t>(k)], group.rows);
+    const VectorXd mean = apart.rowwise().mean();
+    apart.colwise() -= mean;
+    for (Eigen::Index row = 0; row < group.rows; ++row)
+        if (std::any_of(group.first.begin(), group.first.end(),
+                        [&](Eigen::Index first) { return left_out[static_cast<std::size_t>(first + row)]; }))
+            apart.row(row).setZero();
+        else
+            ++readings;
+    return apart;
+}
+
+/// What adjusted nuisances leave of effects, each of length 1; those of which they leave next to nothing are 0.
+MatrixXd effects_beside(const MatrixXd& adjusted, const MatrixXd& effects) {
+    MatrixXd left = Projector(adjusted).out(effects);
+    for (Eigen::Index k = 0; k < left.cols(); ++k)
+        if (left.col(k).norm() < least_beside * effects.col(k).norm())
+            left.col(k).setZero();
+    return unit_columns(std::move(left));
+}
+
+/// Squares of standard errors, and how many were free to be what they are.
+struct Sum {
+    double squares = 0, free = 0;
+
+    void add(double more, double of) {
+        squares += more;
+        free += of;
+    }
+    [[nodiscard]] double scatter() const { return free > 0 ? std::sqrt(squares / free) : 0; }
+    [[nodiscard]] double chance() const {
+        return free > 0 ? hotelling_tail(squares, free, covariance_known) : 1;
+    }
+};
 
 } // namespace
 
@@ -132,7 +210,7 @@ Noise refined_noise(const Noise& before, const Model& model, const VectorXd& mis
 
     double stated = 0, used = 0, counted = 0;
     for (std::size_t r = 0; r < model.records().size(); ++r)
-        for (std::size_t c = 0; c < model.records()[r].channels.size(); ++c) {
+        for (std::size_t c = 0; c < model.records()[r].channels.size() && !model.records()[r].single(); ++c) {
             noise.sigma[r][c] *= report.of[model.records()[r].channels[c].measure].ratio;
             if (model.records()[r].channels[c].measure != model.records()[0].channels[0].measure)
                 continue;
@@ -145,31 +223,23 @@ Noise refined_noise(const Noise& before, const Model& model, const VectorXd& mis
     return noise;
 }
 
-double scatter_of_repeats(const Noise& noise, const Model& model, const VectorXd& misfit) {
+Repeats repeats_in(const Noise& noise, const Model& model, const VectorXd& misfit, const MatrixXd& adjusted,
+                   const MatrixXd& effects) {
     const VectorXd white = noise.whiten(misfit, model);
-    std::vector<Eigen::Index> first_row;
-    Eigen::Index next = 0;
-    for (const Record& record : model.records()) {
-        first_row.push_back(next);
-        next += static_cast<Eigen::Index>(record.time.size() * record.channels.size());
+    Sum all, along;
+    for (const RepeatGroup& group : groups_of_repeats(model)) {
+        const auto free = static_cast<double>(group.first.size() - 1);
+        double readings = 0;
+        const MatrixXd apart = apart_in(group, white, noise.left_out, readings);
+        all.add(apart.squaredNorm(), readings * free);
+        const Projector shown(effects_beside(adjusted.middleRows(group.first[0], group.rows),
+                                             effects.middleRows(group.first[0], group.rows)));
+        double inside = 0;
+        for (Eigen::Index k = 0; k < apart.cols(); ++k)
+            inside += shown.inside(apart.col(k));
+        along.add(inside, shown.rank() * free);
     }
-    double sum = 0, count = 0;
-    for (std::size_t a = 0; a < model.records().size(); ++a)
-        for (std::size_t b = a + 1; b < model.records().size(); ++b) {
-            const Record &one = model.records()[a], &other = model.records()[b];
-            if (one.condition != other.condition || one.time != other.time ||
-                one.channels.size() != other.channels.size())
-                continue;
-            const auto rows = static_cast<Eigen::Index>(one.time.size() * one.channels.size());
-            for (Eigen::Index k = 0; k < rows; ++k) {
-                const Eigen::Index i = first_row[a] + k, j = first_row[b] + k;
-                if (noise.left_out[static_cast<std::size_t>(i)] || noise.left_out[static_cast<std::size_t>(j)])
-                    continue;
-                sum += 0.5 * (white[i] - white[j]) * (white[i] - white[j]);
-                ++count;
-            }
-        }
-    return count > 0 ? std::sqrt(sum / count) : 0;
+    return {all.scatter(), all.chance(), along.scatter(), along.chance()};
 }
 
 } // namespace tumble::diagnose

@@ -30,12 +30,22 @@ struct NoiseReport {
     std::map<std::string, NoiseOfMeasure> of{};
     int left_out = 0;   // readings
     double repeats = 0; // scatter between records of one condition over the noise used before; 0: nothing repeats
+    double along = 0;   // the same of what differs between them as the effect of some cause would
     double widened = 1; // factor on every sigma for that
 };
 
 /// Scatter between records that repeat each other (one condition, the same times), over what the noise says: pure
 /// error, whatever the simulation gets wrong in all of them alike. 0 where nothing repeats.
-double scatter_of_repeats(const Noise& noise, const Model& model, const VectorXd& misfit);
+struct Repeats {
+    double scatter = 0; // of all readings
+    double chance = 1;  // tail probability of so much
+    double along = 0;   // of what causes would do: a few numbers of each record, which more readings do not make surer
+    double along_chance = 1;
+};
+
+/// `adjusted`: whitened slopes of the nuisances that every record has its own of; `effects`: those of causes.
+Repeats repeats_in(const Noise& noise, const Model& model, const VectorXd& misfit, const MatrixXd& adjusted,
+                   const MatrixXd& effects);
 
 /// The noise that the residual shows once every direction that an effect could take is projected out of it: `explained`
 /// are the whitened columns of those directions; every measure by itself. A correlation below 0.08 counts as none. Lone

@@ -51,10 +51,11 @@ bool add_light_body(std::vector<Record>& records) {
 }
 
 bool add_clock(std::vector<Record>& records) {
-    if (std::all_of(records.begin(), records.end(), [](const Record& record) { return reads(record, "time"); }))
+    const auto has_none = [](const Record& record) { return !record.single() && !reads(record, "time"); };
+    if (std::none_of(records.begin(), records.end(), has_none))
         return false;
     for (Record& record : records) {
-        if (reads(record, "time"))
+        if (!has_none(record))
             continue;
         Channel clock{.head = "clock_s", .measure = "time", .unit = "s", .value = record.time, .sigma = clock_reading};
         record.channels.push_back(std::move(clock));
@@ -63,6 +64,8 @@ bool add_clock(std::vector<Record>& records) {
 }
 
 bool add_longer(std::vector<Record>& records) {
+    if (std::any_of(records.begin(), records.end(), [](const Record& record) { return record.single(); }))
+        return false; // such a number is of a stretch, whatever comes behind it
     add_copies(records, ", longer", [](Record& record) {
         const double step = record.time[1] - record.time[0];
         const std::size_t before = record.time.size();
@@ -80,7 +83,7 @@ bool add_sideways(std::vector<Record>& records) {
     for (Record& record : records) {
         const auto place = std::find_if(record.channels.begin(), record.channels.end(),
                                         [](const Channel& channel) { return channel.unit == "m"; });
-        if (place == record.channels.end())
+        if (place == record.channels.end() || record.single())
             continue;
         const Channel known = *place;
         for (const char* measure : {"centre_of_mass_x", "centre_of_mass_z"}) {
@@ -188,7 +191,8 @@ std::vector<Proposal> proposals_for(const SceneText& scene, const Model& model, 
         if (!experiment.add(records))
             continue;
         const auto cannot = [&](const Problems& why) {
-            warnings.push_back({.key = "no such experiment",
+            warnings.push_back({.file = scene.file.string(),
+                                .key = "no such experiment",
                                 .what = fmt::format("'{}' cannot be planned for this scene", experiment.sentence),
                                 .fix = why.front().what});
         };

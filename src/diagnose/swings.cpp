@@ -27,6 +27,14 @@ struct Band {
     [[nodiscard]] double from() const { return least_periods / shortest; }
     /// At half the rate itself a sine cannot be told from nothing.
     [[nodiscard]] double until() const { return 0.5 * rate - 1 / shortest; }
+    [[nodiscard]] double dimensions() const { return 2 * static_cast<double>(courses.size()); }
+    /// Of a swing that takes so much of chi-square, standard errors of a reading.
+    [[nodiscard]] double amplitude(double taken) const {
+        double readings = 0;
+        for (const Course* course : courses)
+            readings += static_cast<double>(course->time.size());
+        return std::sqrt(2 * taken / readings);
+    }
     /// Where a line shows that is folded at the rate of readings.
     [[nodiscard]] double folded(double line) const { return std::abs(line - rate * std::round(line / rate)); }
 };
@@ -78,17 +86,26 @@ std::optional<Swing> strongest_of(const VectorXd& residual, const std::string& m
                                   const std::vector<double>& frequencies, std::size_t tests) {
     if (frequencies.empty())
         return std::nullopt;
-    double most = 0, at = 0, readings = 0;
+    double most = 0, at = 0;
     for (const double f : frequencies)
         if (const double sum = taken_by(residual, band, f); sum > most) {
             most = sum;
             at = f;
         }
-    for (const Course* course : band.courses)
-        readings += static_cast<double>(course->time.size());
-    const double dimensions = 2 * static_cast<double>(band.courses.size());
     const auto tried = static_cast<double>(tests * frequencies.size());
-    return Swing{measure, at, std::sqrt(2 * most / readings), std::min(1.0, tried * chi_square_tail(most, dimensions))};
+    return Swing{measure, at, band.amplitude(most), std::min(1.0, tried * chi_square_tail(most, band.dimensions()))};
+}
+
+/// The chi-square that has this tail.
+double chi_square_quantile(double tail, double dimensions) {
+    double low = 0, high = dimensions + 10;
+    while (chi_square_tail(high, dimensions) > tail)
+        high *= 2;
+    for (int k = 0; k < 60; ++k) {
+        const double middle = (low + high) / 2;
+        (chi_square_tail(middle, dimensions) > tail ? low : high) = middle;
+    }
+    return high;
 }
 
 /// Where mains would show, as far as they can.
@@ -124,6 +141,23 @@ std::optional<Swing> strongest_swing(const VectorXd& residual, const std::vector
         keep_stronger(found, strongest_of(residual, measure, band, frequencies, bands.size()));
     }
     return found;
+}
+
+std::vector<Spectrum> spectra_of(const VectorXd& residual, const std::vector<Course>& courses) {
+    std::vector<Spectrum> spectra;
+    for (const auto& [measure, band] : bands_of(courses)) {
+        Spectrum spectrum{.measure = measure, .frequency = {}, .amplitude = {}, .gate = 0};
+        for (double f = band.from(); f < band.until(); f += band.step()) {
+            spectrum.frequency.push_back(f);
+            spectrum.amplitude.push_back(band.amplitude(taken_by(residual, band, f)));
+        }
+        if (spectrum.frequency.empty())
+            continue;
+        const double tail = shown_hum / static_cast<double>(spectrum.frequency.size());
+        spectrum.gate = band.amplitude(chi_square_quantile(tail, band.dimensions()));
+        spectra.push_back(std::move(spectrum));
+    }
+    return spectra;
 }
 
 std::optional<Swing> mains_hum(const VectorXd& residual, const std::vector<Course>& courses) {

@@ -34,6 +34,17 @@ struct Swing {
 /// three resolutions to either side are left aside. Nothing where no record has 16 readings.
 std::optional<Swing> strongest_swing(const VectorXd& residual, const std::vector<Course>& courses);
 
+/// How much a residual swings at each of the frequencies that strongest_swing() tries, of one measure.
+struct Spectrum {
+    std::string measure;
+    std::vector<double> frequency; // Hz, rising
+    std::vector<double> amplitude; // standard errors of a reading, root mean square over the records
+    double gate = 0;               // amplitude that noise alone reaches at any of them in 0.27 % of cases
+};
+
+/// One for each measure of which a record is long enough, mains not left aside.
+std::vector<Spectrum> spectra_of(const VectorXd& residual, const std::vector<Course>& courses);
+
 /// The strongest of mains only, each at its own frequency.
 std::optional<Swing> mains_hum(const VectorXd& residual, const std::vector<Course>& courses);
 

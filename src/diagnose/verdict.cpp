@@ -238,6 +238,9 @@ std::string standing_of(const Diagnosis& diagnosis, int cause) {
         const double behind = nats_between(diagnosis.evidence, decision.best->gain, seen.gain);
         return behind < 0 ? "as near by its slope, not fitted" : fmt::format("{:.1f} nats behind", behind);
     }
+    if (decision.best && decision.best->causes.size() == 2)
+        return fmt::format("alone {:.1f} nats behind the pair",
+                           nats_between(diagnosis.evidence, decision.best->gain, seen.gain));
     if (decision.outcome == Outcome::none_known)
         return "no limit: the scene does not fit";
     const Cause& suspect = cause_of(diagnosis, cause);

@@ -5,9 +5,6 @@
 
 namespace tumble::scene {
 
-namespace {
-
-/// s, of the slowest vibration; 0: there is none.
 double slowest_period(const Scene& scene) {
     double period = 0;
     for (const Wall& wall : scene.walls)
@@ -15,8 +12,6 @@ double slowest_period(const Scene& scene) {
             period = std::max(period, 1 / part.frequency);
     return period;
 }
-
-} // namespace
 
 Stretch driven(const Scene& scene) {
     Stretch stretch{0, scene.duration};

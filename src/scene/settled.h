@@ -12,6 +12,9 @@ struct Stretch {
 /// The time in which all moves that moves; from the last body put in where nothing does.
 Stretch driven(const Scene& scene);
 
+/// Of the slowest vibration of a wall, s; 0: none vibrates.
+double slowest_period(const Scene& scene);
+
 /// When a bed is worth averaging: the second half of the time in which it is driven, by when the bulk has
 /// forgotten how it lay. In whole pairs of the slowest period where walls
 /// vibrate, for a shaken bed may answer every second shake alike.

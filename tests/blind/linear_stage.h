@@ -22,7 +22,10 @@ inline std::string case_of(const Order& order, unsigned long long seed, Diagnosi
     auto result = diagnosed(made);
     REQUIRE_MESSAGE(result, to_string(result.problems()));
     diagnosis = std::move(*result);
-    return verdict_of(diagnosis);
+    const Adequacy& winner = diagnosis.decision.winner;
+    return fmt::format("{} (adequacy of the winner: blocks {:.2g}, prints {:.2g}, swings {:.2g} at {:.3g} Hz)",
+                       verdict_of(diagnosis), winner.blocks, winner.prints, winner.swing ? winner.swing->p : 1,
+                       winner.swing ? winner.swing->frequency : 0);
 }
 
 /// The evidence in coordinates of all its directions: every product of two of its vectors is kept, and rows are few.

@@ -34,25 +34,36 @@ void check_quiet(const std::vector<Quiet>& cases) {
 using Hidden = std::vector<std::pair<Bench, std::string>>;
 
 /// The amplitude that this order's case hides.
-double hidden_in(const Order& order) {
-    Random random(21);
+double hidden_in(const Order& order, unsigned long long seed) {
+    Random random(seed);
     return make_case(order, random).amplitudes[0];
 }
 
-void check_named(const Hidden& hidden) {
-    for (const auto& [bench, effect] : hidden) {
-        Diagnosis diagnosis;
-        const Order order{
-            .kind = "listed", .effects = {effect}, .wanted = 8, .bench = bench, .more = bench == Bench::lane};
-        const std::string verdict = case_of(order, 21, diagnosis);
-        CHECK_MESSAGE(diagnosis.decision.outcome == Outcome::named, effect << ": " << verdict);
-        CHECK_MESSAGE(diagnosis.decision.sure, effect << ": " << verdict);
-        REQUIRE_MESSAGE(holds(diagnosis, effect), effect << ": " << verdict);
-        const Refit& best = *diagnosis.decision.best;
-        if (diagnosis.causes[static_cast<std::size_t>(best.causes[0])].id == effect)
-            CHECK_MESSAGE(std::abs(best.amplitude[0] - hidden_in(order)) < 4 * best.error[0],
-                          effect << ": " << verdict);
-    }
+/// Each is named, with its amplitude, from every seed. Adequacy refuses one case in 200 by chance: so many of them may
+/// end as none of the known causes, with the right one nearest.
+void check_named(const Hidden& hidden, const std::vector<unsigned long long>& seeds, int may_be_refused) {
+    int refused = 0;
+    for (const auto& [bench, effect] : hidden)
+        for (const unsigned long long seed : seeds) {
+            Diagnosis diagnosis;
+            const Order order{
+                .kind = "listed", .effects = {effect}, .wanted = 8, .bench = bench, .more = bench == Bench::lane};
+            const std::string verdict = fmt::format("{}, seed {}: {}", effect, seed, case_of(order, seed, diagnosis));
+            REQUIRE_MESSAGE(diagnosis.decision.best, verdict);
+            const Refit& best = *diagnosis.decision.best;
+            const std::string& nearest = diagnosis.causes[static_cast<std::size_t>(best.causes[0])].id;
+            if (diagnosis.decision.outcome == Outcome::none_known && nearest == effect) {
+                ++refused;
+                MESSAGE(verdict);
+                continue;
+            }
+            CHECK_MESSAGE(diagnosis.decision.outcome == Outcome::named, verdict);
+            CHECK_MESSAGE(diagnosis.decision.sure, verdict);
+            REQUIRE_MESSAGE(holds(diagnosis, effect), verdict);
+            if (nearest == effect)
+                CHECK_MESSAGE(std::abs(best.amplitude[0] - hidden_in(order, seed)) < 4 * best.error[0], verdict);
+        }
+    CHECK(refused <= may_be_refused);
 }
 
 void check_not_named(const Hidden& hidden) {
@@ -129,7 +140,7 @@ TEST_CASE(
 
 // Naming fails at d_sep = 8 with probability Phi(-(8/2 - 3/8)) = 0.02 %.
 TEST_CASE("on the solver: what is hidden at 8 standard errors from every rival is named, with its amplitude") {
-    check_named({{Bench::lane, "roll.coulomb"}, {Bench::spin, "fric.weakening"}});
+    check_named({{Bench::lane, "roll.coulomb"}, {Bench::spin, "fric.weakening"}}, {21}, 0);
 }
 
 TEST_CASE("slow, on the solver: the same of other causes, and on other benches" * doctest::skip()) {
@@ -138,7 +149,8 @@ TEST_CASE("slow, on the solver: the same of other causes, and on other benches" 
                  {Bench::drop, "cohesion.work"},
                  {Bench::lane, "grav.tilt_x"},
                  {Bench::slope, "fric.weakening"},
-                 {Bench::roll, "roll.coulomb"}});
+                 {Bench::roll, "roll.coulomb"}},
+                {21, 22}, 1); // two or more of twelve: 0.2 %
 }
 
 // At d_res = 10 the design allows a name in 1 % of cases.

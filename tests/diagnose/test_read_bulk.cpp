@@ -128,8 +128,8 @@ TEST_CASE("what is innocent of a bed is the zero of a number measured, or one ca
 
 TEST_CASE("records and beds are two measurements, and a bed has no instrument over time") {
     CHECK(refusal("title = \"nothing\"\n") ==
-          "m.toml:1:1: the measurement has neither [[series]] nor [[bulk]]\n    add [[series]] for what was read over "
-          "time, or [[bulk]] for means of a bed");
+          "m.toml:1:1: the measurement has neither [[series]], [[table]] nor [[bulk]]\n    add [[series]] for what was "
+          "read over time, [[table]] for single numbers such as heights of rebounds, or [[bulk]] for means of a bed");
     CHECK(refusal(replaced(whole, "exc.phase", "ins.gain")) ==
           "m.toml:2:10: ins.gain acts on readings over time, and means of a bed are none\n    leave it out");
     CHECK(refusal(whole + "[[bulk]]\nname = \"quarter load\"\nruns = 2\n[[bulk.number]]\nmeasure = \"bodies\"\nvalue = "

@@ -2,6 +2,7 @@
 #include "base/rng.h"
 #include "diagnose/swings.h"
 
+#include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
 #include <numbers>
@@ -85,6 +86,27 @@ TEST_CASE("mains are told apart, at 50 Hz and where they fold to") {
         }
         CHECK(seen <= 8); // 2 are the most to be expected of noise, and four standard deviations more
     }
+}
+
+TEST_CASE("a spectrum has its highest line where a swing is, and noise alone seldom reaches its gate") {
+    const std::vector<Course> all = courses(120);
+    Rng rng(6);
+    int reached = 0;
+    for (int k = 0; k < 100; ++k) {
+        const auto quiet = spectra_of(noise(all, rng), all);
+        REQUIRE(quiet.size() == 1);
+        REQUIRE(quiet[0].amplitude.size() == quiet[0].frequency.size());
+        reached += *std::max_element(quiet[0].amplitude.begin(), quiet[0].amplitude.end()) > quiet[0].gate;
+    }
+    CHECK(reached <= 3); // 0.27 are the most to be expected
+    VectorXd residual = noise(all, rng);
+    shake(residual, all, 0.5, 7.3);
+    const auto loud = spectra_of(residual, all)[0];
+    const auto highest = std::max_element(loud.amplitude.begin(), loud.amplitude.end());
+    CHECK(std::abs(loud.frequency[static_cast<std::size_t>(highest - loud.amplitude.begin())] - 7.3) < 0.5);
+    CHECK(std::abs(*highest - 0.5) < 0.15);
+    CHECK(*highest > loud.gate);
+    CHECK(spectra_of(VectorXd::Ones(8), {}).empty());
 }
 
 TEST_CASE("records of a few readings have no swings") {

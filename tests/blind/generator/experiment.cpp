@@ -257,13 +257,13 @@ Eigen::VectorXd readings_of(const Setup& setup, const Truth& truth) {
     std::vector<double> readings;
     std::vector<double> largest(channels_of(setup.bench).size(), 0); // one sensor sees all records
     for (std::size_t r = 0; truth.sensor.clip > 0 && r < setup.trials.size(); ++r) {
-        const std::vector<Path> paths = paths_in(setup, truth, r);
+        const std::vector<Path>& paths = paths_in(setup, truth, r);
         for (std::size_t c = 0; c < paths.size(); ++c)
             largest[c] = std::max(largest[c], largest_of(paths[c], times_of(setup, setup.trials[r]).back()));
     }
     for (std::size_t r = 0; r < setup.trials.size(); ++r) {
         const std::size_t done = truth.swapped && (r == 0 || r == 2) ? 2 - r : r;
-        const std::vector<Path> paths = paths_in(setup, truth, done);
+        const std::vector<Path>& paths = paths_in(setup, truth, done);
         for (std::size_t c = 0; c < paths.size(); ++c)
             for (const double y :
                  read(paths[c], truth.sensor, times_of(setup, setup.trials[r]), truth.offsets[r], largest[c]))

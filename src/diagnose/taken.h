@@ -1,0 +1,14 @@
+#pragma once
+
+#include "diagnose/instrument.h"
+#include "diagnose/measurement.h"
+
+namespace tumble::diagnose {
+
+/// The number that a channel takes of a stretch, from its `from` (s) to `until` (s) on the instrument's clock, of what
+/// such an instrument shows of this signal. Extremes are those of a parabola through the highest three of 400 instants,
+/// so that they move smoothly with the signal. A rebound where nothing comes down first is the last value.
+double number_taken(const Channel& channel, double until, const Instrument& instrument, const Signal& truth,
+                    double largest);
+
+} // namespace tumble::diagnose

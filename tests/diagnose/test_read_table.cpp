@@ -1,0 +1,201 @@
+// Single numbers, a row for each time that an experiment ran: how they are read, taken of a simulation, and diagnosed.
+#include "about.h"
+#include "base/rng.h"
+#include "diagnose/taken.h"
+#include "diagnose/verdict.h"
+#include "floor_and_ball.h"
+#include "folder.h"
+#include "scene/read_file.h"
+
+#include <cmath>
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+namespace test_read_table {
+
+using namespace tumble;
+using namespace tumble::diagnose;
+using tumble::test::about;
+
+namespace {
+
+const std::string whole = R"(title = "rebounds"
+[[nuisance]]
+key = "pair.rubber-rubber.restitution"
+spread = 0.05
+[[table]]
+name = "drops"
+file = "drops.csv"
+set = ["fill.0.position_m.1={height_m}"]
+until_s = 1.6
+[[table.column]]
+head = "rebound"
+measure = "centre_of_mass_y"
+take = "rebound"
+)";
+
+struct Notebook {
+    test::Folder folder;
+
+    Result<Measurement> load(const std::string& toml, const std::string& csv) const {
+        test::put(folder.path / "m.toml", toml);
+        test::put(folder.path / "drops.csv", csv);
+        return load_measurement(folder.path / "m.toml");
+    }
+    std::string refusal(const std::string& toml, const std::string& csv) const {
+        const auto read = load(toml, csv);
+        REQUIRE(!read);
+        REQUIRE_MESSAGE(read.problems().size() == 1, to_string(read.problems()));
+        return read.problems()[0].key + ": " + read.problems()[0].what;
+    }
+};
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+    return text;
+}
+
+/// A point that falls and comes up once: its restitution goes with v^-p.
+struct Rebounding {
+    double height = 1, e = 0.8, p = 0;
+
+    [[nodiscard]] double at(double t) const {
+        constexpr double g = 9.81;
+        const double flight = std::sqrt(2 * height / g), speed = g * flight;
+        if (t < flight)
+            return height - 0.5 * g * t * t;
+        const double up = speed * e * std::pow(speed, -p), after = t - flight;
+        return std::max(0.0, up * after - 0.5 * g * after * after);
+    }
+    [[nodiscard]] double top() const { return e * e * std::pow(2 * 9.81 * height, -p) * height; }
+};
+
+Result<observe::Series> simulated(const scene::Scene& scene) {
+    observe::Series series;
+    series.columns = {"time_s", "centre_of_mass_y_m"};
+    series.values.resize(2);
+    const contact::PairProperties& pair = scene.pair(0, 0);
+    const Rebounding path{
+        .height = scene.fills[0].position->y(), .e = pair.restitution, .p = pair.restitution_exponent};
+    for (double t = 0; t < scene.duration; t += scene.observe.every)
+        series.append({t, path.at(t)});
+    return series;
+}
+
+constexpr double scatter_mm = 3;
+
+/// Eight rebounds from each of these heights, in mm.
+std::string drops(double p, const std::vector<double>& heights) {
+    Rng rng(5);
+    std::string csv = "height_m,rebound_mm\n";
+    for (const double height : heights)
+        for (int k = 0; k < 8; ++k) {
+            const double error =
+                std::sqrt(-2 * std::log(1 - rng.uniform())) * std::cos(6.283185307179586 * rng.uniform());
+            const double top = Rebounding{.height = height, .p = p}.top();
+            csv += fmt::format("{},{:.2f}\n", height, 1000 * top + scatter_mm * error);
+        }
+    return csv;
+}
+
+Diagnosis diagnosed(const std::string& csv) {
+    const Notebook notebook;
+    const auto read = notebook.load("causes = [\"rest.velocity\", \"grav.g\", \"ins.bias\"]\n" + whole, csv);
+    REQUIRE_MESSAGE(read, to_string(read.problems()));
+    auto result = diagnose::diagnose({test::floor_and_ball, "ball.toml"}, *read, simulated);
+    REQUIRE_MESSAGE(result, to_string(result.problems()));
+    return std::move(*result);
+}
+
+const std::vector<double> heights{0.2, 0.4, 0.7, 1.1, 1.6};
+
+double taken(Take take, double from, const Signal& signal) {
+    const Channel channel{.head = "x_m", .measure = "x", .unit = "m", .value = {}, .take = take, .from = from};
+    return number_taken(channel, signal.time.back(), {}, signal, 0);
+}
+
+} // namespace
+
+TEST_CASE("rows that set the same are one condition and tell the scatter") {
+    const Notebook notebook;
+    const auto read = notebook.load(whole, "height_m,rebound_mm\n0.2,80\n0.2,90\n0.4,170\n0.4,174\n0.4,178\n");
+    REQUIRE_MESSAGE(read, to_string(read.problems()));
+    REQUIRE(read->records.size() == 5);
+    const Record& third = read->records[2];
+    CHECK(third.condition == "drops, height_m 0.4");
+    CHECK(third.name == "drops, height_m 0.4 (1)");
+    CHECK(third.sets == std::vector<std::string>{"fill.0.position_m.1=0.4"});
+    CHECK(third.single());
+    CHECK(third.time == std::vector<double>{1.6});
+    CHECK(third.channels[0].value == std::vector<double>{0.17});
+    CHECK(third.channels[0].take == Take::rebound);
+    CHECK(third.channels[0].sigma == about(std::sqrt((50.0 + 32.0) / 3) * 1e-3, 1e-12)); // pooled: too few by themselves
+    CHECK(read->warnings.at(0).key == "sigma from repeats");
+}
+
+TEST_CASE("five rows of one condition have a scatter of their own") {
+    const Notebook notebook;
+    const auto read = notebook.load(whole, "height_m,rebound_mm\n0.2,80\n0.2,90\n0.4,1\n0.4,2\n0.4,3\n0.4,4\n0.4,5\n");
+    REQUIRE(read);
+    CHECK(read->records[6].channels[0].sigma == about(std::sqrt(2.5) * 1e-3, 1e-12));
+    CHECK(read->records[0].channels[0].sigma == about(std::sqrt((50.0 + 10.0) / 5) * 1e-3, 1e-12));
+}
+
+TEST_CASE("what nobody could know, or nothing says, is refused") {
+    const Notebook notebook;
+    const std::string once = "height_m,rebound_mm\n0.2,80\n0.4,170\n";
+    CHECK(notebook.refusal(whole, once) == "table.column.sigma: rebound_mm has no sigma, and no two rows repeat each other");
+    CHECK(notebook.refusal(whole, "height_m,rebound_mm\n0.2,80\n0.2,80\n").ends_with("do not differ"));
+    CHECK(notebook.refusal(replaced(whole, "{height_m}", "{heigth_m}"), once).starts_with("table.set: "));
+    CHECK(notebook.refusal(whole + "sigma = 1\nfrom_s = 2\n", once) ==
+          "table.column.from_s: the stretch begins at 2 s, and the experiment ends at 1.6 s");
+    CHECK(notebook.refusal(replaced(whole, "take = \"rebound\"", "take = \"bounce\""), once).find("bounce") !=
+          std::string::npos);
+}
+
+TEST_CASE("numbers are taken of a stretch as a sensor sees it") {
+    Signal signal;
+    for (int k = 0; k <= 1000; ++k) {
+        const double t = 2e-3 * k;
+        signal.time.push_back(t);
+        signal.value.push_back(t < 1 ? 1 - t * t : 2 * (t - 1) - 2 * (t - 1) * (t - 1)); // down to 0 at 1 s, top 0.5
+    }
+    CHECK(taken(Take::highest, 0, signal) == about(1, 1e-9));
+    CHECK(taken(Take::highest, 0.8, signal) == about(0.5, 1e-6));
+    CHECK(std::abs(taken(Take::lowest, 0, signal)) < 1e-3);
+    CHECK(taken(Take::last, 0, signal) == about(0, 1e-9));
+    CHECK(taken(Take::mean, 0, signal) == about(0.5 * (2.0 / 3 + 1.0 / 3), 0.005));
+    CHECK(taken(Take::rebound, 0, signal) == about(0.5, 1e-6));
+    const Channel channel{.head = "x_m", .measure = "x", .unit = "m", .value = {}, .take = Take::rebound, .from = 0};
+    CHECK(number_taken(channel, 2, {.gain = 0.1, .bias = 0.2}, signal, 0) == about(0.75, 1e-6));
+}
+
+TEST_CASE("heights of rebounds alone show a restitution that falls with speed") {
+    const Diagnosis quiet = diagnosed(drops(0, heights));
+    CHECK_MESSAGE(quiet.decision.outcome == Outcome::consistent, verdict_of(quiet));
+    const Diagnosis hidden = diagnosed(drops(0.06, heights));
+    REQUIRE_MESSAGE(hidden.decision.outcome == Outcome::named, verdict_of(hidden));
+    const Refit& best = *hidden.decision.best;
+    CHECK(hidden.causes[static_cast<std::size_t>(best.causes[0])].id == "rest.velocity");
+    CHECK(std::abs(best.amplitude[0] - 0.06) < 4 * best.error[0]);
+    CHECK(best.error[0] < 0.01);
+}
+
+TEST_CASE("of one height nothing can be told: restitution takes all of it") {
+    const Diagnosis one = diagnosed(drops(0.06, {0.4}));
+    CHECK_MESSAGE(one.decision.outcome == Outcome::cannot_decide, verdict_of(one));
+}
+
+TEST_CASE("the thesis' ten rebounds, all from one height, decide nothing") {
+    const std::filesystem::path root = TUMBLE_ROOT;
+    const auto read = load_measurement(root / "scenes/measured/rebounds/measurement.toml");
+    REQUIRE_MESSAGE(read, to_string(read.problems()));
+    CHECK(read->records.size() == 10);
+    const auto scene = scene::read_file(root / "scenes/drop.toml", 1 << 20);
+    REQUIRE(scene);
+    const auto result = diagnose::diagnose({*scene, root / "scenes/drop.toml"}, *read, simulated);
+    REQUIRE_MESSAGE(result, to_string(result.problems()));
+    CHECK_MESSAGE(result->decision.outcome == Outcome::cannot_decide, verdict_of(*result));
+}
+
+} // namespace test_read_table

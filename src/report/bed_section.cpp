@@ -2,6 +2,7 @@
 
 #include "observe/measures.h"
 #include "report/interval_plot.h"
+#include "report/measured_words.h"
 #include "report/svg_plot.h"
 
 #include <cmath>
@@ -20,20 +21,40 @@ double apart(const BedNumber& one, double value, double error) {
     return (one.measured - value) / std::hypot(one.measured_error, error);
 }
 
-std::string with_error(double value, double error) {
-    return fmt::format("<td class=\"n\">{:.3g} &plusmn; {:.2g}</td>", value, error);
+std::string error_cell(double value, double error) {
+    return "<td class=\"n\">" + with_error(value, error) + "</td>";
+}
+
+std::string apart_cell(double z) {
+    return "<td class=\"n\">" + with_minus(fmt::format("{:+.1f}", z)) + "</td>";
 }
 
 std::string row_of(const BedNumber& one) {
-    std::string row =
-        fmt::format("<tr><td>{}{}</td><td>{}, in {}</td>", escaped(one.condition), one.held_out ? " (held out)" : "",
-                    observe::spelled_name(one.measure), one.unit.empty() ? "1" : observe::spelled_unit(one.unit));
-    row += with_error(one.measured, one.measured_error) + with_error(one.baseline, one.baseline_error) +
-           fmt::format("<td class=\"n\">{:+.1f}</td>", apart(one, one.baseline, one.baseline_error));
+    std::string row = fmt::format("<tr><td>{}{}</td><td>{}{}</td>", escaped(one.condition),
+                                  one.held_out ? " (held out)" : "", observe::spelled_name(one.measure),
+                                  one.unit.empty() ? "" : " [" + observe::spelled_unit(one.unit) + "]");
+    row += error_cell(one.measured, one.measured_error) + error_cell(one.baseline, one.baseline_error) +
+           apart_cell(apart(one, one.baseline, one.baseline_error));
     if (one.has_extended)
-        row += with_error(one.extended, one.extended_error) +
-               fmt::format("<td class=\"n\">{:+.1f}</td>", apart(one, one.extended, one.extended_error));
+        row += error_cell(one.extended, one.extended_error) + apart_cell(apart(one, one.extended, one.extended_error));
     return row + fmt::format("<td class=\"n\">{:.2g}</td></tr>", one.scatter);
+}
+
+/// What "extended" is, and whether its own runs are what the table foretold.
+std::string confirmed_words(const Diagnosis& diagnosis) {
+    const auto& best = diagnosis.decision.best;
+    if (!diagnosis.confirmation || !best)
+        return "";
+    std::string at;
+    for (std::size_t k = 0; k < best->causes.size() && k < diagnosis.confirmation->amplitudes.size(); ++k) {
+        const Cause& cause = diagnosis.causes[static_cast<std::size_t>(best->causes[k])];
+        at +=
+            fmt::format("{}{} at {:.4g}{}", at.empty() ? "" : " and ", cause.id, diagnosis.confirmation->amplitudes[k],
+                        cause.unit.empty() ? "" : " " + observe::spelled_unit(cause.unit));
+    }
+    return fmt::format(" Extended: the scene with {}, run with seeds of its own; so large a difference from what the "
+                       "response table foretold has p = {:.2g}.",
+                       at, diagnosis.confirmation->p);
 }
 
 } // namespace
@@ -56,12 +77,7 @@ std::string bed_section(const Diagnosis& diagnosis) {
         rows += row_of(one);
         extended = extended || one.has_extended;
     }
-    std::string confirmed;
-    if (diagnosis.confirmation)
-        confirmed = fmt::format(" The extended scene was run at {} with seeds of its own; so large a difference from "
-                                "what the response table "
-                                "foretold has p = {:.2g}.",
-                                fmt::join(diagnosis.confirmation->amplitudes, " and "), diagnosis.confirmation->p);
+    const std::string confirmed = confirmed_words(diagnosis);
     return fmt::format(
         "<h2>What was measured of the bed, and what the scene gives</h2><p>Means over time and runs; bars hold 95 %. "
         "Paths in a bed do not repeat, so only means are compared.{}</p><div class=\"plots\">{}</div><table><tr><th>"
@@ -76,7 +92,7 @@ std::string bed_small_print(const Diagnosis& diagnosis, const std::string& warni
     std::string innocent;
     for (const FittedNuisance& nuisance : diagnosis.nuisances)
         innocent +=
-            fmt::format("<tr><td>{}</td>{}</tr>", escaped(nuisance.name), with_error(nuisance.value, nuisance.error));
+            fmt::format("<tr><td>{}</td>{}</tr>", escaped(nuisance.name), error_cell(nuisance.value, nuisance.error));
     if (!innocent.empty())
         innocent = "<table><tr><th>adjusted under every explanation</th><th>fitted, baseline</th></tr>" + innocent +
                    "</table>";
@@ -87,11 +103,11 @@ std::string bed_small_print(const Diagnosis& diagnosis, const std::string& warni
         "extension "
         "p = {:.2g} (Hotelling's T squared). Causes were run at two amplitudes each and are read between them, which "
         "the "
-        "runs at the fitted value check. {} runs now, {:.3g} s simulated. Scene {}, data {} ({}). tumble {}.</p>",
-        warnings.empty() ? "" : "<ul>" + warnings + "</ul>", innocent, diagnosis.readings,
-        diagnosis.beds.empty() ? 0 : diagnosis.beds[0].seeds, diagnosis.evidence.degrees,
-        diagnosis.decision.baseline.p(), diagnosis.decision.winner.p(), diagnosis.runs, diagnosis.simulated,
-        escaped(diagnosis.scene.string()), escaped(diagnosis.data.string()), diagnosis.hash, version);
+        "runs at the fitted value check. {} runs now, {:.4g} s simulated. Scene {}, data {} ({}). tumble {}.</p>",
+        warnings, innocent, diagnosis.readings, diagnosis.beds.empty() ? 0 : diagnosis.beds[0].seeds,
+        diagnosis.evidence.degrees, diagnosis.decision.baseline.p(), diagnosis.decision.winner.p(), diagnosis.runs,
+        diagnosis.simulated, escaped(diagnosis.scene.string()), escaped(diagnosis.data.string()), diagnosis.hash,
+        version);
 }
 
 } // namespace tumble::report

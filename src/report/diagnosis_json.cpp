@@ -2,6 +2,7 @@
 
 #include "base/table.h"
 #include "base/text.h"
+#include "diagnose/fingerprints.h"
 #include "diagnose/verdict.h"
 #include "report/residual_plots.h"
 
@@ -133,6 +134,23 @@ Json besides_of(const std::optional<Besides>& besides) {
         {"what", besides->what}, {"numbers", besides->numbers}, {"chi_square_gain", besides->gain}, {"p", besides->p}};
 }
 
+Json along_it(const std::optional<Along>& along) {
+    if (!along)
+        return {};
+    return {{"slope", number(along->slope)}, {"standard_error", number(along->error)}, {"z", number(along->z)}};
+}
+
+/// Each direction with what goes along it, of the baseline's residual and of the best explanation's; null: taken up.
+Json fingerprints_as_json(const Diagnosis& diagnosis) {
+    Json all = Json::array();
+    for (const Fingerprint& print : fingerprints_of(diagnosis.evidence, diagnosis.decision))
+        all.push_back({{"what", print.what},
+                       {"unit", print.unit},
+                       {"baseline", along_it(print.scene)},
+                       {"best_explanation", along_it(print.best)}});
+    return all;
+}
+
 Json decision_of(const Diagnosis& diagnosis) {
     const Decision& decision = diagnosis.decision;
     Json pairs = Json::array();
@@ -172,6 +190,7 @@ Json decision_of(const Diagnosis& diagnosis) {
             {"conditions_differ", std::move(differing)},
             {"overstated_beforehand", std::move(overstated)},
             {"residual_follows", std::move(follows)},
+            {"fingerprints", fingerprints_as_json(diagnosis)},
             {"directions_tried", diagnosis.follows.tried},
             {"directions_gate", diagnosis.follows.gate}};
 }

@@ -131,8 +131,16 @@ private:
         out_ += "</g>";
     }
 
+    /// What a trace looks like: a dot, a line, or a dashed one.
+    static std::string mark_of(const Trace& trace, int x, int y) {
+        if (!trace.line)
+            return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"3\" fill=\"{}\"/>", x + 7, y + 1, trace.color);
+        return fmt::format("<line x1=\"{}\" x2=\"{}\" y1=\"{}\" y2=\"{}\" stroke=\"{}\" stroke-width=\"2\"{}/>", x,
+                           x + 13, y + 1, y + 1, trace.color, trace.dashed ? " stroke-dasharray=\"4 2\"" : "");
+    }
+
     static int entry_width(const Trace& trace) {
-        return 26 + static_cast<int>(6.6 * static_cast<double>(trace.label.size()));
+        return 28 + static_cast<int>(6.6 * static_cast<double>(trace.label.size()));
     }
 
     /// The first row stands beside the title.
@@ -158,10 +166,8 @@ private:
             int x = plot_.width - right;
             for (auto trace = legend_[row].rbegin(); trace != legend_[row].rend(); ++trace) {
                 x -= entry_width(**trace);
-                out_ += fmt::format(
-                    "<rect x=\"{}\" y=\"{}\" width=\"10\" height=\"3\" fill=\"{}\"/><text class=\"t\" x=\"{}\" "
-                    "y=\"{}\">{}</text>",
-                    x, y, (*trace)->color, x + 13, y + 5, escaped((*trace)->label));
+                out_ += mark_of(**trace, x, y) + fmt::format("<text class=\"t\" x=\"{}\" y=\"{}\">{}</text>", x + 16,
+                                                             y + 5, escaped((*trace)->label));
             }
         }
     }
@@ -234,34 +240,6 @@ std::string color_of(std::size_t index) {
 
 std::string svg_of(const Plot& plot) {
     return Canvas(plot).draw();
-}
-
-std::string svg_of(const std::vector<Bar>& bars, const std::vector<Mark>& marks, const std::string& axis) {
-    constexpr int row = 20, before = 130, behind = 430, width = 940;
-    double most = 1e-12;
-    for (const Bar& bar : bars)
-        most = std::max(most, bar.value);
-    for (const Mark& mark : marks)
-        most = std::max(most, mark.value);
-    const auto px = [&](double value) { return before + (width - before - behind) * value / (1.05 * most); };
-    const int height = row * static_cast<int>(bars.size()) + 50;
-    std::string out = fmt::format(
-        "<svg viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" xmlns=\"http://www.w3.org/2000/svg\">",
-        width, height);
-    for (std::size_t k = 0; k < bars.size(); ++k) {
-        const int y = 24 + row * static_cast<int>(k);
-        out += fmt::format(
-            "<text class=\"t\" x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text><rect x=\"{}\" y=\"{}\" width=\"{:.1f}\" "
-            "height=\"12\" fill=\"{}\"/><text class=\"t\" x=\"{}\" y=\"{}\">{}</text>",
-            before - 8, y + 10, escaped(bars[k].label), before, y, std::max(0.5, px(bars[k].value) - before),
-            bars[k].color, width - behind + 12, y + 10, escaped(bars[k].word));
-    }
-    for (const Mark& mark : marks)
-        out += fmt::format("<line class=\"level dash\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"18\" y2=\"{1}\"/><text "
-                           "class=\"t\" x=\"{0:.1f}\" "
-                           "y=\"13\" text-anchor=\"middle\">{2}</text>",
-                           px(mark.value), height - 24, escaped(mark.label));
-    return out + fmt::format("<text class=\"a\" x=\"{}\" y=\"{}\">{}</text></svg>", before, height - 6, escaped(axis));
 }
 
 std::string escaped(const std::string& text) {

@@ -38,18 +38,6 @@ std::string color_of(std::size_t index);
 /// The plot as an SVG element for a page.
 std::string svg_of(const Plot& plot);
 
-/// Bars from left to right, longest scale shared; each with a label before and a word behind it. Vertical marks say
-/// where limits lie.
-struct Bar {
-    std::string label, word, color;
-    double value = 0;
-};
-struct Mark {
-    double value = 0;
-    std::string label;
-};
-std::string svg_of(const std::vector<Bar>& bars, const std::vector<Mark>& marks, const std::string& axis);
-
 /// 1, 2 or 5 times a power of ten, so that a range of this width gets about five.
 double tick_step(double width);
 

@@ -30,7 +30,7 @@ diagnose::Curve curve_of(const std::string& record, const std::string& condition
     return {.record = record,
             .condition = condition,
             .head = "vx_m_s",
-            .unit = "m/s",
+            .unit = "m_s",
             .sigma = 0.1,
             .time = {0, 1, 2},
             .measured = {0, 1, 1},
@@ -47,7 +47,7 @@ TEST_CASE("the colours of residuals are named once for each condition, in the fi
     const std::string page = page_of(diagnosis, "1");
     CHECK(count(page, ">slow</text>") == 1);
     CHECK(count(page, ">swift</text>") == 1);
-    CHECK(page.find(">slow</text>") < page.find("against speed"));
+    CHECK(page.find(">slow</text>") < page.find("against acceleration"));
     CHECK(page.find(">slow</text>") > page.find("against time"));
 }
 
@@ -55,7 +55,8 @@ TEST_CASE("axes have their units in brackets") {
     diagnose::Diagnosis diagnosis;
     diagnosis.curves = {curve_of("first", "slow")};
     const std::string page = page_of(diagnosis, "1");
-    for (const char* words : {">time [s]<", ">residual [standard errors]<", ">reading [m/s]<", ">speed [m/s/s]<"})
+    for (const char* words :
+         {">time [s]<", ">residual [standard errors]<", ">vx as simulated [m/s]<", ">acceleration [(m/s)/s]<"})
         CHECK_MESSAGE(page.find(words) != std::string::npos, words);
 }
 
@@ -118,8 +119,8 @@ TEST_CASE("a legend that is longer than its plot is wide goes on in further rows
     const std::string svg = svg_of(plot);
     CHECK(attribute(svg, "height") > one_row + 50);
     for (const Trace& trace : plot.traces) {
-        const std::size_t at = svg.rfind("<rect", svg.find(">" + trace.label + "<"));
-        CHECK(attribute(svg.substr(at), "x") >= 62);
+        const std::size_t at = svg.rfind("<circle", svg.find(">" + trace.label + "<"));
+        CHECK(attribute(svg.substr(at), "cx") >= 62);
     }
 }
 

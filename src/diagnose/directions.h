@@ -13,7 +13,7 @@ struct Directions {
     std::vector<std::string> own{}; // of prints: what would differ in one condition only, the same for all; else empty
     std::vector<int> condition;     // of each row, -1 for priors
     std::vector<std::string> conditions;
-    std::vector<Course> courses{}; // where swings are looked for; none of means
+    std::vector<Course> courses{};    // where swings are looked for; none of means
     VectorXd lengths{};               // of prints before each was brought to length 1; empty: nobody asks
     std::vector<std::string> units{}; // of prints: of the residual's slope along each, as people write it
 };

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double least_correlation = 0.08;
 constexpr double most_correlation = 0.95;
+constexpr int halvings = 12; // of what a memory may be, until it is known to 0.0002
 constexpr double outlier = 6;    // standard deviations
 constexpr std::size_t reach = 3; // readings to either side that a reading is held against
 constexpr double most_outliers = 0.02;
@@ -50,39 +51,84 @@ std::vector<bool> lone_outliers(const Model& model, const VectorXd& scaled) {
     return out;
 }
 
-/// Scatter and memory of what is left, of each measure that is read over time. `taken`: of each row, how much of it was
-/// projected out.
-std::map<std::string, NoiseOfMeasure> by_measure(const Model& model, const VectorXd& rest, const VectorXd& taken) {
-    struct Sums {
-        double squares = 0, taken = 0, now = 0, next = 0, rows = 0;
-    };
-    std::map<std::string, Sums> sums;
+/// The rows of one measure that is read over time, in order: where each channel's begin, and what of a basis they hold.
+struct Chain {
+    std::vector<Eigen::Index> rows{};
+    std::vector<bool> first{}; // no reading of this channel comes before
+    MatrixXd basis{};          // of what was projected out
+};
+
+std::map<std::string, Chain> chains_of(const Model& model, const MatrixXd& basis) {
+    std::map<std::string, Chain> all;
     for (std::size_t k = 0; k < model.rows().size(); ++k) {
         if (model.record_of(model.rows()[k]).single())
             continue;
-        const auto i = static_cast<Eigen::Index>(k);
-        Sums& one = sums[model.channel_of(model.rows()[k]).measure];
-        one.squares += rest[i] * rest[i];
-        one.taken += taken[i];
-        ++one.rows;
-        if (!follows(model, k))
-            continue;
-        one.next += rest[i] * rest[i - 1];
-        one.now += 0.5 * (rest[i] * rest[i] + rest[i - 1] * rest[i - 1]);
+        Chain& chain = all[model.channel_of(model.rows()[k]).measure];
+        chain.rows.push_back(static_cast<Eigen::Index>(k));
+        chain.first.push_back(!follows(model, k));
     }
-    std::map<std::string, NoiseOfMeasure> all;
-    for (const auto& [measure, one] : sums) {
-        // Smooth directions carry (1 + phi) / (1 - phi) of what others do, and as much from one reading to the next: with
-        // their share s of it taken out, the variance is 1 - s and the covariance phi - s of what they were.
-        const double found = one.next / one.now, share = one.taken / one.rows;
-        double phi = 0, gone = share;
-        for (int k = 0; k < 20; ++k) {
-            phi = std::clamp(found * (1 - gone) + gone, 0.0, most_correlation);
-            gone = std::min(0.5, share * (1 + phi) / (1 - phi));
-        }
-        all[measure] = {std::sqrt(one.squares / std::max(1.0, one.rows * (1 - gone))), phi};
-    }
+    for (auto& [measure, chain] : all)
+        chain.basis = basis(chain.rows, Eigen::all);
     return all;
+}
+
+/// Sums of squares of a residual, and of products of neighbours.
+struct Sums {
+    double squares = 0, next = 0;
+};
+
+Sums sums_of(const Chain& chain, const VectorXd& rest) {
+    Sums sums;
+    for (std::size_t k = 0; k < chain.rows.size(); ++k) {
+        sums.squares += rest[chain.rows[k]] * rest[chain.rows[k]];
+        if (!chain.first[k])
+            sums.next += rest[chain.rows[k]] * rest[chain.rows[k] - 1];
+    }
+    return sums;
+}
+
+/// The covariance of errors with that memory, times the basis.
+MatrixXd remembered(const Chain& chain, double memory) {
+    MatrixXd before = chain.basis, behind = chain.basis;
+    for (Eigen::Index k = 1; k < before.rows(); ++k)
+        if (!chain.first[static_cast<std::size_t>(k)])
+            before.row(k) += memory * before.row(k - 1);
+    for (Eigen::Index k = behind.rows() - 1; k > 0; --k)
+        if (!chain.first[static_cast<std::size_t>(k)])
+            behind.row(k - 1) += memory * behind.row(k);
+    return before + behind - chain.basis;
+}
+
+/// What the sums would be of errors of scatter 1 with that memory, once the basis is projected out of them; those of
+/// other measures are taken to be white. Smooth directions take more of errors that last than of white ones.
+Sums expected_of(const Chain& chain, double memory) {
+    const MatrixXd& basis = chain.basis;
+    MatrixXd neighbours = MatrixXd::Zero(basis.rows(), basis.cols());
+    double pairs = 0;
+    for (Eigen::Index k = 1; k < basis.rows(); ++k)
+        if (!chain.first[static_cast<std::size_t>(k)]) {
+            neighbours.row(k) += 0.5 * basis.row(k - 1);
+            neighbours.row(k - 1) += 0.5 * basis.row(k);
+            ++pairs;
+        }
+    const MatrixXd errors = remembered(chain, memory), own = basis.transpose() * basis;
+    const MatrixXd taken = basis.transpose() * errors;
+    const MatrixXd all = taken + MatrixXd::Identity(own.rows(), own.cols()) - own;
+    return {static_cast<double>(basis.rows()) - 2 * taken.trace() + own.cwiseProduct(all).sum(),
+            memory * pairs - 2 * neighbours.cwiseProduct(errors).sum() +
+                MatrixXd(basis.transpose() * neighbours).cwiseProduct(all).sum()};
+}
+
+/// Scatter and memory that leave such sums in the mean.
+NoiseOfMeasure noise_behind(const Chain& chain, const Sums& found) {
+    double low = 0, high = most_correlation;
+    for (int k = 0; k < halvings; ++k) {
+        const double middle = (low + high) / 2;
+        const Sums sums = expected_of(chain, middle);
+        (sums.next * found.squares < found.next * sums.squares ? low : high) = middle;
+    }
+    const double memory = (low + high) / 2;
+    return {std::sqrt(found.squares / std::max(1.0, expected_of(chain, memory).squares)), memory};
 }
 
 /// Records of one condition and the same times.
@@ -202,7 +248,10 @@ Noise refined_noise(const Noise& before, const Model& model, const VectorXd& mis
             scaled[static_cast<Eigen::Index>(k)] = 0;
 
     const Projector projector(explained.topRows(scaled.size()));
-    report.of = by_measure(model, projector.out(scaled), projector.leverages());
+    const VectorXd rest = projector.out(scaled);
+    report.of.clear();
+    for (const auto& [measure, chain] : chains_of(model, projector.basis()))
+        report.of[measure] = noise_behind(chain, sums_of(chain, rest));
     noise.of = report.of;
     for (auto& [measure, one] : noise.of)
         if (one.correlation <= least_correlation)

@@ -37,8 +37,8 @@ public:
     [[nodiscard]] VectorXd out(const VectorXd& vector) const { return vector - basis_ * (basis_.transpose() * vector); }
     /// Length squared of the vector's part inside the span.
     [[nodiscard]] double inside(const VectorXd& vector) const { return (basis_.transpose() * vector).squaredNorm(); }
-    /// Of each row, how much of a unit vector along it lies inside the span; they sum to the rank.
-    [[nodiscard]] VectorXd leverages() const { return basis_.rowwise().squaredNorm(); }
+    /// Orthonormal columns of the span.
+    [[nodiscard]] const MatrixXd& basis() const { return basis_; }
     [[nodiscard]] int rank() const { return static_cast<int>(basis_.cols()); }
 
 private:

@@ -98,16 +98,15 @@ std::string bed_small_print(const Diagnosis& diagnosis, const std::string& warni
                    "</table>";
     return fmt::format(
         "<h2>Small print</h2>{}{}<p class=\"small\">{} numbers of {} seeds each; their scatter is known with {:.0f} "
-        "degrees "
-        "of freedom, from all runs of the response table together. Adequacy of the baseline p = {:.2g}, of the "
-        "extension "
-        "p = {:.2g} (Hotelling's T squared). Causes were run at two amplitudes each and are read between them, which "
-        "the "
-        "runs at the fitted value check. {} runs now, {:.4g} s simulated. Scene {}, data {} ({}). tumble {}.</p>",
+        "degrees of freedom, from all runs of the response table together. Adequacy of the baseline p = {:.2g}{} "
+        "(Hotelling's T squared). Causes were run at two amplitudes each and are read between them, which the runs at "
+        "the fitted value check. {} runs now, {:.4g} s simulated. Scene {}, data {} ({}). tumble {}.</p>",
         warnings, innocent, diagnosis.readings, diagnosis.beds.empty() ? 0 : diagnosis.beds[0].seeds,
-        diagnosis.evidence.degrees, diagnosis.decision.baseline.p(), diagnosis.decision.winner.p(), diagnosis.runs,
-        diagnosis.simulated, escaped(diagnosis.scene.string()), escaped(diagnosis.data.string()), diagnosis.hash,
-        version);
+        diagnosis.evidence.degrees, diagnosis.decision.baseline.p(),
+        diagnosis.decision.best ? fmt::format(", of the best explanation p = {:.2g}", diagnosis.decision.winner.p())
+                                : "",
+        diagnosis.runs, diagnosis.simulated, escaped(diagnosis.scene.string()), escaped(diagnosis.data.string()),
+        diagnosis.hash, version);
 }
 
 } // namespace tumble::report

@@ -218,15 +218,21 @@ def targets(rows):
     return refuted
 
 
+def normal(z):
+    return 0.5 * math.erfc(-z / 2 ** 0.5)
+
+
 def calibration(rows):
-    """Naming rate beside Phi(d/2 - 3/d)."""
-    print("\n| d_sep | cases | rightly named | Phi(d/2 - 3/d) |\n| --- | --- | --- | --- |")
+    """Naming rate beside Phi(d/2 - 3/d), which knows the margin, and that times Phi(d - root of the gate), which knows the gate, too."""
+    print("\n| d_sep | cases | rightly named | margin | margin and gate |\n| --- | --- | --- | --- | --- |")
     for low, high in ((1.5, 2.75), (2.75, 4.25), (4.25, 6.5), (6.5, 20)):
-        some = [r for r in rows if r["kind"] == "listed" and low < r["d_sep"] <= high]
+        some = [r for r in rows if r["kind"] == "listed" and low < r["d_sep"] <= high and r.get("gate")]
         if some:
-            theory = sum(0.5 * math.erfc(-(r["d_sep"] / 2 - 3 / r["d_sep"]) / 2 ** 0.5) for r in some) / len(some)
+            margins = [normal(r["d_sep"] / 2 - 3 / r["d_sep"]) for r in some]
+            both = [m * normal(r["d"] - r["gate"] ** 0.5) for m, r in zip(margins, some)]
             hits = sum(r["verdict"] == "correct" for r in some)
-            print(f"| {low:g} to {high:g} | {len(some)} | {100 * hits / len(some):.0f} % | {100 * theory:.0f} % |")
+            print(f"| {low:g} to {high:g} | {len(some)} | {100 * hits / len(some):.0f} % | {100 * sum(margins) / len(some):.0f} % | "
+                  f"{100 * sum(both) / len(some):.0f} % |")
 
 
 def loops(rows):
@@ -281,7 +287,7 @@ def judged(args, seed):
                      "d": answer["d"], "d_sep": answer["d_sep"], "nearest": answer["nearest"],
                      "outcome": one["outcome"], "causes": one["causes"], "fitted": one.get("fitted", []),
                      "what": one.get("what", ""), "verdict": verdict(answer, one), "took": one["took"],
-                     "settings": one.get("settings")})
+                     "settings": one.get("settings"), "gate": one.get("gate", 0)})
     if not args.keep:
         shutil.rmtree(folder)
     return rows

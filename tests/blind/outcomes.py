@@ -14,8 +14,11 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CASES = ROOT / "scenes" / "measured" / "cases"
+TROUGH = ROOT / "scenes" / "measured" / "trough"
 
-WANTED = {  # what to expect; the scene; where the case is: a folder, what blindgen makes, or a folder of which only an innocent cause is asked
+# What to expect; the scene; where the case is: a folder, what blindgen makes, a folder of which only an innocent cause is asked, or a
+# bed's measurement, whose runs lie beside its scene.
+WANTED = {
     "consistent": ("CONSISTENT WITH THE BASELINE", "bounce", CASES / "2"),
     "named": ("NAMED", "lane", CASES / "1"),
     "ambiguous": ("AMBIGUOUS", "bounce", ("51", "drop", "listed", "drag.linear", "1.5")),
@@ -23,6 +26,7 @@ WANTED = {  # what to expect; the scene; where the case is: a folder, what blind
     "none-known": ("NONE OF THE KNOWN CAUSES", "bounce", CASES / "5"),
     "cannot-decide": ("CANNOT DECIDE", "bounce", [CASES / "2"]),
     "consistent-spin": ("CONSISTENT WITH THE BASELINE", "slope", ("54", "spin", "null", "nothing", "5")),  # these two take a second
+    "named-bed": ("NAMED", "measured/trough/trough", TROUGH / "measurement-2.toml"),
     "none-known-spin": ("NONE OF THE KNOWN CAUSES", "slope", ("55", "spin", "unlisted", "film", "10")),
 }
 
@@ -41,9 +45,9 @@ def laid_out(blindgen, case, folder):
         measurement.write_text('causes = ["ins.clock_offset"]  # which is innocent below\n' + measurement.read_text())
 
 
-def diagnosed(tumble, folder, words):
+def diagnosed(tumble, folder, words, scene="scene.toml", data="measurement.toml", *more):
     """What the program says of a case, with a report beside it unless only words are asked for."""
-    command = [tumble, "diagnose", "scene.toml", "--data", "measurement.toml", "--quiet"]
+    command = [tumble, "diagnose", scene, "--data", data, "--quiet", *more]
     done = subprocess.run(command + (["--json"] if words else ["--report", "report"]), cwd=folder, capture_output=True, text=True)
     if done.returncode:
         sys.exit(f"{folder.name}: {done.stdout}{done.stderr}")
@@ -58,10 +62,15 @@ def main():
     for name in names:
         outcome, scene, case = WANTED[name]
         folder = out / name
-        laid_out(blindgen, case, folder)
-        shutil.copy(ROOT / "scenes" / f"{scene}.toml", folder / "scene.toml")
+        scene = ROOT / "scenes" / f"{scene}.toml"
         begun = time.monotonic()
-        found = diagnosed(tumble, folder, words)
+        if isinstance(case, pathlib.Path) and case.suffix == ".toml":
+            folder.mkdir(parents=True, exist_ok=True)
+            found = diagnosed(tumble, folder, words, scene, case, "--seeds", "3", "--old-runs")
+        else:
+            laid_out(blindgen, case, folder)
+            shutil.copy(scene, folder / "scene.toml")
+            found = diagnosed(tumble, folder, words)
         wrong += found["outcome"] != outcome
         print(f"{name}, {time.monotonic() - begun:.1f} s: {found['outcome']}{'' if found['outcome'] == outcome else ', not ' + outcome}\n"
               f"  {found['verdict']}\n  {found['next']}")

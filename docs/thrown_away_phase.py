@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""Makes docs/thrown-away-phase.md from the diagnoses of scenes/measured/trough:
+"""Makes docs/thrown-away-phase.md from the diagnoses of scenes/measured/trough and the runs of scenes/measured/trough-3d:
 
     docs/thrown_away_phase.py build/release/tumble
 
-What is not in the response table beside the scene is run; what is counts, whatever version of the program made it.
+What is not in the tables beside the scenes is run; what is counts, whatever version of the program made it.
 """
 import collections
 import csv
@@ -13,6 +13,9 @@ import re
 import statistics
 import subprocess
 import sys
+
+sys.dont_write_bytecode = True
+import trough_in_space
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 CASE = ROOT / "scenes/measured/trough"
@@ -32,7 +35,8 @@ TEXT = """# The phase that was thrown away
 
 A. Lopez Marrero (LJMU 2020, chapter 5) measured how a vibratory trough shakes, took from the spectra an upright harmonic of 1.949 mm and one across of 0.404 mm at
 25 Hz, and gave both to his simulation. The phase between them was not kept, and what came out wrong was put down to the software's algorithm. In the laboratory the load then ran to one slope and circulated;
-in the simulation it did neither. This page asks what a diagnosis makes of that. Everything on it but its pictures, which are of the [gallery](gallery.md), is made by one command:
+in the simulation it did neither. This page asks what a diagnosis makes of that, in a plane; and what the phase does [in space](#in-space-spheres-and-cones), to
+spheres and cones. Everything on it but its pictures, which are of the [gallery](gallery.md), is made by one command:
 
 ```sh
 docs/thrown_away_phase.py build/release/tumble
@@ -74,6 +78,8 @@ Means of {SEEDS} seeds from 1.4 to 3 s, ± the standard deviation from seed to s
 {RESPONSE}
 
 {CONCLUSIONS}
+
+{SPACE}
 """
 
 CONCLUSIONS = """**What the phase explains.** In phase the half load turns by [half||0|circulation] rad/s, which is no more than its seeds scatter, with its surface at [half||0|slope] deg: no circulation, no slope, as
@@ -93,8 +99,7 @@ Nor do these means tell it: it was not asked for beside the phase, and scales wh
 are 1.9 mm between the two, as much as the whole upright amplitude. A tilt: a spirit level. With the bed alone, slope *and* circulation at a quarter load: rocking moves both, a tilt the slope only
 ({ROCKING_TILT} of rocking is left when a tilt is fitted in its place).
 
-**What this page is not.** Discs in a plane are no cones in space. A small trough of spheres that is shaken as wide across as upright shows its phase to 2 degrees ([diagnosis.md](diagnosis.md)); with the thesis'
-amplitudes, and with cones, this has not been run. The laboratory is the solver itself. Signs and orders of magnitude are what such a plane can give."""
+**What a plane is not.** Discs in a plane are no cones in space; those follow. The laboratory is the solver itself. Signs and orders of magnitude are what such a plane can give."""
 
 
 def diagnose(tumble, measurement):
@@ -170,11 +175,12 @@ def filled(text, runs):
 
 
 def main():
+    trough_in_space.complete(sys.argv[1])
     first, found = (diagnose(sys.argv[1], measurement) for measurement in ("measurement.toml", "measurement-2.toml"))
     runs = response()
     text = filled(TEXT.replace("{CONCLUSIONS}", CONCLUSIONS), runs)
     seeds = len(runs["quarter load", "", "0"])
-    for key, value in {"FIRST_OUTCOME": first["outcome"], "FIRST_VERDICT": first["verdict"], "PLAN": plan(first),
+    for key, value in {"SPACE": trough_in_space.section(), "FIRST_OUTCOME": first["outcome"], "FIRST_VERDICT": first["verdict"], "PLAN": plan(first),
                        "VERDICT": found["verdict"], "OUTCOME": found["outcome"], "MEASURED": measured_table(found["beds"]),
                        "RESPONSE": response_table(runs), "LIBRARY": library_table(first), "SEEDS": str(seeds),
                        "RUNS": str(sum(map(len, runs.values()))), "GATE": f"{first['gate']:.1f}",

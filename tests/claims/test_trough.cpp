@@ -53,4 +53,36 @@ TEST_CASE("trough-slice: the load and the drive are the thesis'") {
     CHECK(strongest / 9.81 == about(4.9, 0.02));
 }
 
+TEST_CASE("trough-3d: spheres and cones weigh what the thesis' load does, and are shaken as it was, in phase") {
+    for (const char* name : {"measured/trough-3d/spheres.toml", "measured/trough-3d/cones.toml"}) {
+        CAPTURE(name);
+        const scene::Scene scene = loaded(name);
+        const auto world = sim3d::build_world(scene, 1);
+        REQUIRE_MESSAGE(world.ok(), to_string(world.problems()));
+        const double body = sim3d::shapes_of(**world).front().mass;
+        const double length = scene.domain.box.hi[0] - scene.domain.box.lo[0];
+        CHECK(static_cast<double>(scene.fills.front().count.value()) * body / length == about(22.892 / 0.1, 0.005));
+        const auto& parts = scene.walls.front().motion.harmonics;
+        REQUIRE(parts.size() == 2);
+        CHECK(parts[0].amplitude == about(0.001949, 1e-9));
+        CHECK(parts[1].amplitude == about(0.0004038, 1e-9));
+        CHECK(parts[0].phase == parts[1].phase);
+    }
+}
+
+TEST_CASE("trough-3d: a quarter load of spheres turns to the side that the phase decides, and slopes with it") {
+    const std::vector<std::string> quarter{"fill.0.count=610", "duration_s=2.2",
+                                           "wall.0.motion.1.amplitude_m=0.001949"};
+    const auto shaken = [&](const char* phase) {
+        std::vector<std::string> sets = quarter;
+        sets.push_back(std::string("wall.0.motion.1.phase_deg=") + phase);
+        return Ran(loaded("measured/trough-3d/spheres.toml", sets));
+    };
+    const Ran in_phase = shaken("0"), ahead = shaken("90");
+    CHECK(in_phase.mean("circulation", 1.4, 2.2) < -0.05);
+    CHECK(in_phase.mean("surface_slope", 1.4, 2.2) > 5);
+    CHECK(ahead.mean("circulation", 1.4, 2.2) > 0.15);
+    CHECK(ahead.mean("surface_slope", 1.4, 2.2) < -8);
+}
+
 } // namespace test_trough

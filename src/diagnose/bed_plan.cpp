@@ -1,6 +1,6 @@
 #include "diagnose/bed_plan.h"
 
-#include "diagnose/measure_units.h"
+#include "diagnose/bed_number.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +49,7 @@ double scatter_in_column(const BedCondition& now, int column) {
 
 /// A number that scatters so much in the simulation, and no less than can be read.
 BulkNumber readable(const std::string& measure, double scatter) {
-    const auto unit = unit_of(measure);
+    const auto unit = unit_of_number(bed_number_named(measure));
     BulkNumber number{.measure = measure, .unit = unit ? *unit : "", .value = 0, .sigma = scatter};
     for (const auto& [name, least] : finest)
         if (number.unit == name)

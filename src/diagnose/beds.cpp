@@ -2,8 +2,7 @@
 
 #include "base/hash.h"
 #include "base/text.h"
-#include "observe/mean_over.h"
-#include "observe/measures.h"
+#include "diagnose/bed_number.h"
 #include "scene/load.h"
 #include "scene/to_toml.h"
 
@@ -62,11 +61,12 @@ Result<Beds> Beds::make(SceneText scene, std::vector<Bulk> conditions, Simulate 
     beds.simulate_ = std::move(simulate);
     beds.options_ = std::move(options);
     beds.measures_ = measures_for(conditions);
-    const auto measures = observe::choose_measures(beds.measures_);
-    if (!measures)
-        return measures.problems();
-    for (const observe::Measure& measure : *measures)
-        beds.columns_.push_back(measure.column());
+    for (const std::string& name : beds.measures_) {
+        auto head = head_of(bed_number_named(name));
+        if (!head)
+            return head.problems();
+        beds.columns_.push_back(std::move(*head));
+    }
     for (Bulk& bulk : conditions)
         if (const auto added = beds.add(std::move(bulk)); !added)
             return added.problems();
@@ -94,7 +94,10 @@ Result<int> Beds::add(Bulk condition) {
                                            condition.condition, stretch.from, stretch.until),
                        .fix = "let from_s and until_s be further apart, or make observe.every_s of the scene smaller"};
     resolved->duration = stretch.until;
-    resolved->observe.measures = measures_;
+    std::set<std::string> observed;
+    for (const std::string& name : measures_)
+        observed.insert(observed_for(bed_number_named(name)));
+    resolved->observe.measures.assign(observed.begin(), observed.end());
     // Words and pictures do not date a run.
     resolved->title = resolved->claim = "";
     resolved->render = {};
@@ -168,11 +171,13 @@ void Beds::charge(Budget& budget, int condition, const Pushes& pushes) const {
 void Beds::note_means(BedRun& run, const Result<observe::Series>& series, const scene::Scene& scene) {
     if (!series)
         failure_ = series.problems();
-    for (const std::string& column : columns_) {
-        const auto* values = series ? series->find(column) : nullptr;
-        run.means[column] =
-            values ? observe::mean_over(series->values[0], *values, run.from, run.until, scene.observe.every)
-                   : std::nan("");
+    for (std::size_t c = 0; c < columns_.size(); ++c) {
+        const BedNumberName name = bed_number_named(measures_[c]);
+        const auto* values = series ? series->find(name.measure) : nullptr;
+        run.means[columns_[c]] =
+            values
+                ? number_over(name.take, series->values[0], *values, run.from, run.until, scene.observe.every)
+                : std::nan("");
     }
     ++runs_;
     simulated_ += scene.duration;

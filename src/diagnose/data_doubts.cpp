@@ -14,6 +14,7 @@ namespace {
 constexpr std::size_t few_levels = 50;
 constexpr std::size_t flat_run = 3; // equal readings in a row, of a sensor whose steps are fine
 constexpr double one_in_ten_thousand = 1e-4;
+constexpr double clear = 10; // standard errors: a single number nearer to 0 than that tells no unit
 
 /// A factor by which a unit is most often wrong, and what was probably meant; of angles, or of all else.
 struct Slip {
@@ -155,8 +156,9 @@ Problems unit_slips(const std::vector<Record>& records, const Eigen::VectorXd& p
             const auto count = static_cast<Eigen::Index>(record.time.size());
             const double ratio = span_of(channel.value) / std::max(1e-300, span_of(predicted.segment(row, count)));
             row += count;
+            const bool near_nothing = record.single() && span_of(predicted.segment(row - count, count)) < clear * channel.sigma;
             for (const auto& [factor, meaning, angle] : usual_slips)
-                if (angle == is_angle(channel.unit) && std::abs(std::log(ratio / factor)) < 0.2)
+                if (!near_nothing && angle == is_angle(channel.unit) && std::abs(std::log(ratio / factor)) < 0.2)
                     problems.push_back({.file = record.file.string(),
                                         .key = channel.head,
                                         .what = fmt::format("{} {} {:.3g} times what the simulation does: {}?",

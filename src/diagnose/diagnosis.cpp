@@ -5,6 +5,7 @@
 #include "diagnose/folds.h"
 #include "diagnose/kinematics.h"
 #include "diagnose/refit.h"
+#include "diagnose/taken.h"
 #include "scene/settled.h"
 
 #include <algorithm>
@@ -226,8 +227,28 @@ private:
         return baseline_.slopes(Eigen::all, own);
     }
 
+    /// A number that is the last value of its stretch, or no rebound at all, is warned of.
+    void doubt_numbers() {
+        for (std::size_t r = 0; r < model_->records().size(); ++r) {
+            const Record& record = model_->records()[r];
+            const auto truth = record.single() ? model_->signals(baseline_.values, static_cast<int>(r))
+                                               : Result<std::vector<Signal>>(std::vector<Signal>{});
+            for (std::size_t c = 0; truth && c < truth->size(); ++c)
+                if (at_an_end(record.channels[c], record.time[0], (*truth)[c]))
+                    d_.warnings.push_back(
+                        {.file = record.file.string(),
+                         .key = "end of the stretch",
+                         .what = fmt::format("{}: {} of {} lies at an end of {:g} to {:g} s in the simulation",
+                                             record.name, words_of_takes()[static_cast<std::size_t>(record.channels[c].take) - 1],
+                                             record.channels[c].measure, record.channels[c].from, record.time[0]),
+                         .fix = "let until_s be later, or from_s earlier, unless that is what was measured"});
+        }
+    }
+
     Problems decide_it() {
+        doubt_numbers();
         d_.evidence = {baseline_.residual, baseline_.slopes, effects_, directions_, d_.causes, {}, 0};
+        d_.evidence.degrees = degrees_of_numbers(model_->records());
         for (const int k : baseline_.free)
             d_.evidence.nuisance.push_back(model_->parameters()[static_cast<std::size_t>(k)].nuisance);
         for (const Parameter& parameter : model_->parameters())

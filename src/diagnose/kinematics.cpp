@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -15,12 +16,30 @@ namespace tumble::diagnose {
 namespace {
 
 constexpr double surely = 5;         // standard errors, of any contradiction
+constexpr double slip = 6;           // standard errors, of a lone reading
 constexpr double crest = 1.5;        // of a peak speed over that of the sinusoid: no swing of one frequency has more
 constexpr int fewest_turns = 6;      // half periods of an oscillation
 constexpr std::size_t together = 5;  // readings whose mean stands for a top
-constexpr double gravity_free = 1e-9; // m/s2
+constexpr double least_leaning = 1e-3; // of gravity, across: heights alone are no energy then
 
 using Readings = std::vector<double>;
+
+using Scatters = std::vector<double>; // SI, a channel each
+
+bool alone(const scene::Scene& scene) {
+    return scene.fills.size() == 1 && scene.fills[0].count.value_or(0) == 1;
+}
+
+/// Readings of which lone ones that no neighbour bears out are replaced by the nearer neighbour.
+Readings without_slips(const Readings& value, double sigma) {
+    Readings clean = value;
+    for (std::size_t k = 1; k + 1 < value.size(); ++k) {
+        const double middle = std::clamp(value[k], std::min(value[k - 1], value[k + 1]), std::max(value[k - 1], value[k + 1]));
+        if (std::abs(value[k] - middle) > slip * sigma)
+            clean[k] = middle;
+    }
+    return clean;
+}
 
 /// One measure is the way, the other a velocity whose sum it is. Of a lone body its own place is the centre of mass.
 bool sums_to(const std::string& velocity, const std::string& way, bool lone_body) {
@@ -37,13 +56,10 @@ bool sums_to(const std::string& velocity, const std::string& way, bool lone_body
 
 /// Calls with the channels of every pair of a velocity and the way that it sums to.
 template <class Each> void each_pair(const Record& record, const scene::Scene& scene, Each each) {
-    std::int64_t bodies = 0;
-    for (const scene::Fill& fill : scene.fills)
-        bodies += fill.count.value_or(2);
     for (std::size_t v = 0; v < record.channels.size(); ++v)
         for (std::size_t x = 0; x < record.channels.size(); ++x)
             if (record.channels[v].unit == "m_s" && record.channels[x].unit == "m" &&
-                sums_to(record.channels[v].measure, record.channels[x].measure, bodies == 1))
+                sums_to(record.channels[v].measure, record.channels[x].measure, alone(scene)))
                 each(v, x);
 }
 
@@ -114,7 +130,7 @@ Problem doubt(const Record& record, const char* key, std::string what, std::stri
     return {.file = record.file.string(), .key = key, .what = std::move(what), .fix = std::move(fix)};
 }
 
-void doubt_sums(const Record& record, const std::vector<double>& sigma, const scene::Scene& scene, Problems& doubts) {
+void doubt_sums(const Record& record, const Scatters& sigma, const scene::Scene& scene, Problems& doubts) {
     each_pair(record, scene, [&](std::size_t v, std::size_t x) {
         const Channel &fast = record.channels[v], &way = record.channels[x];
         const Disagreement found = between(record.time, way.value, sigma[x], fast.value, sigma[v]);
@@ -162,7 +178,7 @@ std::optional<Swinging> swinging(const Readings& time, const Readings& value, do
     return Swinging{amplitude, 2 * half};
 }
 
-void doubt_peaks(const Record& record, const std::vector<double>& sigma, const scene::Scene& scene, Problems& doubts) {
+void doubt_peaks(const Record& record, const Scatters& sigma, const scene::Scene& scene, Problems& doubts) {
     each_pair(record, scene, [&](std::size_t v, std::size_t x) {
         const Channel &fast = record.channels[v], &way = record.channels[x];
         const auto found = swinging(record.time, way.value, sigma[x]);
@@ -205,31 +221,47 @@ double fastest_wall(const scene::Scene& scene) {
     return fastest;
 }
 
-/// What nothing in the scene is faster than, m/s: a body put in at its speed falls through all of the domain and bounces
-/// off a heavy wall, which adds twice the wall's speed.
+/// What the centre of a lone body is never faster than, m/s: it keeps the energy that it was put in with, falls through
+/// all of the domain, and bounces off walls that move. Off a wall at V that comes to meet it again and again a speed
+/// grows to (1 + e) V / (1 - e). Infinite where restitution may be 1 or more.
 double speed_limit(const scene::Scene& scene) {
     const Eigen::Vector3d size = scene.domain.box.hi - scene.domain.box.lo;
-    double put_in = 0;
-    for (const scene::Fill& fill : scene.fills)
-        put_in = std::max(put_in, fill.velocity.norm());
-    const double falls = 2 * scene.gravity.cwiseAbs().dot(size);
-    return 2 * fastest_wall(scene) + std::sqrt(put_in * put_in + falls);
+    double put_in = 0, bounciest = 0;
+    for (const scene::Fill& fill : scene.fills) {
+        const double turns = fill.angular_velocity.norm() * size.norm() / 2; // no body is larger than the domain
+        put_in = std::max(put_in, fill.velocity.squaredNorm() + turns * turns);
+    }
+    for (const contact::PairProperties& pair : scene.pairs)
+        bounciest = std::max(bounciest, pair.restitution_exponent != 0 ? 1.0 : pair.restitution);
+    const double wall = fastest_wall(scene);
+    if (wall > 0 && bounciest >= 1)
+        return std::numeric_limits<double>::infinity();
+    const double kicked = wall > 0 ? (1 + bounciest) * wall / (1 - bounciest) : 0;
+    return kicked + std::sqrt(put_in + 2 * scene.gravity.cwiseAbs().dot(size));
 }
 
-void doubt_speeds(const Record& record, const std::vector<double>& sigma, const scene::Scene& scene,
-                  Problems& doubts) {
+bool is_of_a_centre(const std::string& measure) {
+    return measure == "speed_max" || measure == "mean_speed" || measure.starts_with("rms_velocity_") ||
+           (measure.starts_with("tracer:") && !measure.ends_with("_point_vx") && !measure.ends_with("_point_vy") &&
+            !measure.ends_with("_point_vz") && measure.find("_summed_v") == std::string::npos);
+}
+
+void doubt_speeds(const Record& record, const Scatters& sigma, const scene::Scene& scene, Problems& doubts) {
+    if (!alone(scene))
+        return;
     const double limit = speed_limit(scene);
     for (std::size_t c = 0; c < record.channels.size(); ++c) {
         const Channel& channel = record.channels[c];
-        if (channel.unit != "m_s")
+        if (channel.unit != "m_s" || !is_of_a_centre(channel.measure))
             continue;
         double most = 0;
         for (const double value : channel.value)
             most = std::max(most, std::abs(value));
         if (most > limit + surely * sigma[c])
             doubts.push_back(doubt(record, "speed",
-                                   fmt::format("{} reaches {:.3g} m/s, and nothing in the scene can be faster than "
-                                               "{:.3g} m/s: a fall through all of it and twice its fastest wall",
+                                   fmt::format("{} reaches {:.3g} m/s, and nothing in the scene makes a body faster than "
+                                               "{:.3g} m/s: how it is put in, a fall through all of the domain, and its "
+                                               "walls",
                                                channel.head, most, limit),
                                    "check the unit and the zero of the sensor, and the speeds that the scene states"));
     }
@@ -262,11 +294,11 @@ double mean_about(const Readings& value, std::size_t k) {
     return sum / static_cast<double>(last - first);
 }
 
-void doubt_energy(const Record& record, const std::vector<double>& sigma, const scene::Scene& scene,
-                  Problems& doubts) {
+void doubt_energy(const Record& record, const Scatters& sigma, const scene::Scene& scene, Problems& doubts) {
     const bool moved = std::any_of(scene.walls.begin(), scene.walls.end(),
                                    [](const scene::Wall& wall) { return !wall.motion.at_rest(); });
-    if (moved || scene.gravity.norm() < gravity_free)
+    const double across = std::hypot(scene.gravity.x(), scene.gravity.z());
+    if (moved || !alone(scene) || !(scene.gravity.y() < 0) || across > least_leaning * -scene.gravity.y())
         return;
     for (std::size_t c = 0; c < record.channels.size(); ++c) {
         const Channel& channel = record.channels[c];
@@ -309,10 +341,13 @@ void doubt_rate(const Record& record, const scene::Scene& scene, Problems& doubt
 
 } // namespace
 
-Problems kinematic_doubts(const Record& record, const std::vector<double>& sigma, const scene::Scene& scene) {
+Problems kinematic_doubts(const Record& as_read, const Scatters& sigma, const scene::Scene& scene) {
     Problems doubts;
-    if (record.single())
+    if (as_read.single())
         return doubts;
+    Record record = as_read;
+    for (std::size_t c = 0; c < record.channels.size(); ++c)
+        record.channels[c].value = without_slips(record.channels[c].value, sigma[c]);
     doubt_sums(record, sigma, scene, doubts);
     doubt_peaks(record, sigma, scene, doubts);
     doubt_speeds(record, sigma, scene, doubts);

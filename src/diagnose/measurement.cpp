@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <set>
 
 namespace tumble::diagnose {
 
@@ -177,6 +178,10 @@ private:
     }
 
     void table(const TypedTable& table) {
+        if (!tables_.insert(table.view.text("name")).second)
+            return report_.add(table.view.place("name"), "table.name",
+                               fmt::format("there are two [[table]] '{}'", table.view.text("name")),
+                               "give each its own name: conditions are called by it");
         if (const auto cells = cells_of(table.view, "table.file"))
             for (Record& record : records_of_table(table, *cells, *keys_[7], report_, read_.warnings))
                 read_.records.push_back(std::move(record));
@@ -207,6 +212,7 @@ private:
     scene::Report report_;
     Measurement read_;
     Hash64 hash_;
+    std::set<std::string> tables_; // names
 };
 
 } // namespace

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,7 +22,9 @@ struct Channel {
     std::string measure;       // name of a measure, or "time" for a clock in the picture
     std::string unit;          // SI, as measures have it: "m", "m_s"
     std::vector<double> value; // SI
-    double sigma = 0;          // SI, scatter of one reading; 0: not stated
+    double sigma = 0;          // SI, scatter of one reading; of a single number that of the mean of its rows; 0: not stated
+    double degrees = std::numeric_limits<double>::infinity(); // of freedom that sigma is known with
+    int rows = 1;              // of a single number: that repeat each other
     Take take = Take::reading; // of a record of single numbers: one of the others, of all its channels
     double from = 0;           // s, where the stretch begins that a single number is of; it ends with the record
 
@@ -43,9 +46,9 @@ struct Record {
     [[nodiscard]] bool single() const { return !channels.empty() && channels[0].take != Take::reading; }
 };
 
-/// The mean of one measure over a stretch of time, and over all runs that were made.
+/// A number of one measure over a stretch of time, usually its mean, and the mean of that over all runs that were made.
 struct BulkNumber {
-    std::string measure; // name of a measure
+    std::string measure; // as BedNumberName joins it: "circulation", "q90 of tracer:sensor_vy"
     std::string unit;    // SI, as measures have it
     double value = 0;    // SI
     double sigma = 0;    // SI, standard deviation between runs; 0: not stated

@@ -1,4 +1,5 @@
 #include "diagnose/measurement.h"
+#include "diagnose/bed_number.h"
 #include "scene/key_maker.h"
 
 namespace tumble::diagnose {
@@ -108,8 +109,12 @@ scene::KeyTable number_of_bulk() {
             .required = true,
             .sentence = "One number of the bed.",
             .keys = {
-                text("measure", "What it is the mean of: a name of `tumble list measures`.").must(),
-                number("value", "", {}, "The mean, over time and over all runs.").must(),
+                text("measure", "What it is a number of: a name of `tumble list measures`, or a column of a tracer.").must(),
+                word("take", words_of_bed_takes(),
+                     "Which number: the mean over time, the root mean square, the value that a tenth, half or nine "
+                     "tenths of the time stays below, or the mean time of a cycle.")
+                    .otherwise(std::string("mean")),
+                number("value", "", {}, "The number, mean over all runs.").must(),
                 text("unit", "Unit of value and sigma, as heads of columns have it: \"deg\", \"rad_s\"; plain numbers "
                              "have none."),
                 number("sigma", "", above(0),

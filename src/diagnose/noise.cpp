@@ -13,6 +13,7 @@ namespace {
 
 constexpr double least_correlation = 0.08;
 constexpr double most_correlation = 0.95;
+constexpr double fewest_free = 10; // readings that nothing explains, to tell a scatter from
 constexpr int halvings = 12; // of what a memory may be, until it is known to 0.0002
 constexpr double outlier = 6;    // standard deviations
 constexpr std::size_t reach = 3; // readings to either side that a reading is held against
@@ -56,19 +57,33 @@ struct Chain {
     std::vector<Eigen::Index> rows{};
     std::vector<bool> first{}; // no reading of this channel comes before
     MatrixXd basis{};          // of what was projected out
+    MatrixXd beside{};         // mean of the basis in the readings to either side of each
+    MatrixXd own{}, along{};   // products of the basis with itself, and with that
+    double pairs = 0;          // of neighbours
 };
 
-std::map<std::string, Chain> chains_of(const Model& model, const MatrixXd& basis) {
+std::map<std::string, Chain> chains_of(const Model& model, const std::vector<bool>& left_out, const MatrixXd& basis) {
     std::map<std::string, Chain> all;
     for (std::size_t k = 0; k < model.rows().size(); ++k) {
-        if (model.record_of(model.rows()[k]).single())
+        if (left_out[k] || model.record_of(model.rows()[k]).single())
             continue;
         Chain& chain = all[model.channel_of(model.rows()[k]).measure];
         chain.rows.push_back(static_cast<Eigen::Index>(k));
-        chain.first.push_back(!follows(model, k));
+        chain.first.push_back(!follows(model, k) || left_out[k - 1]);
     }
-    for (auto& [measure, chain] : all)
+    for (auto& [measure, chain] : all) {
         chain.basis = basis(chain.rows, Eigen::all);
+        MatrixXd beside = MatrixXd::Zero(chain.basis.rows(), chain.basis.cols());
+        for (Eigen::Index k = 1; k < chain.basis.rows(); ++k)
+            if (!chain.first[static_cast<std::size_t>(k)]) {
+                beside.row(k) += 0.5 * chain.basis.row(k - 1);
+                beside.row(k - 1) += 0.5 * chain.basis.row(k);
+                ++chain.pairs;
+            }
+        chain.own = chain.basis.transpose() * chain.basis;
+        chain.along = chain.basis.transpose() * beside;
+        chain.beside = std::move(beside);
+    }
     return all;
 }
 
@@ -102,25 +117,16 @@ MatrixXd remembered(const Chain& chain, double memory) {
 /// What the sums would be of errors of scatter 1 with that memory, once the basis is projected out of them; those of
 /// other measures are taken to be white. Smooth directions take more of errors that last than of white ones.
 Sums expected_of(const Chain& chain, double memory) {
-    const MatrixXd& basis = chain.basis;
-    MatrixXd neighbours = MatrixXd::Zero(basis.rows(), basis.cols());
-    double pairs = 0;
-    for (Eigen::Index k = 1; k < basis.rows(); ++k)
-        if (!chain.first[static_cast<std::size_t>(k)]) {
-            neighbours.row(k) += 0.5 * basis.row(k - 1);
-            neighbours.row(k - 1) += 0.5 * basis.row(k);
-            ++pairs;
-        }
-    const MatrixXd errors = remembered(chain, memory), own = basis.transpose() * basis;
-    const MatrixXd taken = basis.transpose() * errors;
-    const MatrixXd all = taken + MatrixXd::Identity(own.rows(), own.cols()) - own;
-    return {static_cast<double>(basis.rows()) - 2 * taken.trace() + own.cwiseProduct(all).sum(),
-            memory * pairs - 2 * neighbours.cwiseProduct(errors).sum() +
-                MatrixXd(basis.transpose() * neighbours).cwiseProduct(all).sum()};
+    const MatrixXd errors = remembered(chain, memory), taken = chain.basis.transpose() * errors;
+    const MatrixXd all = taken + MatrixXd::Identity(chain.own.rows(), chain.own.cols()) - chain.own;
+    return {static_cast<double>(chain.rows.size()) - 2 * taken.trace() + chain.own.cwiseProduct(all).sum(),
+            memory * chain.pairs - 2 * chain.beside.cwiseProduct(errors).sum() + chain.along.cwiseProduct(all).sum()};
 }
 
-/// Scatter and memory that leave such sums in the mean.
+/// Scatter and memory that leave such sums in the mean; as they were where hardly a reading is left to tell.
 NoiseOfMeasure noise_behind(const Chain& chain, const Sums& found) {
+    if (expected_of(chain, 0).squares < fewest_free)
+        return {};
     double low = 0, high = most_correlation;
     for (int k = 0; k < halvings; ++k) {
         const double middle = (low + high) / 2;
@@ -131,17 +137,20 @@ NoiseOfMeasure noise_behind(const Chain& chain, const Sums& found) {
     return {std::sqrt(found.squares / std::max(1.0, expected_of(chain, memory).squares)), memory};
 }
 
-/// Records of one condition and the same times.
+/// Records of one condition, done alike and read alike at the same times.
 struct RepeatGroup {
     std::vector<Eigen::Index> first{}; // row, of each record
     Eigen::Index rows = 0;             // of one record
 };
 
 std::vector<RepeatGroup> groups_of_repeats(const Model& model) {
-    std::map<std::tuple<std::string, std::vector<double>, std::size_t>, RepeatGroup> all;
+    std::map<std::tuple<std::string, std::vector<std::string>, std::vector<double>, std::string>, RepeatGroup> all;
     Eigen::Index next = 0;
     for (const Record& record : model.records()) {
-        RepeatGroup& group = all[{record.condition, record.time, record.channels.size()}];
+        std::string measures;
+        for (const Channel& channel : record.channels)
+            measures += channel.measure + " ";
+        RepeatGroup& group = all[{record.condition, record.sets, record.time, measures}];
         group.first.push_back(next);
         group.rows = static_cast<Eigen::Index>(record.time.size() * record.channels.size());
         next += group.rows;
@@ -247,10 +256,14 @@ Noise refined_noise(const Noise& before, const Model& model, const VectorXd& mis
         if (noise.left_out[k])
             scaled[static_cast<Eigen::Index>(k)] = 0;
 
-    const Projector projector(explained.topRows(scaled.size()));
+    MatrixXd directions = explained.topRows(scaled.size());
+    for (std::size_t k = 0; k < noise.left_out.size(); ++k)
+        if (noise.left_out[k])
+            directions.row(static_cast<Eigen::Index>(k)).setZero();
+    const Projector projector(directions);
     const VectorXd rest = projector.out(scaled);
     report.of.clear();
-    for (const auto& [measure, chain] : chains_of(model, projector.basis()))
+    for (const auto& [measure, chain] : chains_of(model, noise.left_out, projector.basis()))
         report.of[measure] = noise_behind(chain, sums_of(chain, rest));
     noise.of = report.of;
     for (auto& [measure, one] : noise.of)

@@ -1,6 +1,7 @@
 #include "diagnose/read_bulk.h"
 
 #include "base/text.h"
+#include "diagnose/bed_number.h"
 #include "diagnose/measure_units.h"
 
 #include <algorithm>
@@ -53,10 +54,11 @@ private:
     void number(const scene::View& view, Bulk& bulk) {
         if (!view.given("measure") || !view.given("value"))
             return;
-        const std::string measure = view.text("measure");
-        const auto si = measure == "time"
+        const BedNumberName name{view.text("take"), view.text("measure")};
+        const std::string measure = name.joined();
+        const auto si = name.measure == "time"
                             ? Result<std::string>(Problem{.what = "time is no measure of a bed", .fix = "leave it out"})
-                            : unit_of(measure);
+                            : unit_of_number(name);
         if (!si)
             return report_.add(view.place("measure"), "bulk.number.measure", si.problems()[0].what,
                                si.problems()[0].fix);

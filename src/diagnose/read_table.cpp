@@ -1,5 +1,6 @@
 #include "diagnose/read_table.h"
 
+#include "base/distributions.h"
 #include "base/text.h"
 #include "diagnose/measure_units.h"
 
@@ -13,7 +14,8 @@ namespace tumble::diagnose {
 
 namespace {
 
-constexpr std::size_t tells_by_itself = 5; // rows of a condition, for the scatter of its own
+constexpr double contradicted = 0.01; // tail probability, below which rows that repeat each other speak against sigma
+constexpr double most_beyond = 1.25;  // of sigma stated
 
 /// Text with the row's cells in the places of {HEAD}s; the heads that were used are added to `used`.
 std::optional<std::string> filled_in(const std::string& text, const Table& cells, std::size_t row,
@@ -43,58 +45,84 @@ std::string condition_named(const std::string& table, const std::map<std::string
     return words.empty() ? table : fmt::format("{}, {}", table, fmt::join(words, ", "));
 }
 
-/// Sum of squares about the mean, and how many numbers are free to scatter.
-struct Scatter {
-    double squares = 0;
-    double free = 0;
+/// Numbers of one column that repeat each other.
+struct Group {
+    double sum = 0, squares = 0;
+    int count = 0;
 
-    void add(const Scatter& other) {
-        squares += other.squares;
-        free += other.free;
+    void add(double value) {
+        sum += value;
+        squares += value * value;
+        ++count;
     }
-    [[nodiscard]] double sigma() const { return free > 0 ? std::sqrt(squares / free) : 0; }
+    [[nodiscard]] double mean() const { return sum / count; }
+    /// Sum of squares about the mean.
+    [[nodiscard]] double apart() const { return std::max(0.0, squares - sum * sum / count); }
 };
 
-Scatter scatter_in(const std::vector<double>& values) {
-    double mean = 0;
-    for (const double value : values)
-        mean += value / static_cast<double>(values.size());
-    Scatter scatter{.free = static_cast<double>(values.size()) - 1};
-    for (const double value : values)
-        scatter.squares += (value - mean) * (value - mean);
-    return scatter;
+/// The scatter of one number of a column: as stated, unless rows that repeat each other contradict it; else as they
+/// show it, all conditions together.
+void find_sigma(Channel& channel, const std::vector<Group>& groups, const TypedTable& table, const std::string& file,
+                scene::Report& report, Problems& warnings) {
+    double apart = 0, free = 0;
+    for (const Group& group : groups) {
+        apart += group.apart();
+        free += group.count - 1;
+    }
+    const double found = free > 0 ? std::sqrt(apart / free) : 0;
+    const auto warn = [&](const char* key, const std::string& what, const char* fix) {
+        warnings.push_back({.file = file, .key = key, .what = what, .fix = fix});
+    };
+    if (channel.sigma > 0) {
+        const double chi_square = apart / (channel.sigma * channel.sigma);
+        if (free > 0 && chi_square_tail(chi_square, free) < contradicted && found > most_beyond * channel.sigma) {
+            warn("sigma contradicted",
+                 fmt::format("rows of {} that repeat each other scatter {:.2f} times as much as stated", channel.head,
+                             found / channel.sigma),
+                 "the scatter found in them is used");
+            channel.sigma = found;
+            channel.degrees = free;
+        }
+        return;
+    }
+    if (found == 0)
+        return report.add(table.view.place(), "table.column.sigma",
+                          free > 0
+                              ? fmt::format("{} has no sigma, and rows that repeat each other do not differ", channel.head)
+                              : fmt::format("{} has no sigma, and no two rows repeat each other", channel.head),
+                          "give sigma, the scatter of one number, or rows of repeated experiments");
+    channel.sigma = found;
+    channel.degrees = free;
+    warn("sigma from repeats",
+         fmt::format("the scatter of {} is taken from rows that repeat each other, {:.3g} {} with {:g} degrees of freedom",
+                     channel.head, found, channel.unit, free),
+         "nothing, if they were made as the others were: every test allows for so few");
 }
 
-/// What the rows that repeat each other tell of one column's scatter.
-void learn_sigma(std::vector<Record>& records, std::size_t channel, const TypedTable& table, const std::string& file,
-                 scene::Report& report, Problems& warnings) {
-    std::map<std::string, std::vector<double>> groups;
-    for (const Record& record : records)
-        groups[record.condition].push_back(record.channels[channel].value[0]);
-    std::map<std::string, Scatter> own;
-    Scatter pooled;
-    for (const auto& [condition, values] : groups) {
-        own[condition] = scatter_in(values);
-        pooled.add(own[condition]);
+/// The columns of a table as they are asked for, every row's number in them.
+std::vector<Channel> columns_of(const TypedTable& table, const Table& cells, const scene::KeyTable& column,
+                                scene::Report& report) {
+    const double until = table.view.number("until_s");
+    std::vector<Channel> channels;
+    for (const TypedTable& one : tables_of(*table.node, "column", column, report)) {
+        auto channel = channel_of(one.view, cells, "table.column", report);
+        if (!channel || !one.view.given("take"))
+            continue;
+        const auto& words = words_of_takes();
+        const auto word = std::find(words.begin(), words.end(), one.view.text("take"));
+        channel->take = static_cast<Take>(1 + (word - words.begin()));
+        channel->from = one.view.number("from_s");
+        if (channel->shows_time())
+            report.add(one.view.place("measure"), "table.column.measure", "time is no number of an experiment",
+                       "leave it out");
+        if (channel->from >= until)
+            report.add(one.view.place("from_s"), "table.column.from_s",
+                       fmt::format("the stretch begins at {:g} s, and the experiment ends at {:g} s", channel->from,
+                                   until),
+                       "let from_s be earlier than until_s");
+        channels.push_back(std::move(*channel));
     }
-    const std::string& head = records[0].channels[channel].head;
-    if (pooled.sigma() == 0)
-        return report.add(table.view.place(), "table.column.sigma",
-                          pooled.free > 0 ? fmt::format("{} has no sigma, and rows that repeat each other do not differ",
-                                                        head)
-                                          : fmt::format("{} has no sigma, and no two rows repeat each other", head),
-                          "give sigma, the scatter of one number, or rows of repeated experiments");
-    for (Record& record : records) {
-        const Scatter& mine = own[record.condition];
-        const bool by_itself = groups[record.condition].size() >= tells_by_itself && mine.squares > 0;
-        record.channels[channel].sigma = (by_itself ? mine : pooled).sigma();
-    }
-    warnings.push_back({.file = file,
-                        .key = "sigma from repeats",
-                        .what = fmt::format("the scatter of {} is taken from rows that repeat each other, {:.3g} {} "
-                                            "with {:g} degrees of freedom",
-                                            head, pooled.sigma(), records[0].channels[channel].unit, pooled.free),
-                        .fix = "nothing, if they were made as the others were"});
+    return channels;
 }
 
 } // namespace
@@ -127,34 +155,20 @@ std::optional<Channel> channel_of(const scene::View& view, const Table& cells, c
 
 std::vector<Record> records_of_table(const TypedTable& table, const Table& cells, const scene::KeyTable& column,
                                      scene::Report& report, Problems& warnings) {
-    const double until = table.view.number("until_s");
-    std::vector<Channel> channels;
-    for (const TypedTable& one : tables_of(*table.node, "column", column, report)) {
-        auto channel = channel_of(one.view, cells, "table.column", report);
-        if (!channel || !one.view.given("take"))
-            continue;
-        const auto& words = words_of_takes();
-        const auto word = std::find(words.begin(), words.end(), one.view.text("take"));
-        channel->take = static_cast<Take>(1 + (word - words.begin()));
-        channel->from = one.view.number("from_s");
-        if (channel->shows_time())
-            report.add(one.view.place("measure"), "table.column.measure", "time is no number of an experiment",
-                       "leave it out");
-        if (channel->from >= until)
-            report.add(one.view.place("from_s"), "table.column.from_s",
-                       fmt::format("the stretch begins at {:g} s, and the experiment ends at {:g} s", channel->from,
-                                   until),
-                       "let from_s be earlier than until_s");
-        channels.push_back(std::move(*channel));
+    if (cells.rows() == 0) {
+        report.add(Problems{{.file = cells.file(),
+                             .what = "there is a head and no row",
+                             .fix = "give a row for each time that the experiment ran"}});
+        return {};
     }
+    std::vector<Channel> channels = columns_of(table, cells, column, report);
     std::vector<Record> records;
-    if (channels.empty() || !table.view.whole())
+    if (channels.empty() || !table.view.whole() || !report.clean())
         return records;
-    std::map<std::string, int> repeats;
+    std::vector<std::vector<Group>> groups(channels.size()); // [channel][record]
     for (std::size_t row = 0; row < cells.rows(); ++row) {
         std::map<std::string, std::string> used;
-        Record record;
-        record.file = cells.file();
+        std::vector<std::string> sets;
         for (const std::string& set : table.view.words("set")) {
             Problem why;
             auto filled = filled_in(set, cells, row, used, why);
@@ -162,21 +176,33 @@ std::vector<Record> records_of_table(const TypedTable& table, const Table& cells
                 report.add(table.view.place("set"), "table.set", why.what, why.fix);
                 return {};
             }
-            record.sets.push_back(std::move(*filled));
+            sets.push_back(std::move(*filled));
         }
-        record.condition = condition_named(table.view.text("name"), used);
-        record.name = fmt::format("{} ({})", record.condition, ++repeats[record.condition]);
-        record.held_out = table.view.flag("held_out");
-        record.time = {until};
-        for (const Channel& channel : channels) {
-            record.channels.push_back(channel);
-            record.channels.back().value = {channel.value[row]};
+        auto like = std::find_if(records.begin(), records.end(), [&](const Record& one) { return one.sets == sets; });
+        if (like == records.end()) {
+            Record record;
+            record.name = record.condition = condition_named(table.view.text("name"), used);
+            record.file = cells.file();
+            record.sets = std::move(sets);
+            record.held_out = table.view.flag("held_out");
+            record.time = {table.view.number("until_s")};
+            like = records.insert(records.end(), std::move(record));
+            for (std::vector<Group>& of_channel : groups)
+                of_channel.emplace_back();
         }
-        records.push_back(std::move(record));
+        for (std::size_t c = 0; c < channels.size(); ++c)
+            groups[c][static_cast<std::size_t>(like - records.begin())].add(channels[c].value[row]);
     }
-    for (std::size_t c = 0; c < channels.size() && report.clean(); ++c)
-        if (channels[c].sigma == 0)
-            learn_sigma(records, c, table, cells.file(), report, warnings);
+    for (std::size_t c = 0; c < channels.size(); ++c)
+        find_sigma(channels[c], groups[c], table, cells.file(), report, warnings);
+    for (std::size_t r = 0; r < records.size(); ++r)
+        for (std::size_t c = 0; c < channels.size(); ++c) {
+            Channel channel = channels[c];
+            channel.rows = groups[c][r].count;
+            channel.value = {groups[c][r].mean()};
+            channel.sigma /= std::sqrt(channel.rows);
+            records[r].channels.push_back(std::move(channel));
+        }
     return records;
 }
 

@@ -13,9 +13,9 @@ namespace tumble::diagnose {
 std::optional<Channel> channel_of(const scene::View& view, const Table& cells, const std::string& key,
                                   scene::Report& report);
 
-/// The records of a [[table]] whose file has these cells: one for each row, with one number of each column. Rows that
-/// set the same are one condition; where sigma is not stated, they tell it: from five rows on by themselves, else all
-/// of the table together. Reported: as channel_of(), a {HEAD} that is no column, and a sigma that nobody can know.
+/// The records of a [[table]] whose file has these cells: one for all rows that set the same, with the mean of each
+/// column. Where sigma is not stated, or such rows contradict it, they tell it, all conditions together. Reported: as
+/// channel_of(), no row, a {HEAD} that is no column, and a sigma that nobody can know.
 std::vector<Record> records_of_table(const TypedTable& table, const Table& cells, const scene::KeyTable& column,
                                      scene::Report& report, Problems& warnings);
 

@@ -13,6 +13,7 @@ namespace tumble::run {
 
 namespace {
 
+constexpr int most_parts = 1024; // of a stride
 constexpr double share_of_step = 0.25;     // of the scene's step, for impacts
 constexpr double steps_of_trial = 4;       // of those, one step of the trial that finds an impact's beginning and end
 constexpr double share_of_rub = 1.0 / 256; // of those again, for impacts that friction turns
@@ -135,7 +136,8 @@ private:
     /// Strides until one meets a wall; then back to the last state that is surely clear of it: a step's account is that
     /// of its start.
     std::optional<Problem> fly() {
-        const double began = now_.time;
+        double began = now_.time;
+        int parts = 1; // of a stride: so long a one that a body went farther than its radius is cut
         auto world = world_at(now_, scene_.observe.every);
         if (!world)
             return world.problems()[0];
@@ -143,9 +145,17 @@ private:
             add_row(series_, watched_, (*world)->frame(), (*world)->books(), began);
         State clear = now_;
         while (now_.time < scene_.duration) {
-            const auto problem = (*world)->advance(1);
-            if (problem && (*world)->books().contacts == 0)
-                return problem;
+            const auto problem = (*world)->advance(parts);
+            if (problem && (*world)->books().contacts == 0) {
+                if (parts >= most_parts)
+                    return problem;
+                parts *= 4;
+                began = now_.time;
+                world = world_at(now_, scene_.observe.every / parts);
+                if (!world)
+                    return world.problems()[0];
+                continue;
+            }
             if ((*world)->books().contacts > 0) { // what so long a step made of the contact does not count
                 now_ = clear;
                 while (series_.values[0].back() > now_.time + 1e-12)

@@ -62,6 +62,17 @@ TEST_CASE("a sphere recorded on its own falls as a stone does, and its rows rise
     }
 }
 
+TEST_CASE("strides in which a ball would go farther than its radius are cut, its rows stay as far apart as asked for") {
+    const auto series = run::record(bounce({"duration_s=0.44", "observe.every_s=0.04"})); // 12 cm at 3 m/s
+    REQUIRE_MESSAGE(series, to_string(series.problems()));
+    CHECK(series->rows() == 12);
+    for (std::size_t row = 0; row < series->rows(); ++row) {
+        const double t = series->values[0][row];
+        CHECK(t == about(0.04 * static_cast<double>(row), 1e-9));
+        CHECK(series->values[1][row] == about(1.12 - 0.5 * 9.81 * t * t, 1e-9));
+    }
+}
+
 TEST_CASE("recorded in strides and fine impacts, a bounce is the one that small steps give") {
     const auto strides = run::record(bounce({"duration_s=1.1"}));
     scene::Scene steady = bounce({"duration_s=1.1", "time_step_s=2e-6"});

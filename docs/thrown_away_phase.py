@@ -175,12 +175,12 @@ def filled(text, runs):
 
 
 def main():
-    trough_in_space.complete(sys.argv[1])
+    space = trough_in_space.section(sys.argv[1])
     first, found = (diagnose(sys.argv[1], measurement) for measurement in ("measurement.toml", "measurement-2.toml"))
     runs = response()
     text = filled(TEXT.replace("{CONCLUSIONS}", CONCLUSIONS), runs)
     seeds = len(runs["quarter load", "", "0"])
-    for key, value in {"SPACE": trough_in_space.section(), "FIRST_OUTCOME": first["outcome"], "FIRST_VERDICT": first["verdict"], "PLAN": plan(first),
+    for key, value in {"SPACE": space, "FIRST_OUTCOME": first["outcome"], "FIRST_VERDICT": first["verdict"], "PLAN": plan(first),
                        "VERDICT": found["verdict"], "OUTCOME": found["outcome"], "MEASURED": measured_table(found["beds"]),
                        "RESPONSE": response_table(runs), "LIBRARY": library_table(first), "SEEDS": str(seeds),
                        "RUNS": str(sum(map(len, runs.values()))), "GATE": f"{first['gate']:.1f}",

@@ -18,7 +18,10 @@
 #include "scene/read_toml.h"
 #include "scene/to_toml.h"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <map>
 #include <memory>
 #include <mutex>
 
@@ -74,18 +77,37 @@ void tell_beds(const diagnose::Diagnosis& diagnosis) {
     say(table(rows));
 }
 
+/// Those that show, the largest fall of chi-square first; then those that do not, by why.
+void tell_causes(const diagnose::Diagnosis& diagnosis) {
+    const auto& seen = diagnosis.decision.seen;
+    std::vector<std::size_t> shown;
+    std::map<std::string, std::vector<std::string>> others;
+    for (std::size_t k = 0; k < seen.size(); ++k)
+        if (seen[k].visible)
+            shown.push_back(k);
+        else
+            others[diagnose::standing_of(diagnosis, static_cast<int>(k))].push_back(diagnosis.causes[k].id);
+    std::stable_sort(shown.begin(), shown.end(), [&](std::size_t a, std::size_t b) { return seen[a].gain > seen[b].gain; });
+    std::vector<std::vector<std::string>> rows{{"", "cause", "fall of chi-square", "standing"}};
+    for (const std::size_t k : shown) {
+        const bool refused = seen[k].refit && !seen[k].refit->possible;
+        rows.push_back({"", diagnosis.causes[k].id, refused ? "-" : fmt::format("{:.1f}", seen[k].gain),
+                        diagnose::standing_of(diagnosis, static_cast<int>(k))});
+    }
+    say("");
+    if (!shown.empty())
+        say(table(rows));
+    for (const auto& [why, causes] : others)
+        say(fmt::format("  {}: {}", why, fmt::join(causes, ", ")));
+}
+
 void tell(const diagnose::Diagnosis& diagnosis, bool quiet) {
     say(diagnose::outcome_words(diagnosis));
     say(diagnose::verdict_of(diagnosis));
     say("Next: " + diagnose::next_step(diagnosis));
     if (!diagnosis.beds.empty())
         tell_beds(diagnosis);
-    std::vector<std::vector<std::string>> rows{{"", "cause", "fall of chi-square", "standing"}};
-    for (std::size_t k = 0; k < diagnosis.decision.seen.size(); ++k)
-        rows.push_back({"", diagnosis.causes[k].id, fmt::format("{:.1f}", diagnosis.decision.seen[k].gain),
-                        diagnose::standing_of(diagnosis, static_cast<int>(k))});
-    say("");
-    say(table(rows));
+    tell_causes(diagnosis);
     for (const diagnose::Proposal& proposal : diagnosis.proposals)
         say(fmt::format("plan  {}: {:.1f} standard errors apart{}", proposal.sentence, proposal.separation,
                         proposal.repeats > 1 ? fmt::format("; {} of them reach 5", proposal.repeats) : ""));
@@ -165,8 +187,10 @@ Problems leave_files(const DiagnoseArguments& arguments, const diagnose::Diagnos
         leave(arguments.extended, scene::to_toml(*diagnosis.extended));
     else
         problems.push_back({.file = arguments.extended.string(),
-                            .what = "no extended scene was written: no cause is named that a scene could hold",
-                            .fix = "what is wrong with an instrument is mended there, not in the scene"});
+                            .what = diagnosis.decision.outcome == diagnose::Outcome::named
+                                        ? "no extended scene was written: what is named is the instrument's, and no scene holds it"
+                                        : "no extended scene was written: no cause is named",
+                            .fix = diagnose::next_step(diagnosis)});
     return problems;
 }
 

@@ -57,9 +57,12 @@ Result<std::vector<Cause>> choose_causes(const std::vector<std::string>& ids, Da
                 wanted[k] = found = true;
         }
         if (!found) {
-            const std::string guess = did_you_mean(id, cause_ids());
+            std::vector<std::string> known = cause_ids();
+            for (const Cause& cause : all_causes())
+                known.push_back(cause.family);
+            const std::string guess = did_you_mean(id, known);
             problems.push_back({.key = "causes",
-                                .what = "there is no cause '" + excerpt(id) + "'",
+                                .what = "there is no cause and no family '" + excerpt(id) + "'",
                                 .fix = (guess.empty() ? "" : guess + " ") + "`tumble list causes` names all of them"});
         }
     }

@@ -26,7 +26,8 @@ struct Cause {
     std::vector<std::string> needs{}; // considered only where one record has all of these measures; never of beds
     enum class Range { own, readings, readings_per_second }; // what is plausible: lo and hi, or a share of what is read
     Range range = Range::own;
-    bool inertial = false; // considered only where a record has what an accelerometer in a body read
+    bool inertial = false;  // considered only where a record has what an accelerometer in a body read
+    bool over_time = false; // acts on readings over time: a single number, read once, does not show it
     std::string name{};    // for sentences: "air resistance growing with the square of speed"
     std::string look{};    // its fingerprint: what the residual (data less baseline) does
     std::string keys{};    // scene keys that it sets, or what it does to the instrument

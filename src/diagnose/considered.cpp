@@ -20,7 +20,7 @@ bool can_show(const Record& record, const Cause& cause) {
         const auto traced = observe::traced_by(channel.measure);
         return traced && traced->inertial;
     };
-    return (!cause.inertial || any(inertial)) &&
+    return !(cause.over_time && record.single()) && (!cause.inertial || any(inertial)) &&
            std::all_of(cause.needs.begin(), cause.needs.end(), [&](const std::string& measure) {
                return any([&](const Channel& channel) { return channel.measure == measure; });
            });
@@ -55,10 +55,12 @@ Result<std::vector<Cause>> considered_in(const Measurement& measurement) {
         else if (std::any_of(measurement.causes.begin(), measurement.causes.end(), asked))
             return Problem{.file = measurement.file.string(),
                            .key = "causes",
-                           .what = cause.inertial ? cause.id + " shows only in what an accelerometer in a body reads"
+                           .what = cause.over_time  ? cause.id + " shows only in readings over time, and these are single numbers"
+                                   : cause.inertial ? cause.id + " shows only in what an accelerometer in a body reads"
                                                   : fmt::format("{} shows only where one series has all of {}",
                                                                 cause.id, fmt::join(cause.needs, ", ")),
-                           .fix = cause.inertial ? "leave it out, or give columns of a tracer: tracer:BODY_felt_x or "
+                           .fix = cause.over_time  ? "leave it out"
+                                  : cause.inertial ? "leave it out, or give columns of a tracer: tracer:BODY_felt_x or "
                                                    "tracer:BODY_summed_vx, say"
                                                  : "leave it out, or measure them together"};
     }

@@ -4,6 +4,7 @@
 #include "diagnose/data_doubts.h"
 #include "diagnose/folds.h"
 #include "diagnose/kinematics.h"
+#include "diagnose/noise_doubts.h"
 #include "diagnose/refit.h"
 #include "diagnose/taken.h"
 #include "scene/settled.h"
@@ -64,6 +65,8 @@ public:
         if (problems.empty() && baseline_.converged) {
             tell("fits the causes that show");
             problems = decide_it();
+        } else {
+            doubt_sensors();
         }
         if (problems.empty() && d_.decision.best) {
             tell("measures what the extended scene gains");
@@ -212,7 +215,7 @@ private:
                 for (double& sigma : record)
                     sigma *= d_.noise.widened;
         }
-        doubt_noise();
+        doubt_noise(d_.noise, *model_, measurement_.file, d_.warnings);
         if (Problems problems = fit_baseline(baseline_.values, false); !problems.empty())
             return problems;
         return find_effects(false);
@@ -303,8 +306,28 @@ private:
                                    .fix = "nothing: no cause swings like it, and it counts as scatter"});
     }
 
+    /// Sensors that contradict each other, or what the scene can do at all, are mended before anything else.
+    void doubt_sensors() {
+        Decision& decision = d_.decision;
+        const auto contradicts = [](const Problem& warning) {
+            return warning.key == "velocity against way" || warning.key == "peak speed" || warning.key == "speed";
+        };
+        const auto first = std::find_if(d_.warnings.begin(), d_.warnings.end(), contradicts);
+        if (first == d_.warnings.end() || decision.outcome == Outcome::consistent)
+            return;
+        const bool a_name = decision.outcome == Outcome::named || decision.outcome == Outcome::two_causes;
+        const std::string remedy = "First find out which sensor is wrong: " + first->what + ".";
+        if (decision.outcome == Outcome::cannot_decide || (a_name && decision.sure))
+            decision.remedy = remedy;
+        if (a_name && decision.sure) {
+            decision.sure = false;
+            decision.reason = "the readings contradict each other, whatever the simulation says";
+        }
+    }
+
     /// What the sensor did not show cannot bear a name, unless it is the name.
     void doubt_name() {
+        doubt_sensors();
         Decision& decision = d_.decision;
         if ((decision.outcome != Outcome::named && decision.outcome != Outcome::two_causes) || !decision.sure)
             return;
@@ -410,7 +433,7 @@ private:
                             .extended = {},
                             .left_out = {},
                             .measure = channel.measure,
-                            .stated = channel.sigma,
+                            .stated = std::isinf(channel.degrees) ? channel.sigma : 0,
                             .shaken = shaken};
                 for (std::size_t k = 0; k < record.time.size(); ++k, ++row) {
                     curve.baseline.push_back((*baseline)[row]);
@@ -421,50 +444,6 @@ private:
                 d_.curves.push_back(std::move(curve));
             }
         }
-    }
-
-    [[nodiscard]] bool states_scatter_of(const std::string& measure) const {
-        return std::any_of(model_->rows().begin(), model_->rows().end(), [&](const Row& row) {
-            const Channel& channel = model_->channel_of(row);
-            return channel.measure == measure && channel.sigma > 0;
-        });
-    }
-
-    void doubt_noise() {
-        const NoiseReport& noise = d_.noise;
-        for (const auto& [measure, one] : noise.of) {
-            const std::string whose = noise.of.size() > 1 ? " of " + measure : "";
-            if (states_scatter_of(measure) && (one.ratio > 1.25 || one.ratio < 0.8))
-                d_.warnings.push_back(
-                    {.file = measurement_.file.string(),
-                     .key = "sigma contradicted",
-                     .what = fmt::format("readings{} scatter {:.2f} times as much as stated", whose, one.ratio),
-                     .fix = "the scatter found in the readings is used"});
-            if (one.correlation > 0.08)
-                d_.warnings.push_back({.file = measurement_.file.string(),
-                                       .key = "noise not white",
-                                       .what = fmt::format("errors of neighbouring readings{} correlate by {:.2f}",
-                                                           whose, one.correlation),
-                                       .fix = "nothing: readings are weighted for it"});
-        }
-        if (noise.widened > 1)
-            d_.warnings.push_back(
-                {.file = measurement_.file.string(),
-                 .key = "repeats differ",
-                 .what = fmt::format("records of one condition differ by {:.2f} times what their readings scatter, and "
-                                     "as causes would do by {:.2f} times",
-                                     noise.repeats, noise.along),
-                 .fix =
-                     "something changes from run to run: give it as a nuisance with per = \"series\"; all errors are "
-                     "stated that much larger"});
-        if (noise.left_out > 0)
-            d_.warnings.push_back(
-                {.file = measurement_.file.string(),
-                 .key = "outliers",
-                 .what = fmt::format("{} lone reading(s) stand out of their neighbours", noise.left_out),
-                 .fix = noise.left_out > 0.02 * static_cast<double>(model_->rows().size())
-                            ? "too many to be slips: all are used"
-                            : "they are left out"});
     }
 
     const SceneText& scene_;

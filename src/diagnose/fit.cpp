@@ -15,6 +15,8 @@ namespace {
 constexpr double visible_step = 2;
 constexpr double exact_step = 0.01; // where no simulation is run
 constexpr int tunings = 4;
+constexpr int most_finer = 2;
+constexpr double shorter = 8; // times, each time
 
 /// Parameters with a prior have a row of their own.
 std::vector<int> with_prior(const Model& model) {
@@ -44,12 +46,13 @@ std::optional<VectorXd> residual_at(Model& model, const Noise& noise, const Vect
     return residual;
 }
 
-/// Slopes of the residual's negative by a difference over the step, inside the bounds.
-Result<VectorXd> difference(Model& model, const Noise& noise, const VectorXd& values, int index, double horizon) {
+/// Slopes of the residual's negative by a difference over the step, or a share of it, inside the bounds.
+Result<VectorXd> difference(Model& model, const Noise& noise, const VectorXd& values, int index, double horizon,
+                            double share = 1) {
     const Parameter& parameter = model.parameters()[static_cast<std::size_t>(index)];
     VectorXd above = values, below = values;
-    above[index] = std::min(values[index] + parameter.step, parameter.hi);
-    below[index] = std::max(values[index] - parameter.step, parameter.lo);
+    above[index] = std::min(values[index] + share * parameter.step, parameter.hi);
+    below[index] = std::max(values[index] - share * parameter.step, parameter.lo);
     model.run_ahead({above, below}, horizon);
     Problems why;
     auto high = residual_at(model, noise, above, horizon, &why);
@@ -68,11 +71,11 @@ Result<VectorXd> difference(Model& model, const Noise& noise, const VectorXd& va
 }
 
 Result<MatrixXd> slopes_at(Model& model, const Noise& noise, const VectorXd& values, const std::vector<int>& free,
-                           double horizon) {
+                           double horizon, double share) {
     const auto rows = model.readings().size() + static_cast<Eigen::Index>(with_prior(model).size());
     MatrixXd slopes(rows, 0);
     for (std::size_t k = 0; k < free.size(); ++k) {
-        const auto column = difference(model, noise, values, free[k], horizon);
+        const auto column = difference(model, noise, values, free[k], horizon, share);
         if (!column)
             return column.problems();
         slopes.conservativeResize(rows, static_cast<Eigen::Index>(k) + 1);
@@ -111,7 +114,9 @@ public:
             }
             if (fresh) { // kinks at impacts keep the last of it out of reach
                 fit_.converged = fit_.decrement < options.short_enough;
-                return {};
+                if (fit_.converged || finer_ == most_finer)
+                    return {};
+                ++finer_; // slopes over shorter ways cross fewer of them
             }
             if (const Problems problems = renew(); !problems.empty())
                 return problems;
@@ -132,7 +137,7 @@ private:
     }
 
     Problems renew() {
-        auto slopes = slopes_at(model_, noise_, fit_.values, fit_.free, horizon_);
+        auto slopes = slopes_at(model_, noise_, fit_.values, fit_.free, horizon_, std::pow(shorter, -finer_));
         if (!slopes)
             return slopes.problems();
         fit_.slopes = std::move(*slopes);
@@ -214,6 +219,7 @@ private:
     Fit& fit_;
     double horizon_;
     double damping_ = 1e-4;
+    int finer_ = 0; // how often steps of slopes were made shorter
 };
 
 } // namespace
@@ -248,8 +254,13 @@ Result<Fit> fit(Model& model, const Noise& noise, const VectorXd& start, const s
 Result<VectorXd> slope_of(Model& model, const Noise& noise, const VectorXd& values, int index, bool tune,
                           double horizon) {
     Parameter& parameter = model.parameters()[static_cast<std::size_t>(index)];
+    const double usual = parameter.step;
     for (int k = 0;; ++k) {
         auto slope = difference(model, noise, values, index, horizon);
+        if (!slope && k > 0) { // so far away there is no such simulation
+            parameter.step = usual;
+            return difference(model, noise, values, index, horizon);
+        }
         if (!slope || !tune || k == tunings)
             return slope;
         const double seen = slope->head(model.readings().size()).norm() * parameter.step;

@@ -9,6 +9,7 @@ namespace tumble::diagnose {
 namespace {
 
 constexpr double enough = 5;           // standard errors
+constexpr double worth_it = 1.05;      // times what doing the same once more gives
 constexpr double clock_reading = 1e-3; // s, scatter of a clock read from a picture
 
 struct Experiment {
@@ -215,6 +216,14 @@ std::vector<Proposal> proposals_for(const SceneText& scene, const Model& model, 
     }
     std::sort(proposals.begin(), proposals.end(),
               [](const Proposal& a, const Proposal& b) { return a.separation > b.separation; });
+    const auto again = std::find_if(proposals.begin(), proposals.end(),
+                                    [](const Proposal& one) { return std::string(one.id) == "again"; });
+    if (again != proposals.end()) { // what is no better than that is not worth another apparatus
+        const double enough_better = worth_it * again->separation;
+        std::stable_partition(proposals.begin(), proposals.end(), [&](const Proposal& one) {
+            return std::string(one.id) == "again" || one.separation > enough_better;
+        });
+    }
     return proposals;
 }
 

@@ -99,7 +99,7 @@ TEST_CASE("what is wrong with a measurement is told with its place and what to d
          "m.toml:10:11: there is no measure 'centre_of_mas_y'");
     says(replaced(whole, "\"height\"", "\"depth\""), good, "low.csv:1: no column for depth");
     says(replaced(whole, "sigma = 1.5", "sigma = -1"), good, "m.toml:11:9: 'sigma' = -1 is out of range");
-    says("causes = [\"ins.gian\"]\n" + whole, good, "m.toml:1:10: there is no cause 'ins.gian'");
+    says("causes = [\"ins.gian\"]\n" + whole, good, "m.toml:1:10: there is no cause and no family 'ins.gian'");
     says(replaced(whole, "key = ", "instrument = \"gain\"\nkey = "), good,
          "m.toml:2:1: [[nuisance]] has 2 of key or instrument or measure or cause");
 }
@@ -143,7 +143,7 @@ TEST_CASE("each bad input has its answer: place, what is wrong, what to do") {
     CHECK(laboratory.refusal(replaced(whole, "low.csv", "high.csv"), good) ==
           "m.toml:7:8: high.csv there is no such file\n    give the CSV file's name as seen from this file's folder");
     CHECK(laboratory.refusal("causes = [\"ins.gian\"]\n" + whole, good) ==
-          "m.toml:1:10: there is no cause 'ins.gian'\n    did you mean 'ins.gain'? `tumble list causes` names all of "
+          "m.toml:1:10: there is no cause and no family 'ins.gian'\n    did you mean 'ins.gain'? `tumble list causes` names all of "
           "them");
     const std::string again = whole + "[[series]]\nname = \"twin\"\nfile = \"low.csv\"\n[[series.column]]\nhead = "
                                       "\"height\"\nmeasure = \"centre_of_mass_y\"\nsigma = 1.5\n";

@@ -87,7 +87,8 @@ void tell_causes(const diagnose::Diagnosis& diagnosis) {
             shown.push_back(k);
         else
             others[diagnose::standing_of(diagnosis, static_cast<int>(k))].push_back(diagnosis.causes[k].id);
-    std::stable_sort(shown.begin(), shown.end(), [&](std::size_t a, std::size_t b) { return seen[a].gain > seen[b].gain; });
+    std::stable_sort(shown.begin(), shown.end(),
+                     [&](std::size_t a, std::size_t b) { return seen[a].gain > seen[b].gain; });
     std::vector<std::vector<std::string>> rows{{"", "cause", "fall of chi-square", "standing"}};
     for (const std::size_t k : shown) {
         const bool refused = seen[k].refit && !seen[k].refit->possible;
@@ -186,11 +187,12 @@ Problems leave_files(const DiagnoseArguments& arguments, const diagnose::Diagnos
     else if (diagnosis.extended)
         leave(arguments.extended, scene::to_toml(*diagnosis.extended));
     else
-        problems.push_back({.file = arguments.extended.string(),
-                            .what = diagnosis.decision.outcome == diagnose::Outcome::named
-                                        ? "no extended scene was written: what is named is the instrument's, and no scene holds it"
-                                        : "no extended scene was written: no cause is named",
-                            .fix = diagnose::next_step(diagnosis)});
+        problems.push_back(
+            {.file = arguments.extended.string(),
+             .what = diagnosis.decision.outcome == diagnose::Outcome::named
+                         ? "no extended scene was written: what is named is the instrument's, and no scene holds it"
+                         : "no extended scene was written: no cause is named",
+             .fix = diagnose::next_step(diagnosis)});
     return problems;
 }
 

@@ -7,8 +7,8 @@
 
 namespace tumble::diagnose {
 
-/// What of a measure over a stretch of time is compared: its mean, the usual one; its root mean square; the value that a
-/// tenth, half or nine tenths of the rows stay below; or the mean time of a cycle, from one rise through the mean to
+/// What of a measure over a stretch of time is compared: its mean, the usual one; its root mean square; the value that
+/// a tenth, half or nine tenths of the rows stay below; or the mean time of a cycle, from one rise through the mean to
 /// the next.
 const std::vector<std::string>& words_of_bed_takes();
 

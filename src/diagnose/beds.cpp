@@ -175,9 +175,8 @@ void Beds::note_means(BedRun& run, const Result<observe::Series>& series, const 
         const BedNumberName name = bed_number_named(measures_[c]);
         const auto* values = series ? series->find(name.measure) : nullptr;
         run.means[columns_[c]] =
-            values
-                ? number_over(name.take, series->values[0], *values, run.from, run.until, scene.observe.every)
-                : std::nan("");
+            values ? number_over(name.take, series->values[0], *values, run.from, run.until, scene.observe.every)
+                   : std::nan("");
     }
     ++runs_;
     simulated_ += scene.duration;

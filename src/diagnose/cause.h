@@ -28,9 +28,9 @@ struct Cause {
     Range range = Range::own;
     bool inertial = false;  // considered only where a record has what an accelerometer in a body read
     bool over_time = false; // acts on readings over time: a single number, read once, does not show it
-    std::string name{};    // for sentences: "air resistance growing with the square of speed"
-    std::string look{};    // its fingerprint: what the residual (data less baseline) does
-    std::string keys{};    // scene keys that it sets, or what it does to the instrument
+    std::string name{};     // for sentences: "air resistance growing with the square of speed"
+    std::string look{};     // its fingerprint: what the residual (data less baseline) does
+    std::string keys{};     // scene keys that it sets, or what it does to the instrument
     std::function<void(scene::Scene&, double)> extend{}; // exactly one of the two is set
     std::function<void(Instrument&, double)> distort{};
 

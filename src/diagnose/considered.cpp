@@ -55,14 +55,15 @@ Result<std::vector<Cause>> considered_in(const Measurement& measurement) {
         else if (std::any_of(measurement.causes.begin(), measurement.causes.end(), asked))
             return Problem{.file = measurement.file.string(),
                            .key = "causes",
-                           .what = cause.over_time  ? cause.id + " shows only in readings over time, and these are single numbers"
+                           .what = cause.over_time
+                                       ? cause.id + " shows only in readings over time, and these are single numbers"
                                    : cause.inertial ? cause.id + " shows only in what an accelerometer in a body reads"
-                                                  : fmt::format("{} shows only where one series has all of {}",
-                                                                cause.id, fmt::join(cause.needs, ", ")),
+                                                    : fmt::format("{} shows only where one series has all of {}",
+                                                                  cause.id, fmt::join(cause.needs, ", ")),
                            .fix = cause.over_time  ? "leave it out"
                                   : cause.inertial ? "leave it out, or give columns of a tracer: tracer:BODY_felt_x or "
-                                                   "tracer:BODY_summed_vx, say"
-                                                 : "leave it out, or measure them together"};
+                                                     "tracer:BODY_summed_vx, say"
+                                                   : "leave it out, or measure them together"};
     }
     for (Cause& cause : causes)
         widen(cause, measurement.records);

@@ -156,15 +156,16 @@ Problems unit_slips(const std::vector<Record>& records, const Eigen::VectorXd& p
             const auto count = static_cast<Eigen::Index>(record.time.size());
             const double ratio = span_of(channel.value) / std::max(1e-300, span_of(predicted.segment(row, count)));
             row += count;
-            const bool near_nothing = record.single() && span_of(predicted.segment(row - count, count)) < clear * channel.sigma;
+            const bool near_nothing =
+                record.single() && span_of(predicted.segment(row - count, count)) < clear * channel.sigma;
             for (const auto& [factor, meaning, angle] : usual_slips)
                 if (!near_nothing && angle == is_angle(channel.unit) && std::abs(std::log(ratio / factor)) < 0.2)
-                    problems.push_back({.file = record.file.string(),
-                                        .key = channel.head,
-                                        .what = fmt::format("{} {} {:.3g} times what the simulation does: {}?",
-                                                            channel.head, record.single() ? "is" : "spans", ratio,
-                                                            meaning),
-                                        .fix = "correct the unit in the head of the column"});
+                    problems.push_back(
+                        {.file = record.file.string(),
+                         .key = channel.head,
+                         .what = fmt::format("{} {} {:.3g} times what the simulation does: {}?", channel.head,
+                                             record.single() ? "is" : "spans", ratio, meaning),
+                         .fix = "correct the unit in the head of the column"});
         }
     return problems;
 }

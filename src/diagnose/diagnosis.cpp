@@ -25,7 +25,7 @@ std::vector<int> first_numbers(int count) {
 }
 
 constexpr double most_between_repeats = 1.2; // of their scatter over that of the readings in one record
-constexpr double by_chance = 0.01; // less likely differences of repeats are not put down to chance
+constexpr double by_chance = 0.01;           // less likely differences of repeats are not put down to chance
 constexpr double far_away = 4;               // spreads of what was known beforehand
 constexpr double may_lack = 0.01;            // of chi-square: nats that a baseline far off may lack
 constexpr double seen_well = 3; // standard errors, left beside nuisances: how far off the slope of a filter is taken
@@ -241,9 +241,10 @@ private:
                     d_.warnings.push_back(
                         {.file = record.file.string(),
                          .key = "end of the stretch",
-                         .what = fmt::format("{}: {} of {} lies at an end of {:g} to {:g} s in the simulation",
-                                             record.name, words_of_takes()[static_cast<std::size_t>(record.channels[c].take) - 1],
-                                             record.channels[c].measure, record.channels[c].from, record.time[0]),
+                         .what =
+                             fmt::format("{}: {} of {} lies at an end of {:g} to {:g} s in the simulation", record.name,
+                                         words_of_takes()[static_cast<std::size_t>(record.channels[c].take) - 1],
+                                         record.channels[c].measure, record.channels[c].from, record.time[0]),
                          .fix = "let until_s be later, or from_s earlier, unless that is what was measured"});
         }
     }
@@ -259,10 +260,9 @@ private:
                 const Nuisance& nuisance = measurement_.nuisances[static_cast<std::size_t>(parameter.nuisance)];
                 d_.evidence.beforehand.push_back(nuisance.key.empty() ? nuisance.instrument : nuisance.key);
             }
-        d_.decision = decide(d_.evidence, measurement_.settings,
-                             [this](const std::vector<int>& causes) {
-                                 return refit_of(causes, *model_, noise_, baseline_, effects_);
-                             });
+        d_.decision = decide(d_.evidence, measurement_.settings, [this](const std::vector<int>& causes) {
+            return refit_of(causes, *model_, noise_, baseline_, effects_);
+        });
         d_.follows = followed_by(d_.evidence, d_.decision);
         doubt_mains();
         if (d_.decision.outcome == Outcome::none_known) {

@@ -25,7 +25,8 @@ Motion motion_of(const Signal& signal, const std::vector<double>& times, const I
     Motion motion;
     const bool many = times.size() > 1;
     const double reading = many ? (times.back() - times.front()) / static_cast<double>(times.size() - 1) : 0;
-    const std::vector<double> impacts = many ? impacts_of(signal, 2 * fewest_readings * reading) : std::vector<double>{};
+    const std::vector<double> impacts =
+        many ? impacts_of(signal, 2 * fewest_readings * reading) : std::vector<double>{};
     for (const double time : times) {
         const double t = time - instrument.clock_offset;
         motion.time.push_back(time);

@@ -145,7 +145,8 @@ private:
         return {};
     }
 
-    /// The damped step inside the bounds: parameters that it would take beyond stop there, and the others make up for it.
+    /// The damped step inside the bounds: parameters that it would take beyond stop there, and the others make up for
+    /// it.
     [[nodiscard]] VectorXd bounded_step(double damping) const {
         const auto count = static_cast<Eigen::Index>(fit_.free.size());
         VectorXd step = VectorXd::Zero(count);
@@ -183,9 +184,12 @@ private:
 
     /// A step of the k-th free parameter, cut where it would leave its bounds.
     [[nodiscard]] double inside(Eigen::Index k, double step) const {
-        const Parameter& parameter = model_.parameters()[static_cast<std::size_t>(fit_.free[static_cast<std::size_t>(k)])];
+        const Parameter& parameter =
+            model_.parameters()[static_cast<std::size_t>(fit_.free[static_cast<std::size_t>(k)])];
         const double from = fit_.values[fit_.free[static_cast<std::size_t>(k)]];
-        return from + step < parameter.lo ? parameter.lo - from : from + step > parameter.hi ? parameter.hi - from : step;
+        return from + step < parameter.lo   ? parameter.lo - from
+               : from + step > parameter.hi ? parameter.hi - from
+                                            : step;
     }
 
     /// Broyden 1965: the least change of the slopes, each in units of its own effect, that explains what was missed.
@@ -236,9 +240,8 @@ Result<Fit> fit(Model& model, const Noise& noise, const VectorXd& start, const s
     if (known)
         result.slopes = *options.slopes;
     const auto known_by = [&](double horizon) {
-        return std::any_of(model.rows().begin(), model.rows().end(), [&](const Row& row) {
-            return row.time <= horizon * model.record_of(row).time.back();
-        });
+        return std::any_of(model.rows().begin(), model.rows().end(),
+                           [&](const Row& row) { return row.time <= horizon * model.record_of(row).time.back(); });
     };
     for (const double horizon : horizons) {
         if (horizon < 1 && !known_by(horizon)) // single numbers

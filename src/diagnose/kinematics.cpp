@@ -15,11 +15,11 @@ namespace tumble::diagnose {
 
 namespace {
 
-constexpr double surely = 5;         // standard errors, of any contradiction
-constexpr double slip = 6;           // standard errors, of a lone reading
-constexpr double crest = 1.5;        // of a peak speed over that of the sinusoid: no swing of one frequency has more
-constexpr int fewest_turns = 6;      // half periods of an oscillation
-constexpr std::size_t together = 5;  // readings whose mean stands for a top
+constexpr double surely = 5;           // standard errors, of any contradiction
+constexpr double slip = 6;             // standard errors, of a lone reading
+constexpr double crest = 1.5;          // of a peak speed over that of the sinusoid: no swing of one frequency has more
+constexpr int fewest_turns = 6;        // half periods of an oscillation
+constexpr std::size_t together = 5;    // readings whose mean stands for a top
 constexpr double least_leaning = 1e-3; // of gravity, across: heights alone are no energy then
 
 using Readings = std::vector<double>;
@@ -34,7 +34,8 @@ bool alone(const scene::Scene& scene) {
 Readings without_slips(const Readings& value, double sigma) {
     Readings clean = value;
     for (std::size_t k = 1; k + 1 < value.size(); ++k) {
-        const double middle = std::clamp(value[k], std::min(value[k - 1], value[k + 1]), std::max(value[k - 1], value[k + 1]));
+        const double middle =
+            std::clamp(value[k], std::min(value[k - 1], value[k + 1]), std::max(value[k - 1], value[k + 1]));
         if (std::abs(value[k] - middle) > slip * sigma)
             clean[k] = middle;
     }
@@ -45,7 +46,9 @@ Readings without_slips(const Readings& value, double sigma) {
 bool sums_to(const std::string& velocity, const std::string& way, bool lone_body) {
     for (const std::string axis : {"x", "y", "z"})
         for (const auto& [fast, slow] : {std::pair<std::string, std::string>{"_summed_v", "_point_"},
-                                         {"_summed_v", "_"}, {"_point_v", "_point_"}, {"_v", "_"}})
+                                         {"_summed_v", "_"},
+                                         {"_point_v", "_point_"},
+                                         {"_v", "_"}})
             if (velocity.ends_with(fast + axis)) {
                 const std::string body = velocity.substr(0, velocity.size() - fast.size() - 1);
                 if (way == body + slow + axis || (lone_body && slow == "_" && way == "centre_of_mass_" + axis))
@@ -82,7 +85,8 @@ Readings summed(const Readings& time, const Readings& rate) {
 Readings growth_of_variance(const Readings& time, const Readings& rate, double sigma) {
     Readings growth{0};
     for (std::size_t k = 1; k < time.size(); ++k) {
-        const double before = k > 1 ? rate[k - 1] - rate[k - 2] : 0, after = k + 1 < time.size() ? rate[k + 1] - rate[k] : 0;
+        const double before = k > 1 ? rate[k - 1] - rate[k - 2] : 0,
+                     after = k + 1 < time.size() ? rate[k + 1] - rate[k] : 0;
         const double jump = std::abs(rate[k] - rate[k - 1] - (before + after) / 2);
         const double step = time[k] - time[k - 1];
         growth.push_back(step * step * (sigma * sigma + (jump > surely * sigma ? jump * jump / 12 : 0)));
@@ -138,9 +142,10 @@ void doubt_sums(const Record& record, const Scatters& sigma, const scene::Scene&
             return;
         doubts.push_back(doubt(
             record, "velocity against way",
-            fmt::format("the sum of {} is not {}: it has {:+.3g} % of the way too much, and runs away by {:+.3g} m/s and "
-                        "{:+.3g} m/s2",
-                        fast.head, way.head, 100 * found.share, found.rate, found.acceleration),
+            fmt::format(
+                "the sum of {} is not {}: it has {:+.3g} % of the way too much, and runs away by {:+.3g} m/s and "
+                "{:+.3g} m/s2",
+                fast.head, way.head, 100 * found.share, found.rate, found.acceleration),
             "one of the two sensors is wrong, whatever the simulation says: a share is a scale, a rate a zero of the "
             "velocity, an acceleration gravity that leaks or a zero that drifts"));
     });
@@ -189,12 +194,13 @@ void doubt_peaks(const Record& record, const Scatters& sigma, const scene::Scene
         const double least = 4 * found->amplitude / found->period;
         const double most = crest * 2 * std::numbers::pi * found->amplitude / found->period;
         if (peak < least - surely * sigma[v] || peak > most + surely * sigma[v])
-            doubts.push_back(doubt(
-                record, "peak speed",
-                fmt::format("{} swings by {:.3g} m in {:.3g} s, which takes a peak speed of {:.3g} to {:.3g} m/s, but {} "
-                            "reaches {:.3g} m/s",
-                            way.head, found->amplitude, found->period, least, most, fast.head, peak),
-                "compare the two sensors: one of their scales, or a filter, is wrong"));
+            doubts.push_back(
+                doubt(record, "peak speed",
+                      fmt::format(
+                          "{} swings by {:.3g} m in {:.3g} s, which takes a peak speed of {:.3g} to {:.3g} m/s, but {} "
+                          "reaches {:.3g} m/s",
+                          way.head, found->amplitude, found->period, least, most, fast.head, peak),
+                      "compare the two sensors: one of their scales, or a filter, is wrong"));
     });
 }
 
@@ -258,12 +264,13 @@ void doubt_speeds(const Record& record, const Scatters& sigma, const scene::Scen
         for (const double value : channel.value)
             most = std::max(most, std::abs(value));
         if (most > limit + surely * sigma[c])
-            doubts.push_back(doubt(record, "speed",
-                                   fmt::format("{} reaches {:.3g} m/s, and nothing in the scene makes a body faster than "
-                                               "{:.3g} m/s: how it is put in, a fall through all of the domain, and its "
-                                               "walls",
-                                               channel.head, most, limit),
-                                   "check the unit and the zero of the sensor, and the speeds that the scene states"));
+            doubts.push_back(
+                doubt(record, "speed",
+                      fmt::format("{} reaches {:.3g} m/s, and nothing in the scene makes a body faster than "
+                                  "{:.3g} m/s: how it is put in, a fall through all of the domain, and its "
+                                  "walls",
+                                  channel.head, most, limit),
+                      "check the unit and the zero of the sensor, and the speeds that the scene states"));
     }
 }
 

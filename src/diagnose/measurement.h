@@ -22,9 +22,9 @@ struct Channel {
     std::string measure;       // name of a measure, or "time" for a clock in the picture
     std::string unit;          // SI, as measures have it: "m", "m_s"
     std::vector<double> value; // SI
-    double sigma = 0;          // SI, scatter of one reading; of a single number that of the mean of its rows; 0: not stated
+    double sigma = 0; // SI, scatter of one reading; of a single number that of the mean of its rows; 0: not stated
     double degrees = std::numeric_limits<double>::infinity(); // of freedom that sigma is known with
-    int rows = 1;              // of a single number: that repeat each other
+    int rows = 1;                                             // of a single number: that repeat each other
     Take take = Take::reading; // of a record of single numbers: one of the others, of all its channels
     double from = 0;           // s, where the stretch begins that a single number is of; it ends with the record
 

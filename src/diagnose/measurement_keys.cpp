@@ -1,5 +1,5 @@
-#include "diagnose/measurement.h"
 #include "diagnose/bed_number.h"
+#include "diagnose/measurement.h"
 #include "scene/key_maker.h"
 
 namespace tumble::diagnose {
@@ -109,7 +109,8 @@ scene::KeyTable number_of_bulk() {
             .required = true,
             .sentence = "One number of the bed.",
             .keys = {
-                text("measure", "What it is a number of: a name of `tumble list measures`, or a column of a tracer.").must(),
+                text("measure", "What it is a number of: a name of `tumble list measures`, or a column of a tracer.")
+                    .must(),
                 word("take", words_of_bed_takes(),
                      "Which number: the mean over time, the root mean square, the value that a tenth, half or nine "
                      "tenths of the time stays below, or the mean time of a cycle.")
@@ -142,23 +143,22 @@ scene::KeyTable table() {
 
 scene::KeyTable column_of_table() {
     using namespace scene;
-    return {
-        .path = "table.column",
-        .head = "[[table.column]]",
-        .repeat = Repeat::many,
-        .required = true,
-        .sentence = "One column of numbers.",
-        .keys = {
-            text("head", "Head of the column without its unit: \"rebound\" finds rebound_m, rebound_mm.").must(),
-            text("measure", "What it is a number of: a name of `tumble list measures`.").must(),
-            word("take", words_of_takes(),
-                 "Which number: the highest or lowest value, the last one, the mean, or rebound, the highest value "
-                 "after the first lowest one.")
-                .must(),
-            number("from_s", "s", from(0), "Where the stretch begins that it is taken of.").otherwise(0.0),
-            number("sigma", "unit of the column", above(0),
-                   "Scatter of one number (standard deviation); without it rows that repeat each other tell."),
-        }};
+    return {.path = "table.column",
+            .head = "[[table.column]]",
+            .repeat = Repeat::many,
+            .required = true,
+            .sentence = "One column of numbers.",
+            .keys = {
+                text("head", "Head of the column without its unit: \"rebound\" finds rebound_m, rebound_mm.").must(),
+                text("measure", "What it is a number of: a name of `tumble list measures`.").must(),
+                word("take", words_of_takes(),
+                     "Which number: the highest or lowest value, the last one, the mean, or rebound, the highest value "
+                     "after the first lowest one.")
+                    .must(),
+                number("from_s", "s", from(0), "Where the stretch begins that it is taken of.").otherwise(0.0),
+                number("sigma", "unit of the column", above(0),
+                       "Scatter of one number (standard deviation); without it rows that repeat each other tell."),
+            }};
 }
 
 } // namespace
@@ -169,8 +169,8 @@ const std::vector<std::string>& words_of_takes() {
 }
 
 const std::vector<scene::KeyTable>& measurement_keys() {
-    static const std::vector<scene::KeyTable> all{
-        top(), nuisance(), series(), column(), bulk(), number_of_bulk(), table(), column_of_table()};
+    static const std::vector<scene::KeyTable> all{top(),  nuisance(),       series(), column(),
+                                                  bulk(), number_of_bulk(), table(),  column_of_table()};
     return all;
 }
 

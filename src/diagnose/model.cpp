@@ -14,7 +14,7 @@ namespace tumble::diagnose {
 
 namespace {
 
-constexpr double rows_per_reading = 8; // of a run, between two readings: kinks are resolved well below a reading
+constexpr double rows_per_reading = 8;    // of a run, between two readings: kinks are resolved well below a reading
 constexpr double steps_of_a_number = 100; // of a run of which one number is taken, in place of readings
 constexpr std::size_t most_remembered = 600;
 constexpr double room_for_clocks = 0.03; // s of a run beyond the last reading

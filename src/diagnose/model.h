@@ -61,7 +61,9 @@ public:
     [[nodiscard]] const std::vector<Cause>& causes() const { return causes_; }
     [[nodiscard]] const std::vector<Record>& records() const { return records_; }
     [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
-    [[nodiscard]] const Record& record_of(const Row& row) const { return records_[static_cast<std::size_t>(row.record)]; }
+    [[nodiscard]] const Record& record_of(const Row& row) const {
+        return records_[static_cast<std::size_t>(row.record)];
+    }
     [[nodiscard]] const Channel& channel_of(const Row& row) const {
         return record_of(row).channels[static_cast<std::size_t>(row.channel)];
     }

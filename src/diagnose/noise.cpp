@@ -14,9 +14,9 @@ namespace {
 constexpr double least_correlation = 0.08;
 constexpr double most_correlation = 0.95;
 constexpr double fewest_free = 10; // readings that nothing explains, to tell a scatter from
-constexpr int halvings = 12; // of what a memory may be, until it is known to 0.0002
-constexpr double outlier = 6;    // standard deviations
-constexpr std::size_t reach = 3; // readings to either side that a reading is held against
+constexpr int halvings = 12;       // of what a memory may be, until it is known to 0.0002
+constexpr double outlier = 6;      // standard deviations
+constexpr std::size_t reach = 3;   // readings to either side that a reading is held against
 constexpr double most_outliers = 0.02;
 constexpr double least_beside = 0.05; // of an effect, that nuisances leave
 
@@ -198,9 +198,7 @@ struct Sum {
         free += of;
     }
     [[nodiscard]] double scatter() const { return free > 0 ? std::sqrt(squares / free) : 0; }
-    [[nodiscard]] double chance() const {
-        return free > 0 ? hotelling_tail(squares, free, covariance_known) : 1;
-    }
+    [[nodiscard]] double chance() const { return free > 0 ? hotelling_tail(squares, free, covariance_known) : 1; }
 };
 
 } // namespace

@@ -26,11 +26,11 @@ void doubt_noise(const NoiseReport& noise, const Model& model, const std::filesy
                  .what = fmt::format("readings{} scatter {:.2f} times as much as stated", whose, one.ratio),
                  .fix = "the scatter found in the readings is used"});
         if (one.correlation > 0.08)
-            warnings.push_back({.file = file.string(),
-                                   .key = "noise not white",
-                                   .what = fmt::format("errors of neighbouring readings{} correlate by {:.2f}",
-                                                       whose, one.correlation),
-                                   .fix = "nothing: readings are weighted for it"});
+            warnings.push_back(
+                {.file = file.string(),
+                 .key = "noise not white",
+                 .what = fmt::format("errors of neighbouring readings{} correlate by {:.2f}", whose, one.correlation),
+                 .fix = "nothing: readings are weighted for it"});
     }
     if (noise.widened > 1)
         warnings.push_back(
@@ -39,17 +39,15 @@ void doubt_noise(const NoiseReport& noise, const Model& model, const std::filesy
              .what = fmt::format("records of one condition differ by {:.2f} times what their readings scatter, and "
                                  "as causes would do by {:.2f} times",
                                  noise.repeats, noise.along),
-             .fix =
-                 "something changes from run to run: give it as a nuisance with per = \"series\"; all errors are "
-                 "stated that much larger"});
+             .fix = "something changes from run to run: give it as a nuisance with per = \"series\"; all errors are "
+                    "stated that much larger"});
     if (noise.left_out > 0)
-        warnings.push_back(
-            {.file = file.string(),
-             .key = "outliers",
-             .what = fmt::format("{} lone reading(s) stand out of their neighbours", noise.left_out),
-             .fix = noise.left_out > 0.02 * static_cast<double>(model.rows().size())
-                        ? "too many to be slips: all are used"
-                        : "they are left out"});
+        warnings.push_back({.file = file.string(),
+                            .key = "outliers",
+                            .what = fmt::format("{} lone reading(s) stand out of their neighbours", noise.left_out),
+                            .fix = noise.left_out > 0.02 * static_cast<double>(model.rows().size())
+                                       ? "too many to be slips: all are used"
+                                       : "they are left out"});
 }
 
 } // namespace tumble::diagnose

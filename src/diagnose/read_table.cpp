@@ -86,16 +86,17 @@ void find_sigma(Channel& channel, const std::vector<Group>& groups, const TypedT
         return;
     }
     if (found == 0)
-        return report.add(table.view.place(), "table.column.sigma",
-                          free > 0
-                              ? fmt::format("{} has no sigma, and rows that repeat each other do not differ", channel.head)
-                              : fmt::format("{} has no sigma, and no two rows repeat each other", channel.head),
-                          "give sigma, the scatter of one number, or rows of repeated experiments");
+        return report.add(
+            table.view.place(), "table.column.sigma",
+            free > 0 ? fmt::format("{} has no sigma, and rows that repeat each other do not differ", channel.head)
+                     : fmt::format("{} has no sigma, and no two rows repeat each other", channel.head),
+            "give sigma, the scatter of one number, or rows of repeated experiments");
     channel.sigma = found;
     channel.degrees = free;
     warn("sigma from repeats",
-         fmt::format("the scatter of {} is taken from rows that repeat each other, {:.3g} {} with {:g} degrees of freedom",
-                     channel.head, found, channel.unit, free),
+         fmt::format(
+             "the scatter of {} is taken from rows that repeat each other, {:.3g} {} with {:g} degrees of freedom",
+             channel.head, found, channel.unit, free),
          "nothing, if they were made as the others were: every test allows for so few");
 }
 
@@ -116,10 +117,10 @@ std::vector<Channel> columns_of(const TypedTable& table, const Table& cells, con
             report.add(one.view.place("measure"), "table.column.measure", "time is no number of an experiment",
                        "leave it out");
         if (channel->from >= until)
-            report.add(one.view.place("from_s"), "table.column.from_s",
-                       fmt::format("the stretch begins at {:g} s, and the experiment ends at {:g} s", channel->from,
-                                   until),
-                       "let from_s be earlier than until_s");
+            report.add(
+                one.view.place("from_s"), "table.column.from_s",
+                fmt::format("the stretch begins at {:g} s, and the experiment ends at {:g} s", channel->from, until),
+                "let from_s be earlier than until_s");
         channels.push_back(std::move(*channel));
     }
     return channels;

@@ -226,11 +226,11 @@ std::string standing_of(const Diagnosis& diagnosis, int cause) {
                : seen.share < 0.005 ? "does not show: nuisances absorb it"
                                     : "does not show in these data";
     if (std::find(decision.causes.begin(), decision.causes.end(), cause) != decision.causes.end())
-        return decision.outcome != Outcome::ambiguous          ? "named"
-               : decision.pairs.empty() && seen.refit ? "may be it: " + amplitude_words(cause_of(diagnosis, cause),
-                                                                                         seen.refit->amplitude[0],
-                                                                                         seen.refit->error[0])
-                                                      : "may be it";
+        return decision.outcome != Outcome::ambiguous ? "named"
+               : decision.pairs.empty() && seen.refit
+                   ? "may be it: " +
+                         amplitude_words(cause_of(diagnosis, cause), seen.refit->amplitude[0], seen.refit->error[0])
+                   : "may be it";
     if (seen.refit && !seen.refit->possible)
         return "refused: " + seen.refit->refused;
     const bool one_explains_it = decision.outcome == Outcome::named ||

@@ -129,12 +129,13 @@ Result<Outcome> perform(const Values& values) {
               "moves, overlaps counted once; and a cylinder turned out of the same material on a lathe.");
     sheet.formula("ideal cone V = π d² h / 12,   cylinder V = π d² l / 4");
     say_ways(sheet, ways, printed);
-    sheet.say(fmt::format("The ideal cone's volume is {:.3g} % below the model's, so its density is {:.3g} % above: a real "
-                          "cone of that height and base has a rounded tip, but bulges. With a density of {:.6g} kg/m3 "
-                          "the model weighs {:.4g} g; the scale says {:.4g} g. The error of the model's density is the "
-                          "mass' alone: how well the spheres fill the particle is not known.",
-                          100 * (1 - ways[0].volume / ways[1].volume), 100 * (ways[0].density() / ways[1].density() - 1),
-                          printed, 1e3 * clump->mass, 1e3 * mass));
+    sheet.say(
+        fmt::format("The ideal cone's volume is {:.3g} % below the model's, so its density is {:.3g} % above: a real "
+                    "cone of that height and base has a rounded tip, but bulges. With a density of {:.6g} kg/m3 "
+                    "the model weighs {:.4g} g; the scale says {:.4g} g. The error of the model's density is the "
+                    "mass' alone: how well the spheres fill the particle is not known.",
+                    100 * (1 - ways[0].volume / ways[1].volume), 100 * (ways[0].density() / ways[1].density() - 1),
+                    printed, 1e3 * clump->mass, 1e3 * mass));
     if (!*turned)
         sheet.say("The thesis prints neither size nor mass of its turned cylinders, only the average of "
                   "their densities, 1665.71 kg/m3: nothing can be computed again there. The other two rest "

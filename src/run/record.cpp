@@ -13,7 +13,7 @@ namespace tumble::run {
 
 namespace {
 
-constexpr int most_parts = 1024; // of a stride
+constexpr int most_parts = 1024;           // of a stride
 constexpr double share_of_step = 0.25;     // of the scene's step, for impacts
 constexpr double steps_of_trial = 4;       // of those, one step of the trial that finds an impact's beginning and end
 constexpr double share_of_rub = 1.0 / 256; // of those again, for impacts that friction turns

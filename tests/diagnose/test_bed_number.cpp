@@ -48,8 +48,9 @@ Result<observe::Series> carried(const scene::Scene& scene) {
 }
 
 std::string sensed(double phase_deg) {
-    std::string toml = "title = \"a sensor in a bed\"\ncauses = [\"exc.phase\", \"grav.tilt_x\"]\n[[bulk]]\nname = \"one\"\n"
-                       "runs = 4\nfrom_s = 1\nuntil_s = 2\n";
+    std::string toml =
+        "title = \"a sensor in a bed\"\ncauses = [\"exc.phase\", \"grav.tilt_x\"]\n[[bulk]]\nname = \"one\"\n"
+        "runs = 4\nfrom_s = 1\nuntil_s = 2\n";
     for (const auto& [take, unit, value, sigma] :
          {std::tuple{"q90", "m_s", 0.951 * (0.1 + 0.05 * std::sin(phase_deg / 57.29577951308232)), 0.005},
           {"cycle", "s", 0.2, 0.01}})

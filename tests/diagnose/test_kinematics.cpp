@@ -129,7 +129,8 @@ TEST_CASE("no speed is larger than what a fall through the scene gives") {
 }
 
 TEST_CASE("how a body is put in, its spin too, and walls that come to meet it make it faster") {
-    const auto limit_beyond = [](const std::string& from, const std::string& to, const std::string& more, double speed) {
+    const auto limit_beyond = [](const std::string& from, const std::string& to, const std::string& more,
+                                 double speed) {
         std::string toml = test::floor_and_ball;
         toml.replace(toml.find(from), from.size(), to);
         const auto scene = scene::load_scene_text(toml + more, "ball.toml", {});
@@ -144,7 +145,8 @@ TEST_CASE("how a body is put in, its spin too, and walls that come to meet it ma
     CHECK(limit_beyond(still, "velocity_m_s = [3, 0, 0]", "", 9.3)); // root of 9 + 78.5
     CHECK(!limit_beyond(still, "velocity_m_s = [3, 0, 0]", "", 9.4));
     CHECK(limit_beyond(still, still + "\nangular_velocity_rad_s = [0, 0, 10]", "", 12));
-    const std::string shaken = "[[wall.motion]]\nkind = \"harmonic\"\naxis = \"y\"\namplitude_m = 0.001\nfrequency_Hz = 40\n";
+    const std::string shaken =
+        "[[wall.motion]]\nkind = \"harmonic\"\naxis = \"y\"\namplitude_m = 0.001\nfrequency_Hz = 40\n";
     CHECK(limit_beyond(still, still, shaken, 11)); // 0.25 m/s, restitution 0.8: 9 times as much
     CHECK(!limit_beyond(still, still, shaken, 11.3));
 }

@@ -143,7 +143,8 @@ TEST_CASE("each bad input has its answer: place, what is wrong, what to do") {
     CHECK(laboratory.refusal(replaced(whole, "low.csv", "high.csv"), good) ==
           "m.toml:7:8: high.csv there is no such file\n    give the CSV file's name as seen from this file's folder");
     CHECK(laboratory.refusal("causes = [\"ins.gian\"]\n" + whole, good) ==
-          "m.toml:1:10: there is no cause and no family 'ins.gian'\n    did you mean 'ins.gain'? `tumble list causes` names all of "
+          "m.toml:1:10: there is no cause and no family 'ins.gian'\n    did you mean 'ins.gain'? `tumble list causes` "
+          "names all of "
           "them");
     const std::string again = whole + "[[series]]\nname = \"twin\"\nfile = \"low.csv\"\n[[series.column]]\nhead = "
                                       "\"height\"\nmeasure = \"centre_of_mass_y\"\nsigma = 1.5\n";

@@ -140,7 +140,8 @@ TEST_CASE("rows that set the same are one number, their mean, and tell the scatt
 TEST_CASE("a sigma that repeated rows contradict gives way to what they show") {
     const Notebook notebook;
     const std::string rows = "height_m,rebound_mm\n0.2,80\n0.2,84\n0.2,88\n0.2,92\n0.2,96\n";
-    const auto contradicted = notebook.load(whole + "sigma = 2\n", rows), borne_out = notebook.load(whole + "sigma = 7\n", rows);
+    const auto contradicted = notebook.load(whole + "sigma = 2\n", rows),
+               borne_out = notebook.load(whole + "sigma = 7\n", rows);
     REQUIRE(contradicted);
     REQUIRE(borne_out);
     CHECK(contradicted->records[0].channels[0].sigma == about(std::sqrt(40.0 / 5) * 1e-3, 1e-9));
@@ -153,7 +154,8 @@ TEST_CASE("a sigma that repeated rows contradict gives way to what they show") {
 TEST_CASE("what nobody could know, or nothing says, is refused") {
     const Notebook notebook;
     const std::string once = "height_m,rebound_mm\n0.2,80\n0.4,170\n";
-    CHECK(notebook.refusal(whole, once) == "table.column.sigma: rebound_mm has no sigma, and no two rows repeat each other");
+    CHECK(notebook.refusal(whole, once) ==
+          "table.column.sigma: rebound_mm has no sigma, and no two rows repeat each other");
     CHECK(notebook.refusal(whole, "height_m,rebound_mm\n0.2,80\n0.2,80\n").ends_with("do not differ"));
     CHECK(notebook.refusal(whole, "height_m,rebound_mm\n") == ": there is a head and no row");
     CHECK(notebook.refusal(whole + "sigma = 1\n", "height_m,rebound_mm\n") == ": there is a head and no row");
@@ -196,8 +198,8 @@ TEST_CASE("heights of rebounds alone show a restitution that falls with speed") 
 }
 
 TEST_CASE("a scatter known from few rows is allowed for: where nothing is hidden alarms are as rare as promised") {
-    // Gate and adequacy alarm in 0.5 % each: more than 9 of 300 have a probability of 0.1 %. With the scatter of six rows
-    // taken for known it would be some 20.
+    // Gate and adequacy alarm in 0.5 % each: more than 9 of 300 have a probability of 0.1 %. With the scatter of six
+    // rows taken for known it would be some 20.
     int alarms = 0;
     for (std::uint64_t seed = 1; seed <= 300; ++seed)
         alarms += diagnosed(drops(0, {0.3, 0.7, 1.2}, seed, 2)).decision.outcome != Outcome::consistent;

@@ -145,9 +145,16 @@ int list_measures(const ListArguments& arguments) {
         const auto scene = scene::load_scene(fs::is_directory(place, ignored) ? place / "scene.toml" : place);
         if (!scene)
             return refuse(scene.problems(), arguments.json, wrong);
-        for (const std::string& body : run::traced_bodies(scene->observe.measures))
+        const std::vector<std::string> traced = run::traced_bodies(scene->observe.measures);
+        for (const std::string& body : traced)
             for (const observe::TracerColumn& column : observe::tracer_columns(body))
                 add_column(items, column.name, column.unit, column.column(), column.sentence);
+        for (const scene::BodyTemplate& body : scene->bodies)
+            if (std::find(traced.begin(), traced.end(), body.name) == traced.end())
+                add_column(items, "tracer:" + body.name, "", "",
+                           fmt::format("27 columns that follow the first {0}, such as tracer:{0}_x and tracer:{0}_vx: "
+                                       "docs/measures.md, \"Tracers\"",
+                                       body.name));
     }
     return show(items, {"name", "unit", "group", "sentence"}, arguments.json);
 }

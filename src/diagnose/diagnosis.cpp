@@ -419,7 +419,8 @@ private:
         for (std::size_t r = 0; r < model_->records().size(); ++r) {
             const Record& record = model_->records()[r];
             const auto scene = model_->scene_at(baseline_.values, static_cast<int>(r));
-            const double shaken = scene ? scene::slowest_period(*scene) : 0;
+            const scene::Vibration shaken = scene ? scene::slowest_vibration(*scene) : scene::Vibration{};
+            const double late = model_->instrument_at(baseline_.values, static_cast<int>(r)).clock_offset;
             for (std::size_t c = 0; c < record.channels.size(); ++c) {
                 const Channel& channel = record.channels[c];
                 Curve curve{.record = record.name,
@@ -434,7 +435,8 @@ private:
                             .left_out = {},
                             .measure = channel.measure,
                             .stated = std::isinf(channel.degrees) ? channel.sigma : 0,
-                            .shaken = shaken};
+                            .shaken = shaken.period,
+                            .shaken_from = shaken.from + late};
                 for (std::size_t k = 0; k < record.time.size(); ++k, ++row) {
                     curve.baseline.push_back((*baseline)[row]);
                     curve.left_out.push_back(noise_.left_out[static_cast<std::size_t>(row)]);

@@ -19,7 +19,8 @@ struct Curve {
     std::vector<bool> left_out;                             // lone outliers
     std::string measure{};                                  // "centre_of_mass_y"
     double stated = 0;                                      // SI, sigma as the measurement has it; 0: not stated
-    double shaken = 0; // s, period of the slowest vibration of a wall; 0: none vibrates
+    double shaken = 0;      // s, period of the slowest vibration of a wall; 0: none vibrates
+    double shaken_from = 0; // s, where its phase is 0, on the instrument's clock
 };
 
 /// One number of a bed beside what the simulation says of it, SI. Errors are standard errors of means.

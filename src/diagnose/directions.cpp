@@ -111,32 +111,43 @@ std::string over(const std::string& above, const std::string& below) {
     return (above.empty() ? "1" : above) + (compound ? "/(" + below + ")" : "/" + below);
 }
 
-/// Of a slope along what add_prints() adds, in that order: of the measure's `unit` over the direction's.
-std::vector<std::string> units_of_slopes(const std::string& unit) {
-    const std::string per_second = unit.find('/') == std::string::npos ? over(unit, "s") : "(" + unit + ")/s";
-    return {unit, "", over("", unit), "s", over("s\u00b2", unit), "s", per_second, "", "1/s", "1/s", unit, "s", "s"};
+/// A direction of no particular cause at one reading, in the measure's unit to that power times s to that one.
+struct Print {
+    const char* name;
+    double value;
+    int of_unit, of_s;
+};
+
+/// Of the residual's slope along it.
+std::string unit_of_slope(const std::string& unit, const Print& print) {
+    const int of_unit = 1 - print.of_unit, of_s = -print.of_s;
+    const std::string measured = of_unit > 0 ? unit : "";
+    if (of_s < 0)
+        return measured.find('/') == std::string::npos ? over(measured, "s") : "(" + measured + ")/s";
+    const std::string above = of_s == 0 ? measured : of_s == 1 ? "s" : "s\u00b2";
+    return of_unit < 0 ? over(above, unit) : above;
 }
 
-void add_prints(Columns& prints, const std::string& measure, const std::vector<std::string>& units,
-                const Motion& motion, std::size_t k, Eigen::Index row) {
+void add_prints(Columns& prints, const std::string& measure, const std::string& unit, const Motion& motion,
+                std::size_t k, Eigen::Index row) {
     const double t = motion.time[k], y = motion.value[k], v = motion.rate[k];
     const int n = motion.impact[k];
     const double turn = n % 2 ? -1 : 1;
-    const std::pair<const char*, double> all[] = {{"a constant", 1},
-                                                  {"the reading", y},
-                                                  {"the square of the reading", y * y},
-                                                  {"speed", v},
-                                                  {"the square of speed, with its sign", v * std::abs(v)},
-                                                  {"speed without its sign", std::abs(v)},
-                                                  {"time", t},
-                                                  {"time times speed", t * v},
-                                                  {"time times the reading", t * y},
-                                                  {"the square of time times speed", t * t * v},
-                                                  {"impacts, one up and one down", turn},
-                                                  {"speed, turned round at every impact", turn * v},
-                                                  {"impacts so far times speed", n * v}};
-    for (std::size_t i = 0; i < std::size(all); ++i)
-        prints.column(fmt::format("{} ({})", all[i].first, measure), "", units[i])[row] = all[i].second;
+    const Print all[] = {{"a constant", 1, 0, 0},
+                         {"the reading", y, 1, 0},
+                         {"the square of the reading", y * y, 2, 0},
+                         {"speed", v, 1, -1},
+                         {"the square of speed, with its sign", v * std::abs(v), 2, -2},
+                         {"speed without its sign", std::abs(v), 1, -1},
+                         {"time", t, 0, 1},
+                         {"time times speed", t * v, 1, 0},
+                         {"time times the reading", t * y, 1, 1},
+                         {"the square of time times speed", t * t * v, 1, 1},
+                         {"impacts, one up and one down", turn, 0, 0},
+                         {"speed, turned round at every impact", turn * v, 1, -1},
+                         {"impacts so far times speed", n * v, 1, -1}};
+    for (const Print& one : all)
+        prints.column(fmt::format("{} ({})", one.name, measure), "", unit_of_slope(unit, one))[row] = one.value;
 }
 
 /// A shared nuisance that would differ in one condition only.
@@ -193,11 +204,10 @@ Result<Directions> directions_at(Model& model, const Noise& noise, const Fit& fi
             const std::vector<int> pieces = pieces_of(motion);
             const std::string& measure = record.channels[c].measure;
             const std::string unit = observe::spelled_unit(record.channels[c].unit);
-            const std::vector<std::string> units = units_of_slopes(unit);
             all.courses.push_back({measure, row, record.time});
             for (std::size_t k = 0; k < record.time.size(); ++k, ++row) {
                 blocks.column(fmt::format("{} {} {}", r, c, pieces[k]))[row] = 1;
-                add_prints(prints, measure, units, motion, k, row);
+                add_prints(prints, measure, unit, motion, k, row);
                 prints.column(fmt::format("a constant in '{}' alone ({})", record.condition, measure),
                               "the zero of " + measure, unit)[row] = 1;
                 all.condition.push_back(condition);

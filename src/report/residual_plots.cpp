@@ -119,8 +119,10 @@ std::vector<double> rates(const Curve& curve) {
 
 std::vector<double> phases(const Curve& curve) {
     std::vector<double> phase;
-    for (const double time : curve.time)
-        phase.push_back(360 * (time / curve.shaken - std::floor(time / curve.shaken)));
+    for (const double time : curve.time) {
+        const double periods = (time - curve.shaken_from) / curve.shaken;
+        phase.push_back(360 * (periods - std::floor(periods)));
+    }
     return phase;
 }
 

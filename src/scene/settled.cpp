@@ -2,15 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace tumble::scene {
 
-double slowest_period(const Scene& scene) {
-    double period = 0;
-    for (const Wall& wall : scene.walls)
-        for (const Harmonic& part : wall.motion.harmonics)
-            period = std::max(period, 1 / part.frequency);
-    return period;
+Vibration slowest_vibration(const Scene& scene) {
+    Vibration slowest;
+    const auto take = [&](const auto& parts) {
+        for (const auto& part : parts)
+            if (1 / part.frequency > slowest.period)
+                slowest = {1 / part.frequency,
+                           part.active.start - part.phase / (2 * std::numbers::pi * part.frequency)};
+    };
+    for (const Wall& wall : scene.walls) {
+        take(wall.motion.harmonics);
+        take(wall.motion.rockings);
+    }
+    return slowest;
 }
 
 Stretch driven(const Scene& scene) {
@@ -38,7 +46,7 @@ Stretch driven(const Scene& scene) {
 
 Stretch settled(const Scene& scene) {
     Stretch stretch = driven(scene);
-    const double half = (stretch.until - stretch.from) / 2, pair = 2 * slowest_period(scene);
+    const double half = (stretch.until - stretch.from) / 2, pair = 2 * slowest_vibration(scene).period;
     const double whole = pair > 0 ? std::floor(half / pair + 1e-9) * pair : half;
     stretch.from = stretch.until - (whole > 0 ? whole : half);
     return stretch;

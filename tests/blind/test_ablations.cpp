@@ -390,29 +390,6 @@ TEST_CASE("readings written in metres and milliseconds are those in millimetres 
     }
 }
 
-TEST_CASE("twice the scatter halves how far every effect stands out, from nothing and from its rival") {
-    const Evidence fine = compressed(evidence_of_nothing(Bench::drop));
-    Evidence coarse = fine;
-    for (std::size_t row = 0; row < fine.directions.condition.size(); ++row)
-        if (fine.directions.condition[row] >= 0) { // what was known beforehand does not scatter more
-            coarse.effects.row(static_cast<Eigen::Index>(row)) /= 2;
-            coarse.nuisances.row(static_cast<Eigen::Index>(row)) /= 2;
-        }
-    const auto length = [](const Evidence& evidence, int k) {
-        return Projector(evidence.nuisances).out(VectorXd(evidence.effects.col(k))).norm();
-    };
-    for (const int k : shown_at(fine, 10)) {
-        CAPTURE(fine.causes[static_cast<std::size_t>(k)].id);
-        // Exactly half but for priors, which then hold nuisances a little tighter beside the readings.
-        const double from_nothing = length(coarse, k) / length(fine, k),
-                     from_rival = separable_length(coarse, k) / separable_length(fine, k);
-        CHECK(from_nothing > 0.4999);
-        CHECK(from_nothing < 0.53);
-        CHECK(from_rival > 0.4999);
-        CHECK(from_rival < 0.53);
-    }
-}
-
 TEST_CASE("a cause that the library has twice becomes one answer of two, as often right as before") {
     const Evidence once = compressed(evidence_of_nothing(Bench::drop));
     for (const char* id : {"ins.gain", "rest.velocity", "ins.low_pass"}) {

@@ -3,6 +3,7 @@
 #include "diagnose/kinematics.h"
 #include "floor_and_ball.h"
 #include "scene/load.h"
+#include "scene/settled.h"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -179,6 +180,16 @@ TEST_CASE("readings that are too rare for how a wall vibrates are doubted") {
     const Record record = Sensors{.way = swing, .speed = swing_speed}.record(); // 100 a second
     CHECK(doubts_of(record, shaken(49)).empty());
     CHECK(keys(doubts_of(record, shaken(51))) == "aliasing;");
+}
+
+TEST_CASE("the phase of a vibration is counted from where it passes its middle") {
+    const scene::Scene scene =
+        ball("[[wall.motion]]\nkind = \"harmonic\"\naxis = \"y\"\namplitude_m = 0.001\nfrequency_Hz = 20\n"
+             "phase_deg = 90\nstart_s = 0.3\n");
+    const scene::Vibration found = scene::slowest_vibration(scene);
+    CHECK(found.period == doctest::Approx(0.05));
+    CHECK(found.from == doctest::Approx(0.3 - 0.05 / 4));
+    CHECK(scene::slowest_vibration(ball()).period == 0);
 }
 
 } // namespace test_kinematics

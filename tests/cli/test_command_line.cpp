@@ -136,7 +136,9 @@ TEST_CASE("the lists name what scenes may say") {
     CHECK(contains(tumble_in(folder, {"list", "measures"}).out, "\nkinetic_translation  "));
     CHECK(contains(tumble_in(folder, {"list", "measures"}).out, "\ntracer:BODY  "));
     put(folder.path / "ball.toml", bouncing_ball(0.01));
-    CHECK(tumble_in(folder, {"list", "measures", "ball.toml"}).out.find("tracer") == std::string::npos);
+    const std::string untraced = tumble_in(folder, {"list", "measures", "ball.toml"}).out;
+    CHECK(contains(untraced, "\ntracer:ball  ")); // whom a tracer could follow
+    CHECK(untraced.find("\ntracer:ball_") == std::string::npos);
     std::string traced = bouncing_ball(0.01);
     traced.replace(traced.find("[observe]"), 9, "[observe]\nmeasures = [\"tracer:ball\"]");
     put(folder.path / "ball.toml", traced);

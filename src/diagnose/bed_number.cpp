@@ -1,76 +1,22 @@
 #include "diagnose/bed_number.h"
 
 #include "diagnose/measure_units.h"
+#include "observe/cycle.h"
 #include "observe/mean_over.h"
 #include "observe/tracer.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace tumble::diagnose {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr double turned_round = 0.5; // of the standard deviation, to either side of the mean: less is no cycle
-
-struct Rows {
-    std::vector<double> time, value;
-};
-
-/// Rows of the stretch that have a value; none where most have not. As mean_over() chooses them.
-Rows rows_over(const std::vector<double>& times, const std::vector<double>& values, double from, double until,
-               double every) {
-    Rows rows;
-    std::size_t all = 0;
-    for (std::size_t k = 0; k < times.size(); ++k) {
-        if (times[k] <= from + every / 2 || times[k] > until + every / 2)
-            continue;
-        ++all;
-        if (std::isfinite(values[k])) {
-            rows.time.push_back(times[k]);
-            rows.value.push_back(values[k]);
-        }
-    }
-    return 2 * rows.value.size() > all ? rows : Rows{};
-}
-
-double mean_of(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-/// Between the two nearest ranks.
-double quantile(std::vector<double> values, double share) {
-    std::sort(values.begin(), values.end());
-    const double rank = share * static_cast<double>(values.size() - 1);
-    const auto below = static_cast<std::size_t>(rank);
-    const std::size_t above = std::min(below + 1, values.size() - 1);
-    return values[below] + (rank - static_cast<double>(below)) * (values[above] - values[below]);
-}
-
-double root_mean_square(std::vector<double> values) {
-    for (double& value : values)
-        value *= value;
-    return std::sqrt(mean_of(values));
-}
-
-double mean_cycle(const Rows& rows) {
-    const double mean = mean_of(rows.value);
-    std::vector<double> about = rows.value;
-    for (double& value : about)
-        value -= mean;
-    const double least = turned_round * root_mean_square(about);
-    std::vector<double> rises;
-    bool below = false;
-    for (std::size_t k = 0; k < about.size(); ++k) {
-        if (about[k] > least && below)
-            rises.push_back(rows.time[k]);
-        if (std::abs(about[k]) > least)
-            below = about[k] < 0;
-    }
-    return rises.size() < 3 ? none : (rises.back() - rises.front()) / static_cast<double>(rises.size() - 1);
+double root_mean_square(const std::vector<double>& values) {
+    double squares = 0;
+    for (const double value : values)
+        squares += value * value;
+    return std::sqrt(squares / static_cast<double>(values.size()));
 }
 
 } // namespace
@@ -108,14 +54,12 @@ double number_over(const std::string& take, const std::vector<double>& times, co
                    double from, double until, double every) {
     if (take == "mean")
         return observe::mean_over(times, values, from, until, every);
-    const Rows rows = rows_over(times, values, from, until, every);
-    if (rows.value.empty())
-        return none;
-    if (take == "rms")
-        return root_mean_square(rows.value);
+    const observe::Rows rows = observe::rows_over(times, values, from, until, every);
     if (take == "cycle")
-        return mean_cycle(rows);
-    return quantile(rows.value, take == "q10" ? 0.1 : take == "q50" ? 0.5 : 0.9);
+        return observe::find_cycle(rows.time, rows.value).period;
+    if (take == "rms")
+        return rows.value.empty() ? std::numeric_limits<double>::quiet_NaN() : root_mean_square(rows.value);
+    return observe::quantile(rows.value, take == "q10" ? 0.1 : take == "q50" ? 0.5 : 0.9);
 }
 
 } // namespace tumble::diagnose

@@ -8,8 +8,7 @@
 namespace tumble::diagnose {
 
 /// What of a measure over a stretch of time is compared: its mean, the usual one; its root mean square; the value that
-/// a tenth, half or nine tenths of the rows stay below; or the mean time of a cycle, from one rise through the mean to
-/// the next.
+/// a tenth, half or nine tenths of the rows stay below; or the time of a cycle as observe::find_cycle() has it.
 const std::vector<std::string>& words_of_bed_takes();
 
 /// A number of a bed by the name that goes through a diagnosis: "circulation", or "q90 of tracer:sensor_vy".

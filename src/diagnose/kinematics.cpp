@@ -1,6 +1,7 @@
 #include "diagnose/kinematics.h"
 
 #include "base/distributions.h"
+#include "observe/cycle.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -8,7 +9,6 @@
 #include <fmt/format.h>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <optional>
 
 namespace tumble::diagnose {
@@ -18,7 +18,7 @@ namespace {
 constexpr double surely = 5;           // standard errors, of any contradiction
 constexpr double slip = 6;             // standard errors, of a lone reading
 constexpr double crest = 1.5;          // of a peak speed over that of the sinusoid: no swing of one frequency has more
-constexpr int fewest_turns = 6;        // half periods of an oscillation
+constexpr double fewest_cycles = 3;    // of an oscillation
 constexpr std::size_t together = 5;    // readings whose mean stands for a top
 constexpr double least_leaning = 1e-3; // of gravity, across: heights alone are no energy then
 
@@ -157,30 +157,14 @@ struct Swinging {
 };
 
 std::optional<Swinging> swinging(const Readings& time, const Readings& value, double sigma) {
-    const double mean = std::accumulate(value.begin(), value.end(), 0.0) / static_cast<double>(value.size());
-    const auto [lowest, highest] = std::minmax_element(value.begin(), value.end());
-    const double amplitude = (*highest - *lowest) / 2;
-    if (amplitude < 2 * surely * sigma)
+    const observe::Cycle cycle = observe::find_cycle(time, value);
+    const double amplitude = (cycle.highest - cycle.lowest) / 2;
+    if (cycle.cycles < fewest_cycles || amplitude < 2 * surely * sigma)
         return std::nullopt;
-    Readings turns; // when it goes through the mean, far enough beyond it before it comes back
-    int side = 0;
-    for (std::size_t k = 0; k < time.size(); ++k) {
-        const double off = value[k] - mean;
-        if (std::abs(off) < amplitude / 4)
-            continue;
-        const int now = off > 0 ? 1 : -1;
-        if (side != 0 && now != side)
-            turns.push_back(time[k]);
-        side = now;
-    }
-    if (turns.size() < fewest_turns)
-        return std::nullopt;
-    const auto halves = static_cast<double>(turns.size() - 1);
-    const double half = (turns.back() - turns.front()) / halves;
-    for (std::size_t k = 1; k < turns.size(); ++k)
-        if (std::abs(turns[k] - turns[k - 1] - half) > half / 3) // no sinusoid, not even nearly
+    for (std::size_t k = 1; k < cycle.tops.size(); ++k)
+        if (std::abs(cycle.tops[k] - cycle.tops[k - 1] - cycle.period) > cycle.period / 3) // not even nearly a sinusoid
             return std::nullopt;
-    return Swinging{amplitude, 2 * half};
+    return Swinging{amplitude, cycle.period};
 }
 
 void doubt_peaks(const Record& record, const Scatters& sigma, const scene::Scene& scene, Problems& doubts) {
@@ -274,26 +258,18 @@ void doubt_speeds(const Record& record, const Scatters& sigma, const scene::Scen
     }
 }
 
-/// Where readings are highest before they come down by more than `least`.
-std::vector<std::size_t> tops_of(const Readings& value, double least) {
-    std::vector<std::size_t> tops;
-    std::size_t turn = 0; // the highest so far, or the lowest
-    bool rises = true;
-    for (std::size_t k = 0; k < value.size(); ++k) {
-        const double beyond = rises ? value[k] - value[turn] : value[turn] - value[k];
-        if (beyond > 0) {
-            turn = k;
-        } else if (-beyond > least) {
-            if (rises)
-                tops.push_back(turn);
-            rises = !rises;
-            turn = k;
-        }
-    }
+/// When readings are highest before they come down by more than `least`; their beginning, too, if they come down first.
+Readings tops_of(const Readings& time, const Readings& value, double least) {
+    const double span = observe::quantile(value, 0.95) - observe::quantile(value, 0.05);
+    const observe::Cycle cycle = observe::find_cycle(time, value, least / span);
+    Readings tops = cycle.tops;
+    if (!cycle.bottoms.empty() && (tops.empty() || cycle.bottoms[0] < tops[0]))
+        tops.insert(tops.begin(), time[0]);
     return tops;
 }
 
-double mean_about(const Readings& value, std::size_t k) {
+double mean_about(const Readings& time, const Readings& value, double at) {
+    const auto k = static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), at) - time.begin());
     const std::size_t first = k < together / 2 ? 0 : k - together / 2, last = std::min(value.size(), first + together);
     double sum = 0;
     for (std::size_t i = first; i < last; ++i)
@@ -311,9 +287,10 @@ void doubt_energy(const Record& record, const Scatters& sigma, const scene::Scen
         const Channel& channel = record.channels[c];
         if (!channel.measure.ends_with("centre_of_mass_y") || sigma[c] == 0)
             continue;
-        const std::vector<std::size_t> tops = tops_of(channel.value, 2 * surely * sigma[c]);
+        const Readings tops = tops_of(record.time, channel.value, 2 * surely * sigma[c]);
         for (std::size_t k = 1; k < tops.size(); ++k) {
-            const double before = mean_about(channel.value, tops[k - 1]), now = mean_about(channel.value, tops[k]);
+            const double before = mean_about(record.time, channel.value, tops[k - 1]),
+                         now = mean_about(record.time, channel.value, tops[k]);
             if (now - before < surely * sigma[c] * std::sqrt(2.0 / together))
                 continue;
             doubts.push_back(doubt(record, "energy",

@@ -113,7 +113,7 @@ scene::KeyTable number_of_bulk() {
                     .must(),
                 word("take", words_of_bed_takes(),
                      "Which number: the mean over time, the root mean square, the value that a tenth, half or nine "
-                     "tenths of the time stays below, or the mean time of a cycle.")
+                     "tenths of the time stays below, or the time of a cycle.")
                     .otherwise(std::string("mean")),
                 number("value", "", {}, "The number, mean over all runs.").must(),
                 text("unit", "Unit of value and sigma, as heads of columns have it: \"deg\", \"rad_s\"; plain numbers "

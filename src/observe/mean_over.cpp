@@ -2,22 +2,30 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace tumble::observe {
 
-double mean_over(const std::vector<double>& times, const std::vector<double>& values, double from, double until,
-                 double every) {
-    double sum = 0;
-    int rows = 0, with_value = 0;
+Rows rows_over(const std::vector<double>& times, const std::vector<double>& values, double from, double until,
+               double every) {
+    Rows rows;
+    std::size_t all = 0;
     for (std::size_t i = 0; i < times.size(); ++i)
         if (times[i] > from + every / 2 && times[i] <= until + every / 2) {
-            ++rows;
+            ++all;
             if (std::isfinite(values[i])) {
-                sum += values[i];
-                ++with_value;
+                rows.time.push_back(times[i]);
+                rows.value.push_back(values[i]);
             }
         }
-    return 2 * with_value > rows ? sum / with_value : std::numeric_limits<double>::quiet_NaN();
+    return 2 * rows.value.size() > all ? rows : Rows{};
+}
+
+double mean_over(const std::vector<double>& times, const std::vector<double>& values, double from, double until,
+                 double every) {
+    const std::vector<double> rows = rows_over(times, values, from, until, every).value;
+    return rows.empty() ? std::numeric_limits<double>::quiet_NaN()
+                        : std::accumulate(rows.begin(), rows.end(), 0.0) / static_cast<double>(rows.size());
 }
 
 } // namespace tumble::observe

@@ -33,6 +33,7 @@ struct Cause {
     std::string keys{};     // scene keys that it sets, or what it does to the instrument
     std::function<void(scene::Scene&, double)> extend{}; // exactly one of the two is set
     std::function<void(Instrument&, double)> distort{};
+    std::string sensor{}; // the only one that it distorts; empty: all
 
     [[nodiscard]] bool physical() const { return extend != nullptr; }
 };

@@ -20,7 +20,9 @@ bool can_show(const Record& record, const Cause& cause) {
         const auto traced = observe::traced_by(channel.measure);
         return traced && traced->inertial;
     };
-    return !(cause.over_time && record.single()) && (!cause.inertial || any(inertial)) &&
+    const auto of_its_sensor = [&](const Channel& channel) { return channel.sensor == cause.sensor; };
+    return !(cause.over_time && record.single()) && (cause.sensor.empty() || any(of_its_sensor)) &&
+           (!cause.inertial || any(inertial)) &&
            std::all_of(cause.needs.begin(), cause.needs.end(), [&](const std::string& measure) {
                return any([&](const Channel& channel) { return channel.measure == measure; });
            });
@@ -37,13 +39,45 @@ void widen(Cause& cause, const std::vector<Record>& records) {
     for (const Record& record : records)
         for (const Channel& channel : record.channels)
             for (const double value : channel.value)
-                if (!channel.shows_time())
+                if (!channel.shows_time() && (cause.sensor.empty() || channel.sensor == cause.sensor))
                     most = std::max(most, std::abs(value));
     cause.hi = std::max(cause.hi, (cause.range == Cause::Range::readings ? zero_off : zero_wanders) * most);
     cause.lo = -cause.hi;
 }
 
+/// Where several sensors read, each cause of the instrument once for each of them that can show it.
+std::vector<Cause> for_each_sensor(const std::vector<Cause>& causes, const std::vector<Record>& records) {
+    const std::set<std::string> sensors = sensors_of(records);
+    if (sensors.size() < 2)
+        return causes;
+    std::vector<Cause> all;
+    for (const Cause& cause : causes) {
+        if (cause.physical()) {
+            all.push_back(cause);
+            continue;
+        }
+        for (const std::string& sensor : sensors) {
+            Cause one = cause;
+            one.sensor = sensor;
+            one.id += " of " + sensor;
+            one.name += ", of " + sensor;
+            if (std::any_of(records.begin(), records.end(),
+                            [&](const Record& record) { return can_show(record, one); }))
+                all.push_back(std::move(one));
+        }
+    }
+    return all;
+}
+
 } // namespace
+
+std::set<std::string> sensors_of(const std::vector<Record>& records) {
+    std::set<std::string> all;
+    for (const Record& record : records)
+        for (const Channel& channel : record.channels)
+            all.insert(channel.sensor);
+    return all;
+}
 
 Result<std::vector<Cause>> considered_in(const Measurement& measurement) {
     std::vector<Cause> chosen = *choose_causes(measurement.causes, Data::records), causes;
@@ -65,6 +99,7 @@ Result<std::vector<Cause>> considered_in(const Measurement& measurement) {
                                                      "tracer:BODY_summed_vx, say"
                                                    : "leave it out, or measure them together"};
     }
+    causes = for_each_sensor(causes, measurement.records);
     for (Cause& cause : causes)
         widen(cause, measurement.records);
     return causes;

@@ -332,7 +332,7 @@ private:
         if ((decision.outcome != Outcome::named && decision.outcome != Outcome::two_causes) || !decision.sure)
             return;
         const bool clips = std::any_of(decision.causes.begin(), decision.causes.end(), [this](int k) {
-            return d_.causes[static_cast<std::size_t>(k)].id == "ins.clipping";
+            return d_.causes[static_cast<std::size_t>(k)].id.starts_with("ins.clipping");
         });
         for (const Problem& warning : d_.warnings)
             if (warning.key == "clipped" && !clips) {
@@ -420,9 +420,9 @@ private:
             const Record& record = model_->records()[r];
             const auto scene = model_->scene_at(baseline_.values, static_cast<int>(r));
             const scene::Vibration shaken = scene ? scene::slowest_vibration(*scene) : scene::Vibration{};
-            const double late = model_->instrument_at(baseline_.values, static_cast<int>(r)).clock_offset;
             for (std::size_t c = 0; c < record.channels.size(); ++c) {
                 const Channel& channel = record.channels[c];
+                const double late = model_->instrument_at(baseline_.values, static_cast<int>(r), channel).clock_offset;
                 Curve curve{.record = record.name,
                             .condition = record.condition,
                             .head = channel.head,

@@ -199,8 +199,8 @@ Result<Directions> directions_at(Model& model, const Noise& noise, const Fit& fi
         if (!truth)
             return truth.problems();
         for (std::size_t c = 0; c < record.channels.size(); ++c) {
-            const Motion motion =
-                motion_of((*truth)[c], record.time, model.instrument_at(fit.values, static_cast<int>(r)));
+            const Motion motion = motion_of((*truth)[c], record.time,
+                                            model.instrument_at(fit.values, static_cast<int>(r), record.channels[c]));
             const std::vector<int> pieces = pieces_of(motion);
             const std::string& measure = record.channels[c].measure;
             const std::string unit = observe::spelled_unit(record.channels[c].unit);

@@ -4,6 +4,7 @@
 #include "base/table.h"
 #include "base/text.h"
 #include "diagnose/cause.h"
+#include "diagnose/considered.h"
 #include "diagnose/data_doubts.h"
 #include "diagnose/measure_units.h"
 #include "diagnose/read_bulk.h"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <set>
 
 namespace tumble::diagnose {
@@ -50,6 +52,7 @@ public:
                 check_nuisance_of_records(table.view);
             else
                 check_nuisance_of_bed(table.view);
+        check_sensors(nuisances);
         for (const Record& record : read_.records)
             doubt_record(record, read_.warnings);
         for (const Bulk& bulk : read_.bulks)
@@ -127,13 +130,35 @@ private:
             report_.add(view.place("per"), "nuisance.per", "a cause acts under all conditions alike", "leave per out");
     }
 
+    /// All columns name their sensor, or none does; a nuisance is of one that is there.
+    void check_sensors(const TypedTables& nuisances) {
+        std::set<std::string> sensors = sensors_of(read_.records);
+        if (sensors.size() > 1 && sensors.erase("") > 0)
+            report_.add(root_.place, "series.column.sensor",
+                        fmt::format("some columns name their sensor ({}), and some do not", fmt::join(sensors, ", ")),
+                        "write sensor in every column, or in none where one instrument read them all");
+        for (const TypedTable& one : nuisances) {
+            if (!one.view.given("sensor"))
+                continue;
+            if (!one.view.given("instrument"))
+                report_.add(one.view.place("sensor"), "nuisance.sensor", "only a part of the instrument has a sensor",
+                            "leave sensor out, or write instrument");
+            else if (!sensors.contains(one.view.text("sensor")))
+                report_.add(one.view.place("sensor"), "nuisance.sensor",
+                            fmt::format("no column is of the sensor '{}'", excerpt(one.view.text("sensor"))),
+                            sensors.contains("") ? "write sensor in the columns too, or leave it out"
+                                                 : fmt::format("write one of {}", fmt::join(sensors, ", ")));
+        }
+    }
+
     void nuisance(const scene::View& view) {
         read_.nuisances.push_back({.key = view.text("key"),
                                    .instrument = view.text("instrument"),
                                    .per_record = view.text("per") == "series",
                                    .spread = view.given("spread") ? view.number("spread") : 0,
                                    .measure = view.text("measure"),
-                                   .cause = view.text("cause")});
+                                   .cause = view.text("cause"),
+                                   .sensor = view.text("sensor")});
     }
 
     void series(const TypedTable& table) {

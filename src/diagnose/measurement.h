@@ -27,6 +27,7 @@ struct Channel {
     int rows = 1;                                             // of a single number: that repeat each other
     Take take = Take::reading; // of a record of single numbers: one of the others, of all its channels
     double from = 0;           // s, where the stretch begins that a single number is of; it ends with the record
+    std::string sensor{};      // that read it; empty: the only one there is
 
     [[nodiscard]] bool shows_time() const { return measure == "time"; }
 };
@@ -75,6 +76,7 @@ struct Nuisance {
     double spread = 0; // of what is known beforehand, in the key's own unit, else in SI; 0: nothing is known
     std::string measure{};
     std::string cause{};
+    std::string sensor{}; // whose part of the instrument it is; empty: of all
 };
 
 struct Settings {
@@ -107,8 +109,8 @@ const std::vector<scene::KeyTable>& measurement_keys();
 
 /// Reads a measurement and the CSV files it names. Problems, all of them, each with its place: wrong TOML, unknown or
 /// missing keys, files that are not there, columns that do not exist or are no numbers, time that does not rise,
-/// columns equal to each other, units that a measure cannot have, measures and causes that do not exist; both records
-/// and beds, or neither; a bed of which a single number is known.
+/// columns equal to each other, units that a measure cannot have, measures and causes that do not exist; some columns
+/// with a sensor and some without; both records and beds, or neither; a bed of which a single number is known.
 Result<Measurement> load_measurement(const std::filesystem::path& file);
 
 } // namespace tumble::diagnose

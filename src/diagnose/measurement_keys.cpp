@@ -42,6 +42,7 @@ scene::KeyTable nuisance() {
                 .one_of("what"),
             text("cause", "Of a bed: a cause of the library that is innocent here, such as fric.factor.")
                 .one_of("what"),
+            text("sensor", "Whose part of the instrument, where columns name theirs; of all without it."),
             word("per", {"case", "series"}, "One value for all, or one for each series or bulk.")
                 .otherwise(std::string("case")),
             number(
@@ -67,6 +68,11 @@ scene::KeyTable series() {
             }};
 }
 
+scene::Key sensor() {
+    return scene::text("sensor",
+                       "What read it, where several did: what is wrong with one of them is told from the others.");
+}
+
 scene::KeyTable column() {
     using namespace scene;
     return {
@@ -80,6 +86,7 @@ scene::KeyTable column() {
             text("measure", "What it shows: a name of `tumble list measures`, or \"time\" for a clock in the picture.")
                 .must(),
             number("sigma", "unit of the column", above(0), "Scatter of one reading (standard deviation)."),
+            sensor(),
         }};
 }
 
@@ -158,6 +165,7 @@ scene::KeyTable column_of_table() {
                 number("from_s", "s", from(0), "Where the stretch begins that it is taken of.").otherwise(0.0),
                 number("sigma", "unit of the column", above(0),
                        "Scatter of one number (standard deviation); without it rows that repeat each other tell."),
+                sensor(),
             }};
 }
 

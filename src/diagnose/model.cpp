@@ -30,7 +30,8 @@ double& part(Instrument& instrument, const std::string& name) {
 /// How far a part of the instrument may be taken, and a step that most records would just show; a key of the scene
 /// learns both from where the scene has it. `record`: the only one it acts on.
 Parameter nuisance_parameter(const Nuisance& nuisance, const Record* record, int index) {
-    const std::string whose = record ? " of " + record->name : "";
+    const std::string whose =
+        (nuisance.sensor.empty() ? "" : " of " + nuisance.sensor) + (record ? " of " + record->name : "");
     if (nuisance.instrument.empty())
         return {.name = nuisance.key + whose, .spread = nuisance.spread, .record = index};
     const bool clock = nuisance.instrument == "clock_offset";
@@ -152,14 +153,16 @@ Result<scene::Scene> Model::scene_at(const VectorXd& values, int record) const {
     return scene;
 }
 
-Instrument Model::instrument_at(const VectorXd& values, int record) const {
+Instrument Model::instrument_at(const VectorXd& values, int record, const Channel& channel) const {
     Instrument instrument;
+    const auto reads = [&](const std::string& sensor) { return sensor.empty() || sensor == channel.sensor; };
     for (std::size_t k = 0; k < nuisance_of_.size(); ++k)
-        if (!nuisance_of_[k].instrument.empty() && (parameters_[k].record == -1 || parameters_[k].record == record))
+        if (!nuisance_of_[k].instrument.empty() && reads(nuisance_of_[k].sensor) &&
+            (parameters_[k].record == -1 || parameters_[k].record == record))
             part(instrument, nuisance_of_[k].instrument) += values[static_cast<Eigen::Index>(k)];
     for (std::size_t c = 0; c < causes_.size(); ++c)
         if (const double amplitude = values[parameter_of(static_cast<int>(c))];
-            amplitude != 0 && !causes_[c].physical())
+            amplitude != 0 && !causes_[c].physical() && reads(causes_[c].sensor))
             causes_[c].distort(instrument, amplitude);
     return instrument;
 }
@@ -283,7 +286,7 @@ Result<std::vector<Signal>> Model::signals(const VectorXd& values, int record, d
 Result<VectorXd> Model::predict(const VectorXd& values, double horizon) {
     run_ahead({values}, horizon);
     std::vector<std::vector<Signal>> truths;
-    std::map<std::string, double> largest; // magnitude, by measure
+    std::map<std::pair<std::string, std::string>, double> largest; // magnitude, by measure and sensor
     for (std::size_t r = 0; r < records_.size(); ++r) {
         auto truth = signals(values, static_cast<int>(r), horizon);
         if (!truth)
@@ -291,7 +294,8 @@ Result<VectorXd> Model::predict(const VectorXd& values, double horizon) {
         for (std::size_t c = 0; c < truth->size(); ++c)
             for (std::size_t k = 0; k < (*truth)[c].time.size() && (*truth)[c].time[k] <= records_[r].time.back();
                  ++k) {
-                double& most = largest[records_[r].channels[c].measure];
+                const Channel& channel = records_[r].channels[c];
+                double& most = largest[{channel.measure, channel.sensor}];
                 most = std::max(most, std::abs((*truth)[c].value[k]));
             }
         truths.push_back(std::move(*truth));
@@ -299,10 +303,10 @@ Result<VectorXd> Model::predict(const VectorXd& values, double horizon) {
     VectorXd all(readings_.size());
     Eigen::Index row = 0;
     for (std::size_t r = 0; r < records_.size(); ++r) {
-        const Instrument instrument = instrument_at(values, static_cast<int>(r));
         for (std::size_t c = 0; c < records_[r].channels.size(); ++c) {
             const Channel& channel = records_[r].channels[c];
-            const double most = largest[channel.measure];
+            const Instrument instrument = instrument_at(values, static_cast<int>(r), channel);
+            const double most = largest[{channel.measure, channel.sensor}];
             const auto seen =
                 records_[r].single()
                     ? std::vector{number_taken(channel, records_[r].time[0], instrument, truths[r][c], most)}

@@ -86,8 +86,8 @@ public:
 
     /// The scene of a record with these values in it; record -1: the scene as it is, without any record's sets.
     [[nodiscard]] Result<scene::Scene> scene_at(const VectorXd& values, int record) const;
-    /// The instrument that a record was read through.
-    [[nodiscard]] Instrument instrument_at(const VectorXd& values, int record) const;
+    /// The instrument that a channel of a record was read through.
+    [[nodiscard]] Instrument instrument_at(const VectorXd& values, int record, const Channel& channel) const;
 
 private:
     Model() = default;

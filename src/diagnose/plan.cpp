@@ -59,6 +59,7 @@ bool add_clock(std::vector<Record>& records) {
         if (!has_none(record))
             continue;
         Channel clock{.head = "clock_s", .measure = "time", .unit = "s", .value = record.time, .sigma = clock_reading};
+        clock.sensor = record.channels[0].sensor; // whose clock it holds against the truth
         record.channels.push_back(std::move(clock));
     }
     return true;

@@ -145,6 +145,7 @@ std::optional<Channel> channel_of(const scene::View& view, const Table& cells, c
         return std::nullopt;
     }
     Channel channel{.head = head, .measure = measure, .unit = *unit, .value = std::move(*values)};
+    channel.sensor = view.text("sensor");
     for (const Unit& one : units)
         if (cells.find(head + "_" + one.name)) {
             channel.head = head + "_" + one.name;

@@ -37,6 +37,7 @@ def arguments():
     parser.add_argument("--seed", type=int, help="drawn where none is given")
     parser.add_argument("--public", action="store_true", help="so many cases of each public seed")
     parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--at-least", type=float, metavar="SIZE", help="draw no smaller effects: sizes are 2, 3.5, 5 and 8")
     parser.add_argument("--only", nargs=4, metavar=("BENCH", "KIND", "EFFECT", "SIZE"), help="all cases alike")
     parser.add_argument("--keep", type=pathlib.Path, help="leave cases and diagnoses in this folder")
     parser.add_argument("--rows", type=pathlib.Path, help="append one JSON line a case to this file")
@@ -47,7 +48,7 @@ def arguments():
 
 
 def make_cases(args, seed, folder):
-    only = args.only or []
+    only = args.only or ([str(args.at_least)] if args.at_least else [])
     made = subprocess.run([args.blindgen, folder, str(args.cases), str(seed), *only],
                           capture_output=True, text=True, check=True)
     print(made.stderr, end="")

@@ -1,5 +1,11 @@
 #pragma once
 
+#include "base/problem.h"
+#include "observe/series.h"
+#include "scene/scene.h"
+
+#include <cmath>
+
 /// A ball let go above a floor, whose flights tests have in closed form.
 namespace tumble::test {
 
@@ -31,5 +37,32 @@ point_m = [0, 0, 0]
 normal = [0, 1, 0]
 material = "rubber"
 )";
+
+/// A point that falls and bounces at once: heights in closed form.
+inline double bouncing(double height, double g, double e, double t) {
+    double flight = std::sqrt(2 * height / g), speed = g * flight;
+    if (t < flight)
+        return height - 0.5 * g * t * t;
+    t -= flight;
+    for (int k = 0; k < 100; ++k) {
+        speed *= e;
+        flight = 2 * speed / g;
+        if (t < flight)
+            return speed * t - 0.5 * g * t * t;
+        t -= flight;
+    }
+    return 0;
+}
+
+/// That, as a simulation's records are.
+inline Result<observe::Series> closed_form(const scene::Scene& scene) {
+    observe::Series series;
+    series.columns = {"time_s", "centre_of_mass_y_m"};
+    series.values.resize(2);
+    const double g = -scene.gravity.y(), e = scene.pair(0, 0).restitution, height = scene.fills[0].position->y();
+    for (double t = 0; t < scene.duration; t += scene.observe.every)
+        series.append({t, bouncing(height, g, e, t)});
+    return series;
+}
 
 } // namespace tumble::test

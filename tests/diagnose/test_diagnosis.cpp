@@ -15,35 +15,11 @@ namespace test_diagnosis {
 using namespace tumble;
 using namespace tumble::diagnose;
 using tumble::test::about;
+using tumble::test::bouncing;
+using tumble::test::closed_form;
 using tumble::test::floor_and_ball;
 
 namespace {
-
-/// A point that falls and bounces at once: heights in closed form.
-double bouncing(double height, double g, double e, double t) {
-    double flight = std::sqrt(2 * height / g), speed = g * flight;
-    if (t < flight)
-        return height - 0.5 * g * t * t;
-    t -= flight;
-    for (int k = 0; k < 100; ++k) {
-        speed *= e;
-        flight = 2 * speed / g;
-        if (t < flight)
-            return speed * t - 0.5 * g * t * t;
-        t -= flight;
-    }
-    return 0;
-}
-
-Result<observe::Series> closed_form(const scene::Scene& scene) {
-    observe::Series series;
-    series.columns = {"time_s", "centre_of_mass_y_m"};
-    series.values.resize(2);
-    const double g = -scene.gravity.y(), e = scene.pair(0, 0).restitution, height = scene.fills[0].position->y();
-    for (double t = 0; t < scene.duration; t += scene.observe.every)
-        series.append({t, bouncing(height, g, e, t)});
-    return series;
-}
 
 struct Laboratory {
     double sigma = 2e-3; // m

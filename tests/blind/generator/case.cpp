@@ -27,10 +27,12 @@ std::vector<std::string> ids(bool listed, Bench bench) {
 
 } // namespace
 
-std::vector<Order> mixed_orders(int count, Random& random) {
+std::vector<Order> mixed_orders(int count, double least, Random& random) {
     std::vector<Order> orders;
+    const auto smallest = std::min(std::lower_bound(std::begin(sizes), std::end(sizes), least), std::end(sizes) - 1);
+    const auto choices = static_cast<int>(std::end(sizes) - smallest);
     for (int k = 0; k < count; ++k) {
-        Order order{.kind = "null", .effects = {}, .wanted = sizes[random.below(4)]};
+        Order order{.kind = "null", .effects = {}, .wanted = smallest[random.below(choices)]};
         order.bench = drawn[random.below(std::size(drawn))];
         order.more = random.chance(0.5);
         const std::vector<std::string> listed = ids(true, order.bench), unlisted = ids(false, order.bench);

@@ -22,7 +22,8 @@ struct Order {
 
 /// The mix of section 3.2 of the design: a quarter with nothing hidden, of which two fifths have noise and clocks that
 /// are out of the ordinary (distractors), 45 % one listed effect, a tenth two, a fifth unlisted, sizes 2, 3.5, 5 and 8.
-std::vector<Order> mixed_orders(int count, Random& random);
+/// `least`: no smaller sizes are drawn; where most promises are made, most cases can be judged.
+std::vector<Order> mixed_orders(int count, double least, Random& random);
 
 /// A case as it was made: its folder's files, and what is to be found.
 struct Case {

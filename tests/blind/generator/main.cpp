@@ -1,7 +1,8 @@
-// blindgen OUT COUNT SEED [BENCH KIND EFFECT SIZE]: writes cases OUT/case-0000 ... with measured data, and a commitment
-// to each answer; of a plain one with a listed effect four more, CASE-EXPERIMENT, each with one experiment that a
-// diagnosis may ask for; prints the answers with their salts, one JSON object a line, for whoever judges. Nothing else
-// is written. Orders that no amplitude can fill are told on the standard error.
+// blindgen OUT COUNT SEED [LEAST | BENCH KIND EFFECT SIZE]: writes cases OUT/case-0000 ... with measured data, of the
+// mix (with sizes from LEAST on) or all alike, and a commitment to each answer; of a plain one with a listed effect
+// four more, CASE-EXPERIMENT, each with one experiment that a diagnosis may ask for; prints the answers with their
+// salts, one JSON object a line, for whoever judges. Nothing else is written. Orders that no amplitude can fill are
+// told on the standard error.
 #include "case.h"
 #include "seal.h"
 #include "told.h"
@@ -40,10 +41,10 @@ std::string leave(const Case& made, const fs::path& folder, Random& salts) {
 } // namespace
 
 int main(int count, char** words) {
-    if (count != 4 && count != 8) {
-        std::cerr
-            << "blindgen OUT COUNT SEED [drop|lane|slope|roll|oblique|spin|plate null|distractor|listed|two|unlisted "
-               "EFFECT[+EFFECT] SIZE]\n";
+    if (count != 4 && count != 5 && count != 8) {
+        std::cerr << "blindgen OUT COUNT SEED [LEAST | drop|lane|slope|roll|oblique|spin|plate "
+                     "null|distractor|listed|two|unlisted "
+                     "EFFECT[+EFFECT] SIZE]\n";
         return 2;
     }
     const fs::path out = words[1];
@@ -51,7 +52,7 @@ int main(int count, char** words) {
     const unsigned long long seed = std::stoull(words[3]);
     Random random(seed), loops(seed + 1),
         salts((static_cast<unsigned long long>(std::random_device{}()) << 32) ^ std::random_device{}());
-    std::vector<Order> orders = mixed_orders(cases, random);
+    std::vector<Order> orders = mixed_orders(cases, count == 5 ? std::stod(words[4]) : 0, random);
     if (count == 8)
         for (Order& order : orders) {
             order.bench = bench_of(words[4]);

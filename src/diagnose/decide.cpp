@@ -14,6 +14,7 @@ namespace {
 constexpr double one_sided_95 = 1.645;   // standard errors
 constexpr double least_share = 0.005;    // of an effect that nuisances must leave: less is rounding of the slopes
 constexpr double missed_by_slopes = 0.1; // of a fall of chi-square, at most: seen, 2 % at 49 standard errors
+constexpr double missed_if_astray = 0.9; // the same, of slopes about a baseline that went astray: seen, 52 %
 constexpr double pair_gate_extra = 2;    // chi-square a pair must reach beyond the gate
 constexpr double pair_adequacy = 0.05;   // a pair explains more by chance, so it must fit better
 constexpr std::size_t most_pairs_fitted = 6;
@@ -49,7 +50,7 @@ public:
             return d_;
         }
         int winner = best_possible();
-        if (!suffices(winner) && astray(e_.residual.squaredNorm(), e_.residual.size())) {
+        if (!suffices(winner) && is_astray()) {
             fit_rivals(true);
             winner = best_possible();
         }
@@ -140,8 +141,11 @@ private:
 
     /// How far behind the best by slopes a rival may lie and still win: what slopes miss grows with the effect.
     [[nodiscard]] double within_reach(double largest) const {
-        return std::max(2 * settings_.rival_window, missed_by_slopes * largest);
+        const double missed = is_astray() ? missed_if_astray : missed_by_slopes;
+        return std::max(2 * settings_.rival_window, missed * largest);
     }
+
+    [[nodiscard]] bool is_astray() const { return astray(e_.residual.squaredNorm(), e_.residual.size()); }
 
     /// It explains more than chance does, and leaves nothing but noise.
     bool suffices(int winner) {

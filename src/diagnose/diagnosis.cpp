@@ -118,7 +118,9 @@ private:
         if (!fitted)
             return fitted.problems();
         baseline_ = std::move(*fitted);
-        if (astray(baseline_.chi_square, baseline_.residual.size()) &&
+        // What is missed may have been taken for scatter.
+        const double widened = d_.noise.stated > 0 ? std::max(1.0, d_.noise.used / d_.noise.stated) : 1;
+        if (astray(widened * widened * baseline_.chi_square, baseline_.residual.size()) &&
             baseline_.decrement < may_lack * baseline_.chi_square)
             baseline_.converged = true; // what it still lacks is nothing beside what it misses
         if (!baseline_.converged) {

@@ -26,12 +26,6 @@ constexpr PlannedBed planned_beds[] = {
      3},
 };
 
-/// A cause, or two of them, where they were fitted.
-struct Rival {
-    std::vector<int> causes;
-    VectorXd amplitudes;
-};
-
 /// What is asked of two rivals: under these conditions, with one more number where `more` is none of theirs.
 struct Question {
     std::vector<const BedCondition*> conditions;
@@ -57,6 +51,9 @@ BulkNumber readable(const std::string& measure, double scatter) {
     return number;
 }
 
+constexpr int amplitudes_of_one = 61; // of a rival's amplitude
+constexpr int amplitudes_of_two = 15; // along each of two
+
 class Planning {
 public:
     Planning(Beds& beds, const BedModel& model, std::vector<Rival> rivals)
@@ -68,20 +65,21 @@ public:
 
     std::vector<Proposal> propose(bool run_more) {
         const double now = least_apart({fitted_});
-        std::vector<Proposal> proposals{
-            {"more-runs", "measure the same numbers again, and simulate as many more seeds", now, repeats_for(now)}};
-        const auto offer = [&](const std::string& id, const std::string& sentence, double apart) {
-            if (apart > 1.05 * now)
-                proposals.push_back({id, sentence, apart, repeats_for(apart)});
+        std::vector<Proposal> proposals{proposal_of(
+            "more-runs", "measure the same numbers again, and simulate as many more seeds", std::sqrt(2) * now, now)};
+        const double again = proposals[0].separation;
+        const auto offer = [&](const std::string& id, const std::string& sentence, double apart, double otherwise) {
+            if (apart > worth_it * otherwise)
+                proposals.push_back(proposal_of(id, sentence, apart, now));
         };
         for (std::size_t m = 0; m < beds_.measures().size(); ++m) {
             const std::string& measure = beds_.measures()[m];
-            offer(measure, fmt::format("measure {} of the bed, too", measure),
-                  least_apart({fitted_, static_cast<int>(m), measure}));
+            offer(measure, fmt::format("measure the same again, and {} of the bed, too", measure),
+                  std::hypot(now, least_apart({fitted_, static_cast<int>(m), measure})), again);
         }
         for (const PlannedBed& experiment : planned_beds)
             if (run_more)
-                offer(experiment.id, experiment.sentence, with(experiment));
+                offer(experiment.id, experiment.sentence, with(experiment), now);
         std::stable_sort(proposals.begin(), proposals.end(),
                          [](const Proposal& a, const Proposal& b) { return a.separation > b.separation; });
         return proposals;
@@ -113,8 +111,9 @@ private:
     [[nodiscard]] double least_apart(const Question& question) const {
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < rivals_.size(); ++i)
-            for (std::size_t j = 0; j < i; ++j)
-                least = std::min(least, apart(question, rivals_[i], rivals_[j]));
+            for (std::size_t j = 0; j < rivals_.size(); ++j)
+                if (i != j)
+                    least = std::min(least, apart(question, rivals_[i], rivals_[j]));
         return least;
     }
 
@@ -139,9 +138,27 @@ private:
         return all;
     }
 
-    /// Standard errors between two rivals, were this measured in as many runs, when what is innocent is adjusted.
-    [[nodiscard]] double apart(const Question& question, const Rival& a, const Rival& b) const {
+    /// Standard errors between a rival and the best that another can do within the amplitudes that were run.
+    [[nodiscard]] double apart(const Question& question, const Rival& a, Rival b) const {
+        double least = apart_at(question, a, b);
+        const auto count = static_cast<Eigen::Index>(b.causes.size());
+        const int along = count == 1 ? amplitudes_of_one : amplitudes_of_two;
+        for (int i = 0; i < (count == 1 ? along : along * along); ++i) {
+            for (Eigen::Index k = 0; k < count; ++k) {
+                const Cause& cause = model_.causes()[static_cast<std::size_t>(b.causes[static_cast<std::size_t>(k)])];
+                b.amplitudes[k] = cause.lo + (cause.hi - cause.lo) * (k == 0 ? i % along : i / along) / (along - 1);
+            }
+            least = std::min(least, apart_at(question, a, b));
+        }
+        return least;
+    }
+
+    /// Standard errors between two rivals where they are, were this measured in as many runs, when what is innocent is
+    /// adjusted; less what seeds alone set two ensembles apart.
+    [[nodiscard]] double apart_at(const Question& question, const Rival& a, const Rival& b) const {
         const std::vector<Innocent> innocents = innocents_of(question);
+        const auto adjusted = static_cast<Eigen::Index>(innocents.size());
+        double by_chance = 0;       // of the square
         std::vector<VectorXd> rows; // the difference, then a slope for each innocent
         for (const BedCondition* one : question.conditions) {
             BedCondition now = *one;
@@ -150,12 +167,13 @@ private:
                 now.columns.push_back(question.more);
                 now.measured.numbers.push_back(readable(question.measure, scatter_in_column(now, question.more)));
             }
-            MatrixXd part(static_cast<Eigen::Index>(now.columns.size()),
-                          1 + static_cast<Eigen::Index>(innocents.size()));
+            MatrixXd part(static_cast<Eigen::Index>(now.columns.size()), 1 + adjusted);
             part << now.measured_of(change_of(now, a) - change_of(now, b)), innocent_slopes(now, innocents);
             if (!part.allFinite())
                 return 0;
-            const MatrixXd covariance = now.covariance(beds_.seeds());
+            const MatrixXd covariance = now.covariance(beds_.seeds()),
+                           by_seeds = 2.0 / beds_.seeds() * now.simulated_covariance();
+            by_chance += covariance.llt().solve(by_seeds).trace();
             MatrixXd white(part.rows(), part.cols());
             for (Eigen::Index k = 0; k < part.cols(); ++k)
                 white.col(k) = whitened(covariance, part.col(k));
@@ -164,14 +182,14 @@ private:
         }
         for (std::size_t n = 0; n < innocents.size(); ++n)
             if (innocents[n].spread > 0) {
-                rows.emplace_back(VectorXd::Zero(1 + static_cast<Eigen::Index>(innocents.size())));
+                rows.emplace_back(VectorXd::Zero(1 + adjusted));
                 rows.back()[1 + static_cast<Eigen::Index>(n)] = 1 / innocents[n].spread;
             }
-        MatrixXd all(static_cast<Eigen::Index>(rows.size()), 1 + static_cast<Eigen::Index>(innocents.size()));
+        MatrixXd all(static_cast<Eigen::Index>(rows.size()), 1 + adjusted);
         for (std::size_t k = 0; k < rows.size(); ++k)
             all.row(static_cast<Eigen::Index>(k)) = rows[k].transpose();
-        const double apart = Projector(all.rightCols(all.cols() - 1)).out(VectorXd(all.col(0))).norm();
-        return std::isfinite(apart) ? apart : 0;
+        const double apart = Projector(all.rightCols(all.cols() - 1)).out(VectorXd(all.col(0))).squaredNorm();
+        return std::isfinite(apart) ? std::sqrt(std::max(0.0, apart - by_chance)) : 0;
     }
 
     Beds& beds_;
@@ -184,15 +202,11 @@ private:
 
 std::vector<Proposal> bed_proposals(Beds& beds, const BedModel& model, const Evidence& evidence,
                                     const Decision& decision, bool run_more) {
-    std::vector<std::vector<int>> sets = decision.pairs;
-    if (sets.empty())
-        for (const int k : rivals_in(decision))
-            sets.push_back({k});
-    if (sets.size() < 2)
-        return {};
     std::vector<Rival> rivals;
-    for (const std::vector<int>& causes : sets)
+    for (const std::vector<int>& causes : rivals_in(decision))
         rivals.push_back({causes, model.refit(evidence, causes).amplitude});
+    if (rivals.size() < 2)
+        return {};
     return Planning(beds, model, std::move(rivals)).propose(run_more);
 }
 

@@ -1,5 +1,7 @@
 #include "diagnose/data_doubts.h"
 
+#include "diagnose/noise.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -14,22 +16,38 @@ namespace {
 constexpr std::size_t few_levels = 50;
 constexpr std::size_t flat_run = 3; // equal readings in a row, of a sensor whose steps are fine
 constexpr double one_in_ten_thousand = 1e-4;
-constexpr double clear = 10; // standard errors: a single number nearer to 0 than that tells no unit
+constexpr double clear = 10;          // standard errors: a single number nearer to 0 than that tells no unit
+constexpr double clear_of_noise = 15; // scatters that readings must span: noise alone spans some seven
 
-/// A factor by which a unit is most often wrong, and what was probably meant; of angles, or of all else.
+enum class Kind { any, angle, way, acceleration };
+
+/// A factor by which a unit is most often wrong, and what was probably meant.
 struct Slip {
     double factor;
     const char* meaning;
-    bool angle = false;
+    Kind of = Kind::any;
+    bool surely = true; // no scene is wrong by that much; else it may be
 };
-constexpr Slip usual_slips[] = {{1000, "millimetres or milliseconds read as SI"},
-                                {1e-3, "SI read as a thousandth"},
-                                {100, "centimetres read as metres"},
-                                {57.29578, "degrees read as radians", true},
-                                {1 / 57.29578, "radians read as degrees", true}};
+constexpr Slip usual_slips[] = {{1000, "thousandths, such as mm or ms, read as SI"},
+                                {1e-3, "SI read as thousandths"},
+                                {100, "hundredths, such as cm, read as SI"},
+                                {1e-2, "SI read as hundredths"},
+                                {10, "centimetres read as millimetres", Kind::way, false},
+                                {0.1, "millimetres read as centimetres", Kind::way, false},
+                                {9.80665, "m/s2 read as multiples of g", Kind::acceleration},
+                                {1 / 9.80665, "multiples of g read as m/s2", Kind::acceleration},
+                                {57.29578, "degrees read as radians", Kind::angle},
+                                {1 / 57.29578, "radians read as degrees", Kind::angle}};
 
-bool is_angle(const std::string& unit) {
-    return unit == "deg" || unit == "rad_s";
+Kind kind_of(const std::string& unit) {
+    return unit == "deg" || unit == "rad_s" ? Kind::angle
+           : unit == "m_s2"                 ? Kind::acceleration
+           : unit == "m" || unit == "m_s"   ? Kind::way
+                                            : Kind::any;
+}
+
+bool is_of(const Slip& slip, Kind kind) {
+    return slip.of == kind || (slip.of == Kind::any && kind != Kind::angle);
 }
 
 void doubt_time(const Record& record, Problems& warnings) {
@@ -148,24 +166,29 @@ Problems equal_columns(const std::vector<Record>& records) {
     return problems;
 }
 
-Problems unit_slips(const std::vector<Record>& records, const Eigen::VectorXd& predicted) {
+Problems unit_slips(const std::vector<Record>& records, const Eigen::VectorXd& predicted, Problems& warnings) {
     Problems problems;
+    std::set<std::pair<std::string, std::string>> told; // files and heads: a table has many rows
     Eigen::Index row = 0;
     for (const Record& record : records)
         for (const Channel& channel : record.channels) {
             const auto count = static_cast<Eigen::Index>(record.time.size());
             const double ratio = span_of(channel.value) / std::max(1e-300, span_of(predicted.segment(row, count)));
             row += count;
-            const bool near_nothing =
-                record.single() && span_of(predicted.segment(row - count, count)) < clear * channel.sigma;
-            for (const auto& [factor, meaning, angle] : usual_slips)
-                if (!near_nothing && angle == is_angle(channel.unit) && std::abs(std::log(ratio / factor)) < 0.2)
-                    problems.push_back(
-                        {.file = record.file.string(),
-                         .key = channel.head,
-                         .what = fmt::format("{} {} {:.3g} times what the simulation does: {}?", channel.head,
-                                             record.single() ? "is" : "spans", ratio, meaning),
-                         .fix = "correct the unit in the head of the column"});
+            const bool near_nothing = record.single()
+                                          ? span_of(predicted.segment(row - count, count)) < clear * channel.sigma
+                                          : span_of(channel.value) < clear_of_noise * scatter_of(channel);
+            for (const Slip& slip : usual_slips)
+                if (!near_nothing && is_of(slip, kind_of(channel.unit)) &&
+                    std::abs(std::log(ratio / slip.factor)) < 0.2 &&
+                    told.insert({record.file.string(), channel.head}).second)
+                    (slip.surely ? problems : warnings)
+                        .push_back(
+                            {.file = record.file.string(),
+                             .key = channel.head,
+                             .what = fmt::format("{} {} {:.3g} times what the simulation does: {}?", channel.head,
+                                                 record.single() ? "is" : "spans", ratio, slip.meaning),
+                             .fix = "correct the unit in the head of the column"});
         }
     return problems;
 }

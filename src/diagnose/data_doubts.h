@@ -14,8 +14,8 @@ void doubt_record(const Record& record, Problems& warnings);
 /// either. Records of held clocks ("time") may agree.
 Problems equal_columns(const std::vector<Record>& records);
 
-/// Scales that differ from what was foretold, record by record and channel by channel, by one of the usual slips of
-/// units: no effect to be diagnosed.
-Problems unit_slips(const std::vector<Record>& records, const Eigen::VectorXd& predicted);
+/// Columns whose scale differs from what was foretold by one of the usual slips of units: no effect to be diagnosed. A
+/// factor of ten, by which a scene may be wrong, is a warning only.
+Problems unit_slips(const std::vector<Record>& records, const Eigen::VectorXd& predicted, Problems& warnings);
 
 } // namespace tumble::diagnose

@@ -3,6 +3,7 @@
 #include "diagnose/folds.h"
 
 #include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <numeric>
@@ -11,7 +12,6 @@ namespace tumble::diagnose {
 
 namespace {
 
-constexpr double one_sided_95 = 1.645;   // standard errors
 constexpr double least_share = 0.005;    // of an effect that nuisances must leave: less is rounding of the slopes
 constexpr double missed_by_slopes = 0.1; // of a fall of chi-square, at most: seen, 2 % at 49 standard errors
 constexpr double missed_if_astray = 0.9; // the same, of slopes about a baseline that went astray: seen, 52 %
@@ -61,6 +61,8 @@ public:
     }
 
 private:
+    /// Standard errors, of a one-sided limit of 95 %.
+    [[nodiscard]] double limit() const { return student_quantile(0.05, e_.degrees); }
     Seen& one(int k) { return d_.seen[static_cast<std::size_t>(k)]; }
     [[nodiscard]] const Cause& cause(int k) const { return e_.causes[static_cast<std::size_t>(k)]; }
 
@@ -77,7 +79,7 @@ private:
         effects_ = nuisances.out(e_.effects);
         d_.seen.resize(static_cast<std::size_t>(count_));
         std::vector<int> visible;
-        const double one_sided = std::isinf(e_.degrees) ? one_sided_95 : student_quantile(0.05, e_.degrees);
+        const double one_sided = limit();
         for (int k = 0; k < count_; ++k) {
             Seen& seen = one(k);
             const double length = effects_.col(k).norm();
@@ -194,8 +196,10 @@ private:
         d_.one_class = alike && d_.causes.size() > 1;
         d_.outcome = alike ? Outcome::named : Outcome::ambiguous;
         d_.folds = folds_of(e_, *d_.best);
-        if (d_.outcome == Outcome::named)
+        if (d_.outcome == Outcome::named) {
+            bound_second();
             veto();
+        }
     }
 
     /// By their slopes, or by what each leaves once it is fitted: slopes about a baseline that went astray say little.
@@ -215,12 +219,23 @@ private:
         if (d_.folds.empty())
             return speak("there is only one condition, so nothing was tried on one that it was not fitted to",
                          "Measure under a second condition, best a very different one.");
-        for (int k = 0; k < count_; ++k)
-            if (one(k).refit && one(k).refit->at_end && d_.outcome == Outcome::named &&
-                nats_between(e_, d_.best->gain, one(k).refit->gain) < settings_.margin)
-                speak(fmt::format("{} would explain it as well, at the end of its range ({:.3g}) or beyond",
-                                  cause(k).id, one(k).refit->amplitude[0]),
-                      "Find out whether that can be. If not, leave it out of the causes that are considered.");
+        if (d_.outcome == Outcome::named)
+            for (int k = 0; k < count_; ++k)
+                if (one(k).refit && !one(k).refit->possible && reached(k) > 0 &&
+                    nats_between(e_, d_.best->gain, reached(k)) < settings_.margin) {
+                    if (one(k).refit->at_end)
+                        speak(fmt::format("{} would explain it as well, at the end of its range ({:.3g}) or beyond",
+                                          cause(k).id, one(k).refit->amplitude[0]),
+                              "Find out whether that can be. If not, leave it out of the causes that are considered.");
+                    else
+                        speak(fmt::format("{} explains it as well as far as its fit came, which did not end",
+                                          cause(k).id),
+                              "Let the scene begin nearer to what is known of its nuisances, or leave that cause out "
+                              "if it cannot be.");
+                }
+        if (d_.outcome == Outcome::two_causes && pairs_left_)
+            speak("there are more pairs that may explain it than were fitted",
+                  "Name the families that can be at work (causes), or measure under more conditions.");
         double better = 0;
         for (const Fold& fold : d_.folds) {
             better += fold.score.nats();
@@ -273,9 +288,13 @@ private:
                     all.push_back({refit_linear(e_, {i, j}).gain, {i, j}});
         std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
         std::vector<std::pair<int, int>> likely;
-        for (const auto& [gain, pair] : all)
+        for (const auto& [gain, pair] : all) {
+            const bool rival = nats_between(e_, all[0].first, gain) < settings_.margin;
             if (likely.size() < most_pairs_fitted && gain > all[0].first - within_reach(all[0].first))
                 likely.push_back(pair);
+            else
+                pairs_left_ = pairs_left_ || rival;
+        }
         return likely;
     }
 
@@ -286,17 +305,36 @@ private:
                 one(k).refit = refit_({k});
                 one(k).gain = one(k).refit->possible ? one(k).refit->gain : 0;
             }
-            if (pair.gain - one(k).gain <= d_.gate / 2)
+            if (pair.gain - reached(k) <= d_.gate / 2)
                 return false;
         }
         return true;
+    }
+
+    /// What a cause explains at least: what its fit reached, though it may not have ended, or ended at its range's end.
+    double reached(int k) { return one(k).refit ? std::max(0.0, one(k).refit->gain) : one(k).gain; }
+
+    /// How much of another cause the named one may hide beside it.
+    void bound_second() {
+        const Projector fitted(d_.best->slopes);
+        for (int k = 0; k < count_; ++k) {
+            const VectorXd left = fitted.out(VectorXd(e_.effects.col(k)));
+            const bool shows = one(k).visible && left.norm() > settings_.same_class * effects_.col(k).norm();
+            if (std::find(d_.causes.begin(), d_.causes.end(), k) != d_.causes.end() || !shows)
+                continue;
+            const double z = left.dot(d_.best->residual) / left.norm();
+            const double most = limit() + (cause(k).lo < 0 ? std::abs(z) : std::max(0.0, z));
+            if (most > d_.second)
+                d_.second = most, d_.second_cause = k;
+        }
     }
 
     const Evidence& e_;
     const Settings& settings_;
     const Refitter& refit_;
     int count_;
-    MatrixXd effects_; // what nuisances leave of them
+    MatrixXd effects_;        // what nuisances leave of them
+    bool pairs_left_ = false; // within the margin of the best by slopes, and not fitted
     Decision d_;
 };
 

@@ -113,6 +113,8 @@ struct Decision {
     std::vector<std::vector<int>> pairs; // of two causes, or of ambiguous pairs
     double gate = 0;    // chi-square fall that the best of the library reaches in alpha of the cases by chance
     double largest = 0; // reached
+    double second = 0;  // standard errors, of another cause beside the one named that 95 % do not exclude, and of which
+    int second_cause = -1;
     Adequacy baseline, winner;
     std::vector<Seen> seen; // per cause
     MatrixXd isolability;   // share of the row's effect that the column's cause leaves

@@ -28,6 +28,8 @@ constexpr double most_between_repeats = 1.2; // of their scatter over that of th
 constexpr double by_chance = 0.01;           // less likely differences of repeats are not put down to chance
 constexpr double far_away = 4;               // spreads of what was known beforehand
 constexpr double may_lack = 0.01;            // of chi-square: nats that a baseline far off may lack
+constexpr double much_wider = 3;             // times the scatter stated: what is missed was taken for it
+constexpr double may_lack_then = 2;          // nats, a third of what the gate asks
 constexpr double seen_well = 3; // standard errors, left beside nuisances: how far off the slope of a filter is taken
 
 class Diagnosing {
@@ -100,7 +102,7 @@ private:
         const auto predicted = model_->predict(start);
         if (!predicted)
             return predicted.problems();
-        if (Problems problems = unit_slips(model_->records(), *predicted); !problems.empty())
+        if (Problems problems = unit_slips(model_->records(), *predicted, d_.warnings); !problems.empty())
             return problems;
         const std::vector<int> nuisances = first_numbers(model_->nuisances());
         for (const int k : nuisances)
@@ -118,10 +120,10 @@ private:
         if (!fitted)
             return fitted.problems();
         baseline_ = std::move(*fitted);
-        // What is missed may have been taken for scatter.
-        const double widened = d_.noise.stated > 0 ? std::max(1.0, d_.noise.used / d_.noise.stated) : 1;
-        if (astray(widened * widened * baseline_.chi_square, baseline_.residual.size()) &&
-            baseline_.decrement < may_lack * baseline_.chi_square)
+        const bool taken_for_scatter = d_.noise.stated > 0 && d_.noise.used > much_wider * d_.noise.stated;
+        const bool far_off = astray(baseline_.chi_square, baseline_.residual.size());
+        if ((far_off && baseline_.decrement < may_lack * baseline_.chi_square) ||
+            (taken_for_scatter && baseline_.decrement < may_lack_then))
             baseline_.converged = true; // what it still lacks is nothing beside what it misses
         if (!baseline_.converged) {
             d_.decision.reason = fmt::format("the baseline could not be fitted: a further step would still gain {:.2g} "
@@ -398,17 +400,21 @@ private:
 
     void propose() {
         const Decision& decision = d_.decision;
-        const std::vector<int> rivals = rivals_in(decision);
-        if (rivals.size() < 2)
-            return;
-        std::vector<double> amplitudes;
-        for (const int k : rivals) {
-            const Seen& seen = decision.seen[static_cast<std::size_t>(k)];
-            amplitudes.push_back(seen.refit && seen.refit->amplitude.size() ? seen.refit->amplitude[0]
-                                                                            : seen.amplitude);
+        std::vector<Rival> rivals;
+        for (const std::vector<int>& causes : rivals_in(decision)) {
+            Rival rival{causes, VectorXd()};
+            const auto& seen = decision.seen[static_cast<std::size_t>(causes[0])];
+            if (causes.size() == 1)
+                rival.amplitudes = seen.refit && seen.refit->amplitude.size()
+                                       ? seen.refit->amplitude
+                                       : VectorXd(VectorXd::Constant(1, seen.amplitude));
+            else
+                rival.amplitudes = refit_of(causes, *model_, noise_, baseline_, effects_).amplitude;
+            rivals.push_back(std::move(rival));
         }
-        d_.proposals = proposals_for(scene_, *model_, measurement_.nuisances, noise_, simulate_, baseline_.values,
-                                     rivals, amplitudes, d_.warnings);
+        if (rivals.size() > 1)
+            d_.proposals = proposals_for(scene_, *model_, measurement_.nuisances, noise_, simulate_, baseline_.values,
+                                         rivals, d_.warnings);
     }
 
     void draw() {

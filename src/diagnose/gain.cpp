@@ -13,6 +13,7 @@ namespace {
 
 constexpr int bootstraps = 2000;
 constexpr std::size_t enough_conditions = 5;
+constexpr double least_nats = 3; // a ratio of predictive densities, which chance reaches in exp(-3) = 5 % at most
 
 void bootstrap(Gain& gain) {
     Rng rng(1);
@@ -96,7 +97,7 @@ Gain gain_of(std::vector<Score> scores, bool held_out) {
     gain.share_removed = baseline > readings ? (baseline - extended) / (baseline - readings) : 0;
     if (gain.scores.size() >= enough_conditions)
         bootstrap(gain);
-    gain.shown = gain.bootstrapped ? gain.nats_low > 0 : all_better;
+    gain.shown = gain.bootstrapped ? gain.nats_low > 0 : all_better && gain.nats > least_nats;
     return gain;
 }
 
@@ -111,11 +112,14 @@ Result<std::vector<Score>> scores_aside(Model& aside, const Model& model, const 
     std::vector<Score> scores;
     for (std::size_t r = 0; r < aside.records().size(); ++r) {
         const Record& record = aside.records()[r];
-        scores.push_back({.condition = record.name,
-                          .readings = static_cast<int>(record.time.size() * record.channels.size()),
-                          .baseline = (*without)[r].chi_square,
-                          .extended = (*with)[r].chi_square,
-                          .spread = (*with)[r].spread - (*without)[r].spread});
+        auto same = std::find_if(scores.begin(), scores.end(),
+                                 [&](const Score& one) { return one.condition == record.condition; });
+        if (same == scores.end())
+            same = scores.insert(scores.end(), Score{.condition = record.condition});
+        same->readings += static_cast<int>(record.time.size() * record.channels.size());
+        same->baseline += (*without)[r].chi_square;
+        same->extended += (*with)[r].chi_square;
+        same->spread += (*with)[r].spread - (*without)[r].spread;
     }
     return scores;
 }

@@ -15,13 +15,13 @@ struct Gain {
     double nats = 0;                    // of log score
     double nats_low = 0, nats_high = 0; // 95 % of bootstraps over conditions; five conditions or more
     bool bootstrapped = false;
-    bool shown = false; // the lower end is above 0; with fewer conditions: every one of them improves
+    bool shown = false; // the lower end is above 0; with fewer conditions: every one improves, and all by 3 nats
 };
 
 Gain gain_of(std::vector<Score> scores, bool held_out);
 
-/// Scores of records that were set aside: shared nuisances and the cause from the fit, what only the record can tell
-/// left open. Both vectors belong to `model`; parameters of `aside` find theirs by name.
+/// Scores of records that were set aside, those of one condition together: shared nuisances and the cause from the fit,
+/// what only the record can tell left open. Both vectors belong to `model`; parameters of `aside` find theirs by name.
 Result<std::vector<Score>> scores_aside(Model& aside, const Model& model, const Noise& noise, const VectorXd& baseline,
                                         const VectorXd& extended);
 

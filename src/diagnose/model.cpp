@@ -14,10 +14,10 @@ namespace tumble::diagnose {
 
 namespace {
 
-constexpr double rows_per_reading = 8;    // of a run, between two readings: kinks are resolved well below a reading
-constexpr double steps_of_a_number = 100; // of a run of which one number is taken, in place of readings
-constexpr std::size_t most_remembered = 600;
-constexpr double room_for_clocks = 0.03; // s of a run beyond the last reading
+constexpr double rows_per_reading = 8;        // of a run, between two readings: kinks are resolved well below a reading
+constexpr double steps_of_a_number = 100;     // of a run of which one number is taken, in place of readings
+constexpr std::size_t most_remembered = 2000; // runs, some 40 kB each
+constexpr double room_for_clocks = 0.03;      // s of a run beyond the last reading
 
 /// Parts of an instrument by the names that a measurement uses.
 double& part(Instrument& instrument, const std::string& name) {
@@ -143,8 +143,14 @@ std::vector<scene::Override> Model::sets_at(const VectorXd& values, int record) 
 
 Result<scene::Scene> Model::scene_at(const VectorXd& values, int record) const {
     auto scene = scene::load_scene_text(text_.toml, text_.file, sets_at(values, record));
-    if (!scene)
-        return scene.problems();
+    if (!scene) {
+        Problems problems = scene.problems();
+        if (record >= 0 && !records_[static_cast<std::size_t>(record)].sets.empty())
+            for (Problem& problem : problems)
+                problem.what =
+                    fmt::format("in '{}': {}", records_[static_cast<std::size_t>(record)].name, problem.what);
+        return problems;
+    }
     if (record >= 0 && records_[static_cast<std::size_t>(record)].change)
         records_[static_cast<std::size_t>(record)].change(*scene);
     for (std::size_t c = 0; c < causes_.size(); ++c)

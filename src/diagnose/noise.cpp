@@ -13,24 +13,18 @@ namespace {
 
 constexpr double least_correlation = 0.08;
 constexpr double most_correlation = 0.95;
-constexpr double fewest_free = 10; // readings that nothing explains, to tell a scatter from
-constexpr int halvings = 12;       // of what a memory may be, until it is known to 0.0002
-constexpr double outlier = 6;      // standard deviations
-constexpr std::size_t reach = 3;   // readings to either side that a reading is held against
+constexpr double fewest_free = 10;    // readings that nothing explains, to tell a scatter from
+constexpr double few = 200;           // of those: tests that take a scatter for known allow for no less
+constexpr double contradicted = 0.01; // chance, two-sided, below which so few speak against what was stated
+constexpr int halvings = 12;          // of what a memory may be, until it is known to 0.0002
+constexpr double outlier = 6;         // standard deviations
+constexpr std::size_t reach = 3;      // readings to either side that a reading is held against
 constexpr double most_outliers = 0.02;
 constexpr double least_beside = 0.05; // of an effect, that nuisances leave
 
 bool follows(const Model& model, std::size_t row) {
     return row > 0 && model.rows()[row].record == model.rows()[row - 1].record &&
            model.rows()[row].channel == model.rows()[row - 1].channel;
-}
-
-/// Second differences of white noise scatter sqrt(6) times as much; the median leaves kinks of the motion aside.
-double scatter_of(const Channel& channel) {
-    std::vector<double> bends;
-    for (std::size_t k = 2; k < channel.value.size(); ++k)
-        bends.push_back(std::abs(channel.value[k] - 2 * channel.value[k - 1] + channel.value[k - 2]));
-    return std::max(1e-12, median(bends) / 0.6745 / std::sqrt(6.0));
 }
 
 /// Readings that lie far from the median of the residual around them, alone or nearly so.
@@ -137,6 +131,22 @@ NoiseOfMeasure noise_behind(const Chain& chain, const Sums& found) {
     return {std::sqrt(found.squares / std::max(1.0, expected_of(chain, memory).squares)), memory};
 }
 
+/// A few readings tell a scatter so badly that tests which take it for known would alarm far too often: what was stated
+/// holds until they contradict it.
+bool bears_out(const Chain& chain, const NoiseOfMeasure& found) {
+    const double free = expected_of(chain, found.correlation).squares;
+    const double above = free < few ? chi_square_tail(found.ratio * found.ratio * free, free) : 0;
+    return above > contradicted / 2 && above < 1 - contradicted / 2;
+}
+
+bool all_stated(const Model& model, const std::string& measure) {
+    for (const Record& record : model.records())
+        for (const Channel& channel : record.channels)
+            if (channel.measure == measure && !(channel.sigma > 0))
+                return false;
+    return true;
+}
+
 /// Records of one condition, done alike and read alike at the same times.
 struct RepeatGroup {
     std::vector<Eigen::Index> first{}; // row, of each record
@@ -203,6 +213,13 @@ struct Sum {
 
 } // namespace
 
+double scatter_of(const Channel& channel) {
+    std::vector<double> bends;
+    for (std::size_t k = 2; k < channel.value.size(); ++k)
+        bends.push_back(std::abs(channel.value[k] - 2 * channel.value[k - 1] + channel.value[k - 2]));
+    return std::max(1e-12, median(bends) / 0.6745 / std::sqrt(6.0));
+}
+
 MatrixXd Noise::whiten(const MatrixXd& columns, const Model& model, double horizon) const {
     MatrixXd white = MatrixXd::Zero(columns.rows(), columns.cols());
     std::vector<std::vector<double>> memory; // [record][channel]
@@ -261,25 +278,35 @@ Noise refined_noise(const Noise& before, const Model& model, const VectorXd& mis
     const Projector projector(directions);
     const VectorXd rest = projector.out(scaled);
     report.of.clear();
-    for (const auto& [measure, chain] : chains_of(model, noise.left_out, projector.basis()))
-        report.of[measure] = noise_behind(chain, sums_of(chain, rest));
+    for (const auto& [measure, chain] : chains_of(model, noise.left_out, projector.basis())) {
+        NoiseOfMeasure& found = report.of[measure] = noise_behind(chain, sums_of(chain, rest));
+        if (all_stated(model, measure) && bears_out(chain, found))
+            found.ratio = 1;
+    }
     noise.of = report.of;
     for (auto& [measure, one] : noise.of)
         if (one.correlation <= least_correlation)
             one.correlation = 0;
 
-    double stated = 0, used = 0, counted = 0;
+    double stated = 0, used = 0, counted = 0; // over the channels whose sigma is stated, where any is
+    const auto& first = model.records()[0];
+    const bool known = std::any_of(model.records().begin(), model.records().end(), [&](const Record& record) {
+        return std::any_of(record.channels.begin(), record.channels.end(), [&](const Channel& channel) {
+            return channel.measure == first.channels[0].measure && channel.sigma > 0;
+        });
+    });
     for (std::size_t r = 0; r < model.records().size(); ++r)
         for (std::size_t c = 0; c < model.records()[r].channels.size() && !model.records()[r].single(); ++c) {
             noise.sigma[r][c] *= report.of[model.records()[r].channels[c].measure].ratio;
-            if (model.records()[r].channels[c].measure != model.records()[0].channels[0].measure)
+            if (model.records()[r].channels[c].measure != model.records()[0].channels[0].measure ||
+                (known && !(model.records()[r].channels[c].sigma > 0)))
                 continue;
             stated += model.records()[r].channels[c].sigma;
             used += noise.sigma[r][c];
             ++counted;
         }
-    report.stated = stated / counted;
-    report.used = used / counted;
+    report.stated = counted > 0 ? stated / counted : 0;
+    report.used = counted > 0 ? used / counted : 0;
     return noise;
 }
 

@@ -21,12 +21,16 @@ struct Noise {
     [[nodiscard]] MatrixXd whiten(const MatrixXd& columns, const Model& model, double horizon = 1) const;
 };
 
+/// Of readings over time, by their second differences, which scatter sqrt(6) times as much where noise is white; the
+/// median leaves kinks of the motion aside.
+double scatter_of(const Channel& channel);
+
 /// What is known before any fit: the sigma stated, else from the second differences of the readings.
 Noise first_noise(const Model& model);
 
 struct NoiseReport {
-    double stated = 0; // SI, mean over channels of the first measure; 0: not stated
-    double used = 0;   // SI, the same
+    double stated = 0; // SI, mean over the channels of the first measure that state it; 0: none does
+    double used = 0;   // SI, of the same; of all where none does
     std::map<std::string, NoiseOfMeasure> of{};
     int left_out = 0;   // readings
     double repeats = 0; // scatter between records of one condition over the noise used before; 0: nothing repeats

@@ -9,13 +9,14 @@ namespace tumble::diagnose {
 namespace {
 
 constexpr double enough = 5;           // standard errors
-constexpr double worth_it = 1.05;      // times what doing the same once more gives
+constexpr double most_repeats = 1000;  // that anybody would make
 constexpr double clock_reading = 1e-3; // s, scatter of a clock read from a picture
 
 struct Experiment {
     const char* id;
     const char* sentence;
     bool (*add)(std::vector<Record>&); // appends the new records or channels; false: they are there already
+    bool beside = true;                // records beside those there were; else more is read of those
 };
 
 bool reads(const Record& record, const std::string& measure) {
@@ -109,9 +110,9 @@ constexpr Experiment catalogue[] = {
     {"light", "do the same with a body of the same size and an eighth of the mass (hollow, or of foam)",
      add_light_body},
     {"clock", "put a clock into the picture (an LED that blinks at a known rate) and read it to a millisecond",
-     add_clock},
+     add_clock, false},
     {"longer", "do the same and record for twice as long", add_longer},
-    {"sideways", "read the sideways positions from the same records, too", add_sideways},
+    {"sideways", "read the sideways positions from the same records, too", add_sideways, false},
     {"again", "do the same once more", add_repeats},
 };
 
@@ -129,9 +130,10 @@ Noise noise_for(const Model& model, const Noise& known) {
     return noise;
 }
 
-/// Standard errors that the nearest two causes lie apart when all nuisances and the rival are adjusted.
+/// Standard errors that the nearest two rivals, of the model's causes, lie apart when all nuisances and the other's
+/// causes are adjusted.
 Result<double> separation_in(Model& model, const Noise& noise, const VectorXd& values,
-                             const std::vector<double>& amplitudes) {
+                             const std::vector<Rival>& rivals) {
     MatrixXd nuisances;
     for (int k = 0; k < model.nuisances(); ++k) {
         const auto slope = slope_of(model, noise, values, k, true);
@@ -140,53 +142,98 @@ Result<double> separation_in(Model& model, const Noise& noise, const VectorXd& v
         nuisances.conservativeResize(slope->size(), k + 1);
         nuisances.col(k) = *slope;
     }
-    std::vector<VectorXd> effects;
-    for (std::size_t k = 0; k < amplitudes.size(); ++k) {
+    std::vector<VectorXd> slopes; // of each cause
+    for (std::size_t k = 0; k < model.causes().size(); ++k) {
         const auto slope = slope_of(model, noise, values, model.parameter_of(static_cast<int>(k)), true);
         if (!slope)
             return slope.problems();
-        effects.push_back(*slope * amplitudes[k]);
+        slopes.push_back(*slope);
     }
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < effects.size(); ++i)
-        for (std::size_t j = 0; j < effects.size(); ++j)
-            if (i != j) {
-                MatrixXd others(effects[j].size(), nuisances.cols() + 1);
-                others << nuisances, effects[j];
-                nearest = std::min(nearest, Projector(others).out(effects[i]).norm());
-            }
+    for (const Rival& one : rivals) {
+        VectorXd effect = VectorXd::Zero(slopes[0].size());
+        for (std::size_t k = 0; k < one.causes.size(); ++k)
+            effect += one.amplitudes[static_cast<Eigen::Index>(k)] * slopes[static_cast<std::size_t>(one.causes[k])];
+        for (const Rival& other : rivals) {
+            if (&other == &one)
+                continue;
+            MatrixXd adjusted = nuisances;
+            adjusted.conservativeResize(effect.size(),
+                                        nuisances.cols() + static_cast<Eigen::Index>(other.causes.size()));
+            for (std::size_t k = 0; k < other.causes.size(); ++k)
+                adjusted.col(nuisances.cols() + static_cast<Eigen::Index>(k)) =
+                    slopes[static_cast<std::size_t>(other.causes[k])];
+            nearest = std::min(nearest, Projector(adjusted).out(effect).norm());
+        }
+    }
     return nearest;
+}
+
+/// The same explanations, their causes numbered as in `list`, which gets those that it lacks.
+std::vector<Rival> numbered_in(std::vector<int>& list, std::vector<Rival> rivals) {
+    for (Rival& rival : rivals)
+        for (int& cause : rival.causes) {
+            const auto known = std::find(list.begin(), list.end(), cause);
+            const auto at = static_cast<int>(known - list.begin());
+            if (known == list.end())
+                list.push_back(cause);
+            cause = at;
+        }
+    return rivals;
 }
 
 } // namespace
 
-std::vector<int> rivals_in(const Decision& decision) {
-    std::vector<int> rivals = decision.causes;
+std::vector<std::vector<int>> rivals_in(const Decision& decision) {
+    if (!decision.pairs.empty())
+        return decision.pairs;
+    std::vector<std::vector<int>> rivals;
+    for (const int k : decision.causes)
+        rivals.push_back({k});
     if (rivals.size() != 1)
         return rivals;
     const MatrixXd& left = decision.isolability;
-    const int named = rivals[0];
+    const int named = decision.causes[0];
     int near = -1;
     for (int k = 0; k < left.cols(); ++k)
         if (k != named && !std::isnan(left(named, k)) && (near < 0 || left(named, k) < left(named, near)))
             near = k;
     if (near >= 0)
-        rivals.push_back(near);
+        rivals.push_back({near});
     return rivals;
 }
 
-int repeats_for(double separation) {
-    const double needed = std::ceil(std::pow(enough / std::max(separation, 1e-9), 2));
-    return needed > 1000 ? 0 : std::max(1, static_cast<int>(needed));
+Proposal proposal_of(std::string id, std::string sentence, double separation, double before) {
+    Proposal proposal{.id = std::move(id), .sentence = std::move(sentence), .separation = separation};
+    const double known = before * before, added = separation * separation - known;
+    const double needed = std::ceil((enough * enough - known) / std::max(added, 1e-9));
+    proposal.repeats = needed > most_repeats ? 0 : std::max(1, static_cast<int>(needed));
+    proposal.reached = std::sqrt(known + proposal.repeats * std::max(added, 0.0));
+    return proposal;
 }
 
 std::vector<Proposal> proposals_for(const SceneText& scene, const Model& model, const std::vector<Nuisance>& nuisances,
                                     const Noise& noise, const Simulate& simulate, const VectorXd& values,
-                                    const std::vector<int>& causes, const std::vector<double>& amplitudes,
-                                    Problems& warnings) {
-    std::vector<Cause> rivals;
-    for (const int k : causes)
-        rivals.push_back(model.causes()[static_cast<std::size_t>(k)]);
+                                    const std::vector<Rival>& rivals, Problems& warnings) {
+    std::vector<int> list;
+    const std::vector<Rival> numbered = numbered_in(list, rivals);
+    std::vector<Cause> causes;
+    for (const int k : list)
+        causes.push_back(model.causes()[static_cast<std::size_t>(k)]);
+    const auto apart_with = [&](const std::vector<Record>& records) -> Result<double> {
+        auto planned = Model::make(scene, records, nuisances, causes, simulate);
+        if (!planned)
+            return planned.problems();
+        VectorXd at = planned->start();
+        for (std::size_t k = 0; k < planned->parameters().size(); ++k)
+            for (std::size_t i = 0; i < static_cast<std::size_t>(model.nuisances()); ++i)
+                if (model.parameters()[i].name == planned->parameters()[k].name)
+                    at[static_cast<Eigen::Index>(k)] = values[static_cast<Eigen::Index>(i)];
+        return separation_in(*planned, noise_for(*planned, noise), at, numbered);
+    };
+    const auto before = apart_with(model.records());
+    if (!before)
+        return {};
     std::vector<Proposal> proposals;
     for (const Experiment& experiment : catalogue) {
         std::vector<Record> records = model.records();
@@ -198,22 +245,12 @@ std::vector<Proposal> proposals_for(const SceneText& scene, const Model& model, 
                                 .what = fmt::format("'{}' cannot be planned for this scene", experiment.sentence),
                                 .fix = why.front().what});
         };
-        auto planned = Model::make(scene, records, nuisances, rivals, simulate);
-        if (!planned) {
-            cannot(planned.problems());
-            continue;
-        }
-        VectorXd at = planned->start();
-        for (std::size_t k = 0; k < planned->parameters().size(); ++k)
-            for (std::size_t i = 0; i < static_cast<std::size_t>(model.nuisances()); ++i)
-                if (model.parameters()[i].name == planned->parameters()[k].name)
-                    at[static_cast<Eigen::Index>(k)] = values[static_cast<Eigen::Index>(i)];
-        const auto apart = separation_in(*planned, noise_for(*planned, noise), at, amplitudes);
+        const auto apart = apart_with(records);
         if (!apart) {
             cannot(apart.problems());
             continue;
         }
-        proposals.push_back({experiment.id, experiment.sentence, *apart, repeats_for(*apart)});
+        proposals.push_back(proposal_of(experiment.id, experiment.sentence, *apart, experiment.beside ? *before : 0));
     }
     std::sort(proposals.begin(), proposals.end(),
               [](const Proposal& a, const Proposal& b) { return a.separation > b.separation; });

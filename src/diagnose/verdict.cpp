@@ -71,7 +71,11 @@ std::string named(const Diagnosis& diagnosis) {
         text += fmt::format(" These data cannot tell it from {}: they are one answer.",
                             fmt::join(ids_of(diagnosis, others), ", "));
     }
-    return text + doubt_words(decision) + gain_words(diagnosis);
+    text += doubt_words(decision) + gain_words(diagnosis);
+    if (decision.second_cause >= 0)
+        text += fmt::format(" Beside it a second effect of up to {:.1f} standard errors ({}) is not excluded.",
+                            decision.second, cause_of(diagnosis, decision.second_cause).id);
+    return text;
 }
 
 std::string ambiguous(const Diagnosis& diagnosis) {
@@ -158,10 +162,9 @@ std::string next_step(const Diagnosis& diagnosis) {
     const auto& proposals = diagnosis.proposals;
     const bool to_part = diagnosis.decision.outcome == Outcome::ambiguous || diagnosis.decision.one_class;
     if (to_part && !proposals.empty() && proposals[0].repeats > 0)
-        return fmt::format("To tell them apart, {}{}: that would set them {:.1f} standard errors apart.",
-                           proposals[0].sentence,
-                           proposals[0].repeats > 1 ? fmt::format(", {} times", proposals[0].repeats) : "",
-                           proposals[0].separation * std::sqrt(proposals[0].repeats));
+        return fmt::format(
+            "To tell them apart, {}{}: that would set them {:.1f} standard errors apart.", proposals[0].sentence,
+            proposals[0].repeats > 1 ? fmt::format(", {} times", proposals[0].repeats) : "", proposals[0].reached);
     switch (diagnosis.decision.outcome) {
     case Outcome::consistent:
         return "Nothing needs to be changed; to exclude smaller effects, measure more often or under more conditions.";

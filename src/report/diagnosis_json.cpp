@@ -1,5 +1,6 @@
 #include "report/diagnosis_json.h"
 
+#include "base/distributions.h"
 #include "base/table.h"
 #include "base/text.h"
 #include "diagnose/fingerprints.h"
@@ -28,6 +29,7 @@ Json ids_of(const Diagnosis& diagnosis, const std::vector<int>& causes) {
 
 Json amplitudes_of(const Diagnosis& diagnosis) {
     Json all = Json::array();
+    const double reach = student_quantile(0.025, diagnosis.evidence.degrees);
     if (const auto& best = diagnosis.decision.best)
         for (std::size_t k = 0; k < best->causes.size(); ++k) {
             const Cause& cause = diagnosis.causes[static_cast<std::size_t>(best->causes[k])];
@@ -38,10 +40,16 @@ Json amplitudes_of(const Diagnosis& diagnosis) {
                            {"unit", cause.unit},
                            {"amplitude", number(best->amplitude[i])},
                            {"standard_error", number(best->error[i])},
-                           {"low_95", number(best->amplitude[i] - 1.96 * best->error[i])},
-                           {"high_95", number(best->amplitude[i] + 1.96 * best->error[i])}});
+                           {"low_95", number(best->amplitude[i] - reach * best->error[i])},
+                           {"high_95", number(best->amplitude[i] + reach * best->error[i])}});
         }
     return all;
+}
+
+/// Of the best single explanation; none where nothing was fitted.
+double nats_behind(const Diagnosis& diagnosis, const Seen& seen) {
+    const auto& best = diagnosis.decision.best;
+    return best && best->causes.size() == 1 ? nats_between(diagnosis.evidence, best->gain, seen.gain) : std::nan("");
 }
 
 Json library_of(const Diagnosis& diagnosis) {
@@ -55,6 +63,7 @@ Json library_of(const Diagnosis& diagnosis) {
                        {"amplitude_linear", number(seen.amplitude)},
                        {"standard_error", number(seen.error)},
                        {"chi_square_gain", number(seen.gain)},
+                       {"nats_behind", number(nats_behind(diagnosis, seen))},
                        {"refitted", seen.refit.has_value()},
                        {"lower_95", number(seen.lower)},
                        {"upper_95", number(seen.upper)},
@@ -173,6 +182,10 @@ Json decision_of(const Diagnosis& diagnosis) {
                          {"chi_square_baseline", fold.score.baseline},
                          {"chi_square_extended", fold.score.extended},
                          {"nats", fold.score.nats()}});
+    Json second; // null: none was bounded
+    if (decision.second_cause >= 0)
+        second = {{"id", diagnosis.causes[static_cast<std::size_t>(decision.second_cause)].id},
+                  {"standard_errors", decision.second}};
     return {{"outcome", outcome_words(diagnosis)},
             {"verdict", verdict_of(diagnosis)},
             {"next", next_step(diagnosis)},
@@ -184,6 +197,7 @@ Json decision_of(const Diagnosis& diagnosis) {
             {"fitted", amplitudes_of(diagnosis)},
             {"gate", decision.gate},
             {"largest_chi_square_gain", decision.largest},
+            {"second_effect_up_to", second},
             {"adequacy_baseline", adequacy_of_it(decision.baseline)},
             {"adequacy_winner", adequacy_of_it(decision.winner)},
             {"folds", std::move(folds)},
@@ -214,7 +228,8 @@ Json to_json(const Diagnosis& diagnosis, const std::string& version) {
         proposals.push_back({{"id", proposal.id},
                              {"sentence", proposal.sentence},
                              {"separation", proposal.separation},
-                             {"repeats", proposal.repeats}});
+                             {"repeats", proposal.repeats},
+                             {"reached", proposal.reached}});
     json["experiments"] = std::move(proposals);
     Json nuisances = Json::array();
     for (const FittedNuisance& nuisance : diagnosis.nuisances) {

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <map>
 
 namespace tumble::report {
@@ -33,12 +34,16 @@ h3{font-size:1em;margin:1.2em 0 .2em}table{margin:.6em 0}.wide{overflow-x:auto}s
 @media print{.plots,svg,tr{break-inside:avoid}body{margin:0}}
 )";
 
-/// "drag.linear, drag.quadratic": those that an experiment should part.
+/// "drag.linear, drag.quadratic", or "drag.linear with ins.gain, ...": those that an experiment should part.
 std::string ids_to_part(const Diagnosis& diagnosis) {
-    std::string ids;
-    for (const int k : rivals_in(diagnosis.decision))
-        ids += (ids.empty() ? "" : ", ") + escaped(diagnosis.causes[static_cast<std::size_t>(k)].id);
-    return ids;
+    std::vector<std::string> all;
+    for (const std::vector<int>& rival : rivals_in(diagnosis.decision)) {
+        std::vector<std::string> ids;
+        for (const int k : rival)
+            ids.push_back(escaped(diagnosis.causes[static_cast<std::size_t>(k)].id));
+        all.push_back(fmt::format("{}", fmt::join(ids, " with ")));
+    }
+    return fmt::format("{}", fmt::join(all, ", "));
 }
 
 std::string gain_section(const Diagnosis& diagnosis) {
@@ -60,7 +65,9 @@ std::string gain_section(const Diagnosis& diagnosis) {
         "<h2>What the extension is worth where it was not fitted</h2><p>{}. {}.</p><table><tr><th>{}</th><th>{}"
         "</th><th>baseline</th><th>extended</th></tr>{}</table><p class=\"small\">Root mean square residual in "
         "standard errors; 1 is noise alone.{}</p>",
-        text, gain.shown ? "The gain is shown" : "The gain is not shown: some conditions do not improve",
+        text,
+        gain.shown ? "The gain is shown"
+                   : "The gain is not shown: some conditions do not improve, or all together by less than 3 nats",
         gain.held_out ? "held out" : "condition left out", diagnosis.beds.empty() ? "readings" : "numbers", rows,
         diagnosis.beds.empty()
             ? " What only a record can tell, its clock say, is left as open as it was beforehand, for both alike."

@@ -281,15 +281,25 @@ TEST_CASE("a unit that cannot be and a sigma that the readings contradict are to
             value *= 1000;
     const auto refused = diagnose::diagnose({floor_and_ball, "ball.toml"}, metres, closed_form);
     REQUIRE(!refused);
-    CHECK(refused.problems().size() == 4);
+    CHECK(refused.problems().size() == 1); // four records of one file: it is told once
     CHECK(refused.problems()[0].what.ends_with(
-        "times what the simulation does: millimetres or milliseconds read as SI?"));
+        "times what the simulation does: thousandths, such as mm or ms, read as SI?"));
     CHECK(refused.problems()[0].fix == "correct the unit in the head of the column");
 
-    Measurement short_way = Laboratory{}.measurement(); // a tenth of what was foretold is no slip of any unit of length
+    Measurement short_way =
+        Laboratory{}.measurement(); // a tenth of what was foretold: the scene may be that wrong, too
     for (double& value : short_way.records[0].channels[0].value)
         value /= 9.81;
-    CHECK(diagnose::diagnose({floor_and_ball, "ball.toml"}, short_way, closed_form));
+    const Diagnosis tenth = Laboratory::diagnosed(short_way);
+    CHECK(std::any_of(tenth.warnings.begin(), tenth.warnings.end(), [](const Problem& warning) {
+        return warning.what.ends_with("times what the simulation does: millimetres read as centimetres?");
+    }));
+
+    Measurement nowhere = Laboratory{}.measurement(); // whose set it is, a table's row has its cells in its name
+    nowhere.records[2].sets = {"fill.0.position_m.1=high"};
+    const auto which = diagnose::diagnose({floor_and_ball, "ball.toml"}, nowhere, closed_form);
+    REQUIRE(!which);
+    CHECK(which.problems()[0].what.starts_with("in '1.1': "));
 
     Measurement sure = Laboratory{}.measurement(); // ten times as sure of itself as it may be
     for (Record& record : sure.records)

@@ -19,12 +19,13 @@ import trough_in_space
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 CASE = ROOT / "scenes/measured/trough"
-SEEDS = 3
+SEEDS = 6
 SHOWN = [("", "0", "as the scene has it: in phase"), ("exc.phase", "90", "sideways a quarter period ahead"),
          ("exc.phase", "-90", "sideways a quarter period behind"),
          ("exc.sideways", "0.75", "in phase, sideways 2.1 times as wide"),
          ("exc.sideways", "-0.75", "in phase, sideways 0.47 times as wide"),
          ("exc.rocking", "0.25", "in phase, rocking by 0.25 deg"), ("exc.rocking", "-0.25", "the other way round"),
+         ("exc.rocking_ahead", "0.5", "in phase, rocking by 0.5 deg a quarter period ahead"), ("exc.rocking_ahead", "-0.5", "the other way round"),
          ("grav.tilt_x", "2.5", "in phase, tilted by 2.5 deg"), ("grav.tilt_x", "-2.5", "the other way round"),
          ("roll.coulomb", "0.2", "in phase, rolling friction 0.2"), ("fric.wall", "0.75", "in phase, wall friction 2.1 times")]
 
@@ -53,23 +54,39 @@ Circulation, slope and height of the bed under two loads differ from the simulat
 
 {LIBRARY}
 
-Walls that rock by a fifth of a degree do to these numbers what the dropped phase does. The response table knows more numbers than were measured, and says which would part the two:
+Walls that rock do to these numbers what the dropped phase does: by a fifth of a degree in time with their upright shaking, or by a third a quarter period ahead of it. What would part them, by the response table:
 
 {PLAN}
 
-## The number that was asked for
+Bodies' contacts cannot be counted in a machine, and runs are a weak means: with 24 of them and the height of the centre and the sideways speed besides, phase and rocking ahead stayed ambiguous
+(`measured_bed.py` as in [the beds' list](../tests/blind/beds/README.md), seeds 501 to 524). Rocking is better looked for where it is.
 
-So the load's sideways speed is measured, too, in the same runs. **{OUTCOME}.** {VERDICT}
+## A second sensor on the other wall
+
+The walls are 0.44 m apart. An accelerometer on either of them tells rocking of 0.02 deg, 0.15 mm between the two. Say it saw none. The measurement then has the same three numbers of the same four runs, and two causes that are
+known to be next to nothing:
+
+```toml
+[[nuisance]]
+cause = "exc.rocking"
+spread = 0.02  # deg
+
+[[nuisance]]
+cause = "exc.rocking_ahead"
+spread = 0.02
+```
+
+**{OUTCOME}.** {VERDICT}
 
 {MEASURED}
 
-Rocking is {ROCKING} now, barely beyond the 3 nats that a name needs: one more number, not certainty.
+A missing load, the nearest of the others, is {NEAREST}, where a name needs 3.
 
 ±: standard error of the mean, of four runs measured and {SEEDS} simulated. The last column was run with seeds of its own at the fitted value; so large a difference from what the table foretold has
 p = {P_CONFIRMED}. What the phase leaves of the misfit has p = {P_LEFT}.
 
-![Circulation of the half load: measured, in phase, and with the cause named](gallery/thrown-away-phase-circulation-half.svg)
-![Slope of the quarter load: measured, in phase, and with the cause named](gallery/thrown-away-phase-slope-quarter.svg)
+![Circulation of the half load: measured, the baseline (in phase, with what rocking the sensors allow), and extended by the cause named](gallery/thrown-away-phase-circulation-half.svg)
+![Slope of the quarter load: measured, the baseline, and extended by the cause named](gallery/thrown-away-phase-slope-quarter.svg)
 
 ## What each cause does
 
@@ -136,7 +153,7 @@ def response_table(runs):
 
 
 def measured_table(beds):
-    rows = ["| load | number | measured | in phase | with the cause named |", "| --- | --- | --- | --- | --- |"]
+    rows = ["| load | number | measured | in phase, with what rocking the sensors allow | with the cause named |", "| --- | --- | --- | --- | --- |"]
     for one in beds:
         unit = one["unit"].replace("_s", "/s")
         cells = [f'{one[k]:.3g} ± {one[k + "_standard_error"]:.2g}' for k in ("measured", "baseline", "extended")]
@@ -186,7 +203,7 @@ def main():
                        "RUNS": str(sum(map(len, runs.values()))), "GATE": f"{first['gate']:.1f}",
                        "CHI": f"{first['chi_square_baseline']:.0f}",
                        "P_CONFIRMED": f"{found['confirmation']['p']:.2g}", "P_LEFT": f"{found['adequacy_winner']['p']:.2g}",
-                       "ROCKING": next(one["standing"] for one in found["library"] if one["id"] == "exc.rocking"),
+                       "NEAREST": next(one["standing"] for one in found["library"] if one["id"] == "load.fill"),
                        "SIDEWAYS": standing(first, "exc.sideways"),
                        "ROCKING_TILT": f"{left_of(first, 'exc.rocking', 'grav.tilt_x'):.2f}"}.items():
         text = text.replace("{" + key + "}", value)

@@ -59,7 +59,7 @@ const std::vector<GalleryRun>& gallery_runs() {
          3},
         {"case", diagnosis_of("lane.toml", "measured/cases/1/measurement.toml", {})},
         {"phase", diagnosis_of("measured/trough/trough.toml", "measured/trough/measurement-2.toml",
-                               {"--seeds", "3", "--old-runs"})},
+                               {"--seeds", "6", "--old-runs"})},
         {"bowl-full", run_of("bowl.toml", {}), 108},
     };
     return runs;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace tumble::diagnose {
 
@@ -65,6 +66,35 @@ Eigen::Vector3d middle_of(const scene::Wall& wall, int dimension) {
     const auto* trough =
         dimension == 2 ? std::get_if<scene::TroughShape>(&wall.outline) : std::get_if<scene::TroughShape>(&wall.shape);
     return trough ? Eigen::Vector3d(0, trough->floor + trough->radius, 0) : Eigen::Vector3d::Zero();
+}
+
+/// Walls that rock beside their upright shaking, so many degrees of its period ahead of it.
+Cause rocking(const std::string& id, double ahead, const std::string& name, const std::string& look) {
+    return {.id = id,
+            .family = "excitation",
+            .symbol = "rocking",
+            .unit = "deg",
+            .lo = -0.5,
+            .hi = 0.5,
+            .typical = 0.01,
+            .in_beds = ahead == 0 ? 0.25 : 0.5, // out of step it takes more to do as much
+            .beds = true,
+            .name = name,
+            .look = look,
+            .keys = fmt::format("wall.motion of kind rocking, {} the largest harmonic along y, about the middle of a "
+                                "trough's round, else about the origin",
+                                ahead == 0 ? "in phase with" : "a quarter period ahead of"),
+            .extend = [ahead](Scene& s, double d) {
+                for (scene::Wall& wall : s.walls)
+                    if (const scene::Harmonic* upright = largest_along(1, wall.motion))
+                        wall.motion.rockings.push_back(
+                            {.active = upright->active,
+                             .centre = middle_of(wall, s.dimension),
+                             .axis = s.dimension == 2 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitX(),
+                             .amplitude = d * degree,
+                             .frequency = upright->frequency,
+                             .phase = upright->phase + ahead * degree});
+            }};
 }
 
 } // namespace
@@ -223,31 +253,14 @@ std::vector<Cause> of_the_excitation() {
          .look = "drives circulation the harder the wider; nothing where it is in phase with the upright shaking",
          .keys = "wall.motion.amplitude_m of harmonics along x and z, times a factor",
          .extend = [](Scene& s, double d) { shake_sideways(s, [&](auto& part) { part.amplitude *= std::exp(d); }); }},
-        {.id = "exc.rocking",
-         .family = "excitation",
-         .symbol = "rocking",
-         .unit = "deg",
-         .lo = -0.5,
-         .hi = 0.5,
-         .typical = 0.01,
-         .beds = true,
-         .name = "walls that rock in time with their upright shaking",
-         .look = "one side is shaken harder than the other: the bulk climbs away from it, slope and circulation "
-                 "together; two sensors, one on each side, show it",
-         .keys = "wall.motion of kind rocking, in phase with the largest harmonic along y, about the middle of a "
-                 "trough's round, else about the origin",
-         .extend =
-             [](Scene& s, double d) {
-                 for (scene::Wall& wall : s.walls)
-                     if (const scene::Harmonic* upright = largest_along(1, wall.motion))
-                         wall.motion.rockings.push_back(
-                             {.active = upright->active,
-                              .centre = middle_of(wall, s.dimension),
-                              .axis = s.dimension == 2 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitX(),
-                              .amplitude = d * degree,
-                              .frequency = upright->frequency,
-                              .phase = upright->phase});
-             }},
+        rocking(
+            "exc.rocking", 0, "walls that rock in time with their upright shaking",
+            "one side is shaken harder than the other: the bulk climbs away from it, slope and circulation together; "
+            "two sensors, one on each side, show it"),
+        rocking(
+            "exc.rocking_ahead", 90, "walls that rock a quarter period ahead of their upright shaking",
+            "one side goes up while the other comes down and the middle passes through rest: circulation, whose side "
+            "is the rocking's; two sensors, one on each side, show it"),
     };
 }
 

@@ -121,7 +121,7 @@ def of_the_generator(bench, scene):
 COMMANDS = {name: records(name) for name in EXPERIMENTS}
 COMMANDS["oblique"] = of_the_generator("oblique", "lane")
 COMMANDS["plate"] = of_the_generator("plate", "plate")
-COMMANDS["trough"] = beds("scenes/measured/trough/trough.toml", "scenes/measured/trough/measurement-2.toml", 3)
+COMMANDS["trough"] = beds("scenes/measured/trough/trough.toml", "scenes/measured/trough/measurement.toml", 6)
 COMMANDS["heap"] = beds("tests/blind/beds/heap.toml", "tests/blind/beds/rolling.toml", 4)
 
 

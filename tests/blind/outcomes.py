@@ -66,7 +66,7 @@ def main():
         begun = time.monotonic()
         if isinstance(case, pathlib.Path) and case.suffix == ".toml":
             folder.mkdir(parents=True, exist_ok=True)
-            found = diagnosed(tumble, folder, words, scene, case, "--seeds", "3", "--old-runs")
+            found = diagnosed(tumble, folder, words, scene, case, "--seeds", "6", "--old-runs")
         else:
             laid_out(blindgen, case, folder)
             shutil.copy(scene, folder / "scene.toml")

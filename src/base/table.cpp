@@ -139,6 +139,12 @@ private:
                                             "give each column its own head"));
             table_.heads_.push_back(std::move(head));
         }
+        if (const std::string& only = table_.heads_[0];
+            table_.heads_.size() == 1 && only.find_first_of(";\t") != std::string::npos) {
+            problems_.push_back(problem(line, 0, "columns are separated by semicolons or tabs",
+                                        "separate them by commas, and write numbers with a decimal point"));
+            full_ = true;
+        }
     }
 
     void take_row(int line) {
@@ -216,16 +222,16 @@ Result<std::vector<double>> Table::quantity(std::string_view name, std::span<con
                 value *= unit.si;
         return values;
     }
+    const bool named_whole = std::find(heads_.begin(), heads_.end(), name) != heads_.end();
     return Problem{file_,
                    head_line_,
                    0,
                    std::string(name),
                    fmt::format("no column for {}", name),
-                   heads_.size() == 1 && heads_[0].find_first_of(";\t") != std::string::npos
-                       ? "separate columns by commas"
-                       : fmt::format("call it {}; there {} {}", fmt::join(accepted, " or "),
-                                     heads_.size() == 1 ? "is" : "are",
-                                     excerpt(fmt::format("{}", fmt::join(heads_, ", "))))};
+                   named_whole ? fmt::format("leave the unit out of the name: \"{}\"", name.substr(0, name.rfind('_')))
+                               : fmt::format("call it {}; there {} {}", fmt::join(accepted, " or "),
+                                             heads_.size() == 1 ? "is" : "are",
+                                             excerpt(fmt::format("{}", fmt::join(heads_, ", "))))};
 }
 
 std::string csv_line(std::span<const std::string> cells) {

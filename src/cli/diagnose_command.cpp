@@ -19,11 +19,14 @@
 #include "scene/to_toml.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <system_error>
+#include <unistd.h>
 
 namespace tumble::cli {
 
@@ -102,7 +105,7 @@ void tell_causes(const diagnose::Diagnosis& diagnosis) {
         say(fmt::format("  {}: {}", why, fmt::join(causes, ", ")));
 }
 
-void tell(const diagnose::Diagnosis& diagnosis, bool quiet) {
+void tell(const diagnose::Diagnosis& diagnosis, bool plan, bool quiet) {
     say(diagnose::outcome_words(diagnosis));
     say(diagnose::verdict_of(diagnosis));
     say("Next: " + diagnose::next_step(diagnosis));
@@ -112,6 +115,8 @@ void tell(const diagnose::Diagnosis& diagnosis, bool quiet) {
     for (const diagnose::Proposal& proposal : diagnosis.proposals)
         say(fmt::format("plan  {}: {:.1f} standard errors apart{}", proposal.sentence, proposal.separation,
                         proposal.repeats > 1 ? fmt::format("; {} of them reach 5", proposal.repeats) : ""));
+    if (plan && diagnosis.proposals.empty())
+        say("plan  no two causes are left to be told apart");
     if (quiet)
         return;
     for (const Problem& warning : diagnosis.warnings)
@@ -230,6 +235,13 @@ int diagnose_it(const DiagnoseArguments& arguments) {
     if (!arguments.report.empty()) // a place that cannot be had is better known before the work than after it
         if (const auto made = make_folder(arguments.report); !made)
             return refuse(made.problems(), arguments.json, wrong);
+    const fs::path& written = arguments.extended;
+    const fs::path folder = written.parent_path().empty() ? "." : written.parent_path();
+    if (!written.empty() && fs::exists(folder, ignored) && ::access(folder.c_str(), W_OK) != 0)
+        return refuse({{.file = written.string(),
+                        .what = "cannot be written: " + std::generic_category().message(errno),
+                        .fix = "write to a folder that is there and yours"}},
+                      arguments.json, wrong);
     const auto diagnosis = diagnosis_of(arguments, scene, *measurement);
     if (!diagnosis && !had_report)
         fs::remove(arguments.report, ignored); // it is empty
@@ -239,7 +251,7 @@ int diagnose_it(const DiagnoseArguments& arguments) {
     if (arguments.json)
         say_json(report::to_json(*diagnosis, run::version()));
     else
-        tell(*diagnosis, arguments.quiet);
+        tell(*diagnosis, arguments.plan, arguments.quiet);
     if (!arguments.json && !arguments.report.empty())
         say(fmt::format("report: {}", (arguments.report / "diagnosis.html").string()));
     return problems.empty() ? static_cast<int>(fine) : refuse(problems, false, failed);

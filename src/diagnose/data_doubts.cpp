@@ -17,6 +17,8 @@ constexpr std::size_t few_levels = 50;
 constexpr std::size_t flat_run = 3; // equal readings in a row, of a sensor whose steps are fine
 constexpr double one_in_ten_thousand = 1e-4;
 constexpr double clear = 10;          // standard errors: a single number nearer to 0 than that tells no unit
+constexpr double far_too_long = 100;  // times what the scene lasts
+constexpr double as_noise = 1.5;      // times their scatter that two columns may differ
 constexpr double clear_of_noise = 15; // scatters that readings must span: noise alone spans some seven
 
 enum class Kind { any, angle, way, acceleration };
@@ -125,6 +127,29 @@ void doubt_channel(const Record& record, const Channel& channel, Problems& warni
         warn("sigma missing", "its scatter is not stated", "give sigma; it is estimated from the residual instead");
 }
 
+/// Two columns that should read the same.
+void doubt_pair(const Record& record, const Channel& one, const Channel& other, Problems& warnings) {
+    if (one.measure != other.measure || one.sensor != other.sensor || one.shows_time())
+        return;
+    double products = 0, squares = 0, apart = 0;
+    for (std::size_t k = 0; k < one.value.size(); ++k) {
+        products += one.value[k] * other.value[k];
+        squares += one.value[k] * one.value[k];
+        apart += (other.value[k] - one.value[k]) * (other.value[k] - one.value[k]);
+    }
+    const auto scatter = [](const Channel& channel) { return channel.sigma > 0 ? channel.sigma : scatter_of(channel); };
+    const double far =
+        std::sqrt(apart / static_cast<double>(one.value.size())) / std::hypot(scatter(one), scatter(other));
+    if (far > as_noise)
+        warnings.push_back({.file = record.file.string(),
+                            .key = "columns differ",
+                            .what = fmt::format("{} and {} show the same measure and differ by {:.1f} times what they "
+                                                "scatter; the best factor between them is {:.4g}",
+                                                one.head, other.head, far, products / std::max(1e-300, squares)),
+                            .fix = "if two instruments read them, name each column's (sensor = \"...\"): what is wrong "
+                                   "with one of them is told then"});
+}
+
 /// From the lowest to the highest reading; of a single number its magnitude.
 template <class Readings> double span_of(const Readings& readings) {
     const auto [lowest, highest] = std::minmax_element(readings.begin(), readings.end());
@@ -139,6 +164,21 @@ void doubt_record(const Record& record, Problems& warnings) {
     doubt_time(record, warnings);
     for (const Channel& channel : record.channels)
         doubt_channel(record, channel, warnings);
+    for (std::size_t k = 1; k < record.channels.size(); ++k)
+        for (std::size_t i = 0; i < k; ++i)
+            doubt_pair(record, record.channels[i], record.channels[k], warnings);
+}
+
+std::optional<Problem> time_slip(const Record& record, double scene_lasts) {
+    if (record.time.back() < far_too_long * scene_lasts)
+        return std::nullopt;
+    return Problem{.file = record.file.string(),
+                   .key = "time",
+                   .what =
+                       fmt::format("'{}' lasts {:g} s, {:.0f} times as long as the scene, {:g} s: milliseconds read "
+                                   "as seconds?",
+                                   record.name, record.time.back(), record.time.back() / scene_lasts, scene_lasts),
+                   .fix = "correct the unit of time, or let the scene last longer (duration_s)"};
 }
 
 Problems equal_columns(const std::vector<Record>& records) {
@@ -185,7 +225,7 @@ Problems unit_slips(const std::vector<Record>& records, const Eigen::VectorXd& p
                     (slip.surely ? problems : warnings)
                         .push_back(
                             {.file = record.file.string(),
-                             .key = channel.head,
+                             .key = slip.surely ? channel.head : "unit",
                              .what = fmt::format("{} {} {:.3g} times what the simulation does: {}?", channel.head,
                                                  record.single() ? "is" : "spans", ratio, slip.meaning),
                              .fix = "correct the unit in the head of the column"});

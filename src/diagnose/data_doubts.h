@@ -3,12 +3,16 @@
 #include "diagnose/measurement.h"
 
 #include <Eigen/Core>
+#include <optional>
 
 namespace tumble::diagnose {
 
 /// What the readings of a record show without any simulation: gaps and jitter in time, clipping, coarse steps, scatter
-/// that is not stated. One sentence each, with what to do.
+/// that is not stated, columns that should read the same and do not. One sentence each, with what to do.
 void doubt_record(const Record& record, Problems& warnings);
+
+/// A record that lasts so long beside the scene, s, that its time cannot be in seconds.
+std::optional<Problem> time_slip(const Record& record, double scene_lasts);
 
 /// Columns that hold the same numbers as another one: a copy was stored under two names, and no verdict can be built on
 /// either. Records of held clocks ("time") may agree.

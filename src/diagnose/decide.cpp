@@ -381,6 +381,25 @@ double gain_behind(const Evidence& evidence, double best, double nats) {
     return n + whole - (n + whole - best) * std::exp(2 * nats / (n + 1));
 }
 
+namespace {
+
+/// How far a residual goes along each direction of no particular cause, in standard errors; without those that the fit
+/// has nearly used up.
+std::vector<Followed> along_prints(const Directions& directions, const Projector& fitted, const VectorXd& rest) {
+    std::vector<Followed> all;
+    for (Eigen::Index k = 0; k < directions.prints.cols(); ++k) {
+        const VectorXd own = fitted.out(VectorXd(directions.prints.col(k)));
+        if (own.norm() >= least_left)
+            all.push_back({k < static_cast<Eigen::Index>(directions.names.size())
+                               ? directions.names[static_cast<std::size_t>(k)]
+                               : "",
+                           own.dot(rest) / own.norm()});
+    }
+    return all;
+}
+
+} // namespace
+
 Adequacy adequacy_of(const VectorXd& residual, const MatrixXd& slopes, const Directions& directions, double degrees) {
     const Projector fitted(slopes);
     const VectorXd rest = fitted.out(residual);
@@ -393,18 +412,18 @@ Adequacy adequacy_of(const VectorXd& residual, const MatrixXd& slopes, const Dir
         const Projector generic(left);
         return hotelling_tail(generic.inside(rest), generic.rank(), degrees);
     };
-    return {tail(directions.blocks), tail(directions.prints), strongest_swing(rest, directions.courses)};
+    double strongest = 1;
+    const std::vector<Followed> prints = along_prints(directions, fitted, rest);
+    for (const Followed& one : prints)
+        strongest = std::min(strongest, static_cast<double>(prints.size()) * hotelling_tail(one.z * one.z, 1, degrees));
+    return {tail(directions.blocks), tail(directions.prints), strongest, strongest_swing(rest, directions.courses)};
 }
 
 Following followed_by(const Evidence& evidence, const Decision& decision) {
     const Projector fitted(decision.best ? decision.best->slopes : evidence.nuisances);
     const VectorXd rest = fitted.out(decision.best ? decision.best->residual : evidence.residual);
     Following following;
-    for (std::size_t k = 0; k < evidence.directions.names.size(); ++k) {
-        const VectorXd own = fitted.out(VectorXd(evidence.directions.prints.col(static_cast<Eigen::Index>(k))));
-        if (own.norm() >= least_left)
-            following.all.push_back({evidence.directions.names[k], own.dot(rest) / own.norm()});
-    }
+    following.all = along_prints(evidence.directions, fitted, rest);
     const auto swing = strongest_swing(rest, evidence.directions.courses);
     following.tried = static_cast<int>(following.all.size()) + (swing ? 1 : 0);
     if (following.tried == 0)

@@ -63,12 +63,13 @@ enum class Outcome { consistent, named, ambiguous, two_causes, none_known, canno
 
 /// Tests of what is left against directions of no particular cause.
 struct Adequacy {
-    double blocks = 1; // tail probabilities
-    double prints = 1;
+    double blocks = 1;            // tail probabilities
+    double prints = 1;            // of all fingerprints together
+    double strongest = 1;         // of the one that the residual follows most, shared by all (Bonferroni)
     std::optional<Swing> swing{}; // the strongest; none was looked for in means
     [[nodiscard]] double p() const {
-        const double least = std::min(blocks, prints);
-        return std::min(1.0, swing ? 3 * std::min(least, swing->p) : 2 * least);
+        const double least = std::min({blocks, prints, strongest});
+        return std::min(1.0, swing ? 4 * std::min(least, swing->p) : 3 * least);
     }
 };
 

@@ -96,9 +96,12 @@ private:
         noise_ = first_noise(*model_);
         const VectorXd start = model_->start();
         for (std::size_t r = 0; r < model_->records().size(); ++r)
-            if (const auto scene = model_->scene_at(start, static_cast<int>(r)))
+            if (const auto scene = model_->scene_at(start, static_cast<int>(r))) {
+                if (auto slip = time_slip(model_->records()[r], scene->duration))
+                    return {std::move(*slip)};
                 for (Problem& doubt : kinematic_doubts(model_->records()[r], noise_.sigma[r], *scene))
                     d_.warnings.push_back(std::move(doubt));
+            }
         const auto predicted = model_->predict(start);
         if (!predicted)
             return predicted.problems();
@@ -314,14 +317,17 @@ private:
     void doubt_sensors() {
         Decision& decision = d_.decision;
         const auto contradicts = [](const Problem& warning) {
-            return warning.key == "velocity against way" || warning.key == "peak speed" || warning.key == "speed";
+            return warning.key == "velocity against way" || warning.key == "peak speed" || warning.key == "speed" ||
+                   warning.key == "unit";
         };
         const auto first = std::find_if(d_.warnings.begin(), d_.warnings.end(), contradicts);
         if (first == d_.warnings.end() || decision.outcome == Outcome::consistent)
             return;
         const bool a_name = decision.outcome == Outcome::named || decision.outcome == Outcome::two_causes;
-        const std::string remedy = "First find out which sensor is wrong: " + first->what + ".";
-        if (decision.outcome == Outcome::cannot_decide || (a_name && decision.sure))
+        const std::string remedy =
+            (first->key == "unit" ? "First see to the unit: " + first->what
+                                  : "First find out which sensor is wrong: " + first->what + ".");
+        if (!a_name || decision.sure)
             decision.remedy = remedy;
         if (a_name && decision.sure) {
             decision.sure = false;

@@ -185,6 +185,8 @@ std::string next_step(const Diagnosis& diagnosis) {
         return diagnosis.decision.sure ? "Confirm each with an experiment in which the other cannot act."
                                        : diagnosis.decision.remedy;
     case Outcome::none_known:
+        if (!diagnosis.decision.remedy.empty())
+            return diagnosis.decision.remedy;
         if (diagnosis.overstated)
             return fmt::format(
                 "Find out whether {} can have gone that far. If so, state a larger spread of it; if not{}.",
@@ -229,7 +231,7 @@ std::string standing_of(const Diagnosis& diagnosis, int cause) {
                : seen.share < 0.005 ? "does not show: nuisances absorb it"
                                     : "does not show in these data";
     if (std::find(decision.causes.begin(), decision.causes.end(), cause) != decision.causes.end())
-        return decision.outcome != Outcome::ambiguous ? "named"
+        return decision.outcome != Outcome::ambiguous ? (decision.sure ? "named" : "named, unsure")
                : decision.pairs.empty() && seen.refit
                    ? "may be it: " +
                          amplitude_words(cause_of(diagnosis, cause), seen.refit->amplitude[0], seen.refit->error[0])

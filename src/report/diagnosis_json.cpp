@@ -129,7 +129,7 @@ Json beds_of(const Diagnosis& diagnosis) {
 }
 
 Json adequacy_of_it(const Adequacy& adequacy) {
-    Json json{{"p_blocks", adequacy.blocks}, {"p_fingerprints", adequacy.prints}};
+    Json json{{"p_blocks", adequacy.blocks}, {"p_fingerprints", adequacy.prints}, {"p_strongest", adequacy.strongest}};
     if (adequacy.swing)
         json["p_swings"] = adequacy.swing->p;
     json["p"] = adequacy.p();

@@ -58,8 +58,12 @@ TEST_CASE("quantities are scaled to SI by the unit in the head") {
     CHECK(table.quantity("width", lengths)->at(0) == 3.0);
     CHECK(to_string(table.quantity("height", lengths).problems()) ==
           "t.csv:1: no column for height\n    call it height_m or height_mm; there are depth_mm, width_m\n");
-    CHECK(to_string(table_of("height_m;width_m\n2;3\n").quantity("height", lengths).problems()) ==
-          "t.csv:1: no column for height\n    separate columns by commas\n");
+    CHECK(to_string(table.quantity("depth_mm", lengths).problems()) ==
+          "t.csv:1: no column for depth_mm\n    leave the unit out of the name: \"depth\"\n");
+    const auto european = parse_table("height_m;width_m\n2,5;3\n2,5;4\n", "t.csv");
+    REQUIRE(!european);
+    CHECK(to_string(european.problems()) == "t.csv:1: columns are separated by semicolons or tabs\n"
+                                            "    separate them by commas, and write numbers with a decimal point\n");
 }
 
 TEST_CASE("a missing column is named with the one that was probably meant") {

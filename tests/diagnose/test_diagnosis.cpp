@@ -294,6 +294,7 @@ TEST_CASE("a unit that cannot be and a sigma that the readings contradict are to
     CHECK(std::any_of(tenth.warnings.begin(), tenth.warnings.end(), [](const Problem& warning) {
         return warning.what.ends_with("times what the simulation does: millimetres read as centimetres?");
     }));
+    CHECK(next_step(tenth).starts_with("First see to the unit: "));
 
     Measurement nowhere = Laboratory{}.measurement(); // whose set it is, a table's row has its cells in its name
     nowhere.records[2].sets = {"fill.0.position_m.1=high"};

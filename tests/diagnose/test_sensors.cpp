@@ -1,5 +1,6 @@
 #include "about.h"
 #include "base/rng.h"
+#include "diagnose/data_doubts.h"
 #include "diagnose/verdict.h"
 #include "floor_and_ball.h"
 #include "folder.h"
@@ -142,6 +143,34 @@ TEST_CASE("a nuisance of one sensor's scale leaves the other's to be named") {
     CHECK_MESSAGE(innocent->decision.outcome == Outcome::consistent, verdict_of(*innocent));
     CHECK(innocent->nuisances.back().name == "gain of right");
     CHECK(innocent->nuisances.back().value == about(0.004, 0.2));
+}
+
+TEST_CASE("two columns of one measure that differ by more than they scatter are told, with the factor between them") {
+    const auto warned = [](double gain, const char* sensor) {
+        Measurement measurement = Cameras{.apart = false, .gain = gain}.measurement();
+        Record& record = measurement.records[0];
+        record.channels[1].sensor = sensor;
+        Problems warnings;
+        doubt_record(record, warnings);
+        const auto found = std::find_if(warnings.begin(), warnings.end(),
+                                        [](const Problem& warning) { return warning.key == "columns differ"; });
+        return found == warnings.end() ? "" : found->what;
+    };
+    const std::string told = warned(0.05, "");
+    REQUIRE(told.find("the best factor between them is ") != std::string::npos);
+    CHECK(std::stod(told.substr(told.rfind(' '))) == about(1.05, 2e-3));
+    CHECK(warned(0, "").empty());
+    CHECK(warned(0.05, "right").empty()); // two instruments: what is wrong with one is a cause
+}
+
+TEST_CASE("a record that lasts a hundred times as long as its scene has its time in other units") {
+    Measurement measurement = Cameras{}.measurement();
+    for (double& time : measurement.records[1].time)
+        time *= 1000;
+    const auto refused = diagnose::diagnose({floor_and_ball, "ball.toml"}, measurement, closed_form);
+    REQUIRE(!refused);
+    CHECK(refused.problems()[0].what.starts_with("'0.8 m' lasts"));
+    CHECK(refused.problems()[0].what.ends_with("milliseconds read as seconds?"));
 }
 
 TEST_CASE("sensors are read from a file, in all columns or in none") {

@@ -1,5 +1,6 @@
 #include "diagnose/data_doubts.h"
 
+#include "base/column.h"
 #include "diagnose/noise.h"
 
 #include <algorithm>
@@ -16,10 +17,11 @@ namespace {
 constexpr std::size_t few_levels = 50;
 constexpr std::size_t flat_run = 3; // equal readings in a row, of a sensor whose steps are fine
 constexpr double one_in_ten_thousand = 1e-4;
-constexpr double clear = 10;          // standard errors: a single number nearer to 0 than that tells no unit
-constexpr double far_too_long = 100;  // times what the scene lasts
-constexpr double as_noise = 1.5;      // times their scatter that two columns may differ
-constexpr double clear_of_noise = 15; // scatters that readings must span: noise alone spans some seven
+constexpr double clear = 10;           // standard errors: a single number nearer to 0 than that tells no unit
+constexpr double far_too_long = 100;   // times what the scene lasts
+constexpr double about_a_radius = 0.1; // of it
+constexpr double as_noise = 1.5;       // times their scatter that two columns may differ
+constexpr double clear_of_noise = 15;  // scatters that readings must span: noise alone spans some seven
 
 enum class Kind { any, angle, way, acceleration };
 
@@ -231,6 +233,31 @@ Problems unit_slips(const std::vector<Record>& records, const Eigen::VectorXd& p
                              .fix = "correct the unit in the head of the column"});
         }
     return problems;
+}
+
+std::optional<Problem> lowest_point(const std::vector<Record>& records, const Eigen::VectorXd& predicted,
+                                    double radius) {
+    std::vector<double> below; // m
+    const Record* first = nullptr;
+    Eigen::Index row = 0;
+    for (const Record& record : records)
+        for (const Channel& channel : record.channels)
+            for (const double value : channel.value) {
+                const double foretold = predicted[row++];
+                if (channel.measure != "centre_of_mass_y")
+                    continue;
+                first = first ? first : &record;
+                below.push_back(foretold - value);
+            }
+    if (below.empty() || std::abs(median(below) / radius - 1) > about_a_radius)
+        return std::nullopt;
+    return Problem{
+        .file = first->file.string(),
+        .key = "lowest point",
+        .what = fmt::format("heights are {:.3g} mm too low in the middle of all, and the ball's radius is {:.3g} "
+                            "mm: are they those of its lowest point?",
+                            1e3 * median(below), 1e3 * radius),
+        .fix = "centre_of_mass_y is the centre's: add the radius"};
 }
 
 } // namespace tumble::diagnose

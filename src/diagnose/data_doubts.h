@@ -22,4 +22,9 @@ Problems equal_columns(const std::vector<Record>& records);
 /// factor of ten, by which a scene may be wrong, is a warning only.
 Problems unit_slips(const std::vector<Record>& records, const Eigen::VectorXd& predicted, Problems& warnings);
 
+/// Heights of a sphere that lie a radius, m, below what was foretold of its centre, in the middle of all of them: those
+/// of its lowest point, no effect to be diagnosed.
+std::optional<Problem> lowest_point(const std::vector<Record>& records, const Eigen::VectorXd& predicted,
+                                    double radius);
+
 } // namespace tumble::diagnose

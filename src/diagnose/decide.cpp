@@ -222,6 +222,7 @@ private:
         if (d_.outcome == Outcome::named)
             for (int k = 0; k < count_; ++k)
                 if (one(k).refit && !one(k).refit->possible && reached(k) > 0 &&
+                    !(d_.isolability(d_.best->causes[0], k) < settings_.same_class) &&
                     nats_between(e_, d_.best->gain, reached(k)) < settings_.margin) {
                     if (one(k).refit->at_end)
                         speak(fmt::format("{} would explain it as well, at the end of its range ({:.3g}) or beyond",

@@ -107,6 +107,9 @@ private:
             return predicted.problems();
         if (Problems problems = unit_slips(model_->records(), *predicted, d_.warnings); !problems.empty())
             return problems;
+        if (const auto scene = model_->scene_at(start, -1); scene && scene->bodies[0].spheres.size() == 1)
+            if (auto doubt = lowest_point(model_->records(), *predicted, scene->bodies[0].spheres[0].radius))
+                d_.warnings.push_back(std::move(*doubt));
         const std::vector<int> nuisances = first_numbers(model_->nuisances());
         for (const int k : nuisances)
             if (const auto slope = slope_of(*model_, noise_, start, k, true); !slope)
@@ -316,20 +319,23 @@ private:
     /// Sensors that contradict each other, or what the scene can do at all, are mended before anything else.
     void doubt_sensors() {
         Decision& decision = d_.decision;
-        const auto contradicts = [](const Problem& warning) {
+        const auto of_readings = [](const Problem& warning) {
+            return warning.key == "unit" || warning.key == "lowest point";
+        };
+        const auto contradicts = [&](const Problem& warning) {
             return warning.key == "velocity against way" || warning.key == "peak speed" || warning.key == "speed" ||
-                   warning.key == "unit";
+                   of_readings(warning);
         };
         const auto first = std::find_if(d_.warnings.begin(), d_.warnings.end(), contradicts);
         if (first == d_.warnings.end() || decision.outcome == Outcome::consistent)
             return;
         const bool a_name = decision.outcome == Outcome::named || decision.outcome == Outcome::two_causes;
-        const std::string remedy =
-            (first->key == "unit" ? "First see to the unit: " + first->what
-                                  : "First find out which sensor is wrong: " + first->what + ".");
-        if (!a_name || decision.sure)
-            decision.remedy = remedy;
-        if (a_name && decision.sure) {
+        const std::string remedy = of_readings(*first) ? "First see to the readings: " + first->what
+                                                       : "First find out which sensor is wrong: " + first->what + ".";
+        if (a_name && (!decision.sure || of_readings(*first))) // what a cause explains is no slip
+            return;
+        decision.remedy = remedy;
+        if (a_name) {
             decision.sure = false;
             decision.reason = "the readings contradict each other, whatever the simulation says";
         }

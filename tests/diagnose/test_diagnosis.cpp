@@ -294,7 +294,14 @@ TEST_CASE("a unit that cannot be and a sigma that the readings contradict are to
     CHECK(std::any_of(tenth.warnings.begin(), tenth.warnings.end(), [](const Problem& warning) {
         return warning.what.ends_with("times what the simulation does: millimetres read as centimetres?");
     }));
-    CHECK(next_step(tenth).starts_with("First see to the unit: "));
+    CHECK(next_step(tenth).starts_with("First see to the readings: "));
+
+    Measurement lowest = Laboratory{.restitution = 0.8}.measurement(); // of the ball of 10 mm, not of its centre
+    for (Record& record : lowest.records)
+        for (double& value : record.channels[0].value)
+            value -= 0.0102;
+    lowest.causes = {"filter"};
+    CHECK(next_step(Laboratory::diagnosed(lowest)).starts_with("First see to the readings: heights are 10"));
 
     Measurement nowhere = Laboratory{}.measurement(); // whose set it is, a table's row has its cells in its name
     nowhere.records[2].sets = {"fill.0.position_m.1=high"};

@@ -32,16 +32,17 @@ struct Slip {
     Kind of = Kind::any;
     bool surely = true; // no scene is wrong by that much; else it may be
 };
-constexpr Slip usual_slips[] = {{1000, "thousandths, such as mm or ms, read as SI"},
-                                {1e-3, "SI read as thousandths"},
-                                {100, "hundredths, such as cm, read as SI"},
-                                {1e-2, "SI read as hundredths"},
-                                {10, "centimetres read as millimetres", Kind::way, false},
-                                {0.1, "millimetres read as centimetres", Kind::way, false},
-                                {9.80665, "m/s2 read as multiples of g", Kind::acceleration},
-                                {1 / 9.80665, "multiples of g read as m/s2", Kind::acceleration},
-                                {57.29578, "degrees read as radians", Kind::angle},
-                                {1 / 57.29578, "radians read as degrees", Kind::angle}};
+constexpr Slip usual_slips[] = {
+    {1000, "thousandths, such as mm or ms, read as SI"},
+    {1e-3, "SI read as thousandths"},
+    {100, "hundredths, such as cm, read as SI"},
+    {1e-2, "SI read as hundredths", Kind::any, false}, // what sticks early goes as short a way
+    {10, "centimetres read as millimetres", Kind::way, false},
+    {0.1, "millimetres read as centimetres", Kind::way, false},
+    {9.80665, "m/s2 read as multiples of g", Kind::acceleration, false},
+    {1 / 9.80665, "multiples of g read as m/s2", Kind::acceleration, false},
+    {57.29578, "degrees read as radians", Kind::angle},
+    {1 / 57.29578, "radians read as degrees", Kind::angle}};
 
 Kind kind_of(const std::string& unit) {
     return unit == "deg" || unit == "rad_s" ? Kind::angle

@@ -19,7 +19,7 @@ std::optional<Problem> time_slip(const Record& record, double scene_lasts);
 Problems equal_columns(const std::vector<Record>& records);
 
 /// Columns whose scale differs from what was foretold by one of the usual slips of units: no effect to be diagnosed. A
-/// factor of ten, by which a scene may be wrong, is a warning only.
+/// factor that a scene may be wrong by, such as ten, is a warning only.
 Problems unit_slips(const std::vector<Record>& records, const Eigen::VectorXd& predicted, Problems& warnings);
 
 /// Heights of a sphere that lie a radius, m, below what was foretold of its centre, in the middle of all of them: those

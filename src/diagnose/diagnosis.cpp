@@ -13,6 +13,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <numeric>
+#include <set>
 
 namespace tumble::diagnose {
 
@@ -319,25 +320,23 @@ private:
     /// Sensors that contradict each other, or what the scene can do at all, are mended before anything else.
     void doubt_sensors() {
         Decision& decision = d_.decision;
-        const auto of_readings = [](const Problem& warning) {
-            return warning.key == "unit" || warning.key == "lowest point";
-        };
-        const auto contradicts = [&](const Problem& warning) {
-            return warning.key == "velocity against way" || warning.key == "peak speed" || warning.key == "speed" ||
-                   of_readings(warning);
-        };
-        const auto first = std::find_if(d_.warnings.begin(), d_.warnings.end(), contradicts);
-        if (first == d_.warnings.end() || decision.outcome == Outcome::consistent)
+        if (decision.outcome == Outcome::consistent)
             return;
         const bool a_name = decision.outcome == Outcome::named || decision.outcome == Outcome::two_causes;
-        const std::string remedy = of_readings(*first) ? "First see to the readings: " + first->what
-                                                       : "First find out which sensor is wrong: " + first->what + ".";
-        if (a_name && (!decision.sure || of_readings(*first))) // what a cause explains is no slip
-            return;
-        decision.remedy = remedy;
-        if (a_name) {
-            decision.sure = false;
-            decision.reason = "the readings contradict each other, whatever the simulation says";
+        const auto warned = [this](const std::set<std::string>& keys) {
+            return std::find_if(d_.warnings.begin(), d_.warnings.end(),
+                                [&](const Problem& warning) { return keys.contains(warning.key); });
+        };
+        if (const auto wrong = warned({"velocity against way", "peak speed", "speed"}); wrong != d_.warnings.end()) {
+            if (a_name && !decision.sure)
+                return;
+            decision.remedy = "First find out which sensor is wrong: " + wrong->what + ".";
+            if (a_name) {
+                decision.sure = false;
+                decision.reason = "the readings contradict each other, whatever the simulation says";
+            }
+        } else if (const auto slip = warned({"unit", "lowest point"}); slip != d_.warnings.end() && !a_name) {
+            decision.remedy = "First see to the readings: " + slip->what; // what a cause explains is no slip
         }
     }
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "base/rng.h"
 #include "diagnose/bed_diagnosis.h"
 #include "diagnose/verdict.h"
+#include "gauss.h"
 #include "observe/measures.h"
 #include "scene/load.h"
 
@@ -53,10 +53,6 @@ axis = "x"
 amplitude_m = 0.001
 frequency_Hz = 25
 )";
-
-inline double gauss(Rng& rng) {
-    return std::sqrt(-2 * std::log(1 - rng.uniform())) * std::cos(6.283185307179586 * rng.uniform());
-}
 
 constexpr double scatter_of_circulation = 0.02; // rad/s, from run to run
 constexpr double scatter_of_slope = 1;          // deg

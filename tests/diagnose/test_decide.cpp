@@ -1,6 +1,7 @@
 #include "about.h"
 #include "base/rng.h"
 #include "diagnose/decide.h"
+#include "gauss.h"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -14,7 +15,7 @@ using tumble::Rng;
 namespace {
 
 double normal(Rng& rng) {
-    return std::sqrt(-2 * std::log(1 - rng.uniform())) * std::cos(6.283185307179586 * rng.uniform());
+    return tumble::test::gauss(rng);
 }
 
 constexpr Eigen::Index rows = 400;

@@ -4,6 +4,7 @@
 #include "diagnose/fingerprints.h"
 #include "diagnose/verdict.h"
 #include "floor_and_ball.h"
+#include "gauss.h"
 
 #include <algorithm>
 #include <atomic>
@@ -34,9 +35,7 @@ struct Laboratory {
 
     [[nodiscard]] Measurement measurement() const {
         Rng rng(seed);
-        const auto normal = [&] {
-            return std::sqrt(-2 * std::log(1 - rng.uniform())) * std::cos(6.283185307179586 * rng.uniform());
-        };
+        const auto normal = [&] { return tumble::test::gauss(rng); };
         Measurement all;
         all.title = "drops";
         all.causes = {"grav.g", "clock", "sensor scale", "filter"};

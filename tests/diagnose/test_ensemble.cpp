@@ -2,6 +2,7 @@
 #include "base/rng.h"
 #include "diagnose/branch.h"
 #include "diagnose/ensemble.h"
+#include "gauss.h"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -15,7 +16,7 @@ using tumble::test::about;
 namespace {
 
 double normal(Rng& rng) {
-    return std::sqrt(-2 * std::log(1 - rng.uniform())) * std::cos(6.283185307179586 * rng.uniform());
+    return tumble::test::gauss(rng);
 }
 
 /// Two numbers of deviation 2 and 3 that correlate by `share`, and one of deviation 0.1 by itself, about any mean.

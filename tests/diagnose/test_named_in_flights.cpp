@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "diagnose/verdict.h"
 #include "floor_and_ball.h"
+#include "gauss.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +70,7 @@ Result<observe::Series> closed_form(const scene::Scene& scene) {
 constexpr double sigma = 1e-3; // m
 
 double gauss(Rng& rng) {
-    return std::sqrt(-2 * std::log(1 - rng.uniform())) * std::cos(6.283185307179586 * rng.uniform());
+    return tumble::test::gauss(rng);
 }
 
 /// Drops from four heights, thrown along at `along`; x is read where `both`.

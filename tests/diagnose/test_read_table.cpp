@@ -5,6 +5,7 @@
 #include "diagnose/verdict.h"
 #include "floor_and_ball.h"
 #include "folder.h"
+#include "gauss.h"
 #include "scene/read_file.h"
 
 #include <algorithm>
@@ -91,8 +92,7 @@ std::string drops(double p, const std::vector<double>& heights, std::uint64_t se
     std::string csv = "height_m,rebound_mm\n";
     for (const double height : heights)
         for (int k = 0; k < times; ++k) {
-            const double error =
-                std::sqrt(-2 * std::log(1 - rng.uniform())) * std::cos(6.283185307179586 * rng.uniform());
+            const double error = tumble::test::gauss(rng);
             const double top = Rebounding{.height = height, .p = p}.top();
             csv += fmt::format("{},{:.2f}\n", height, 1000 * top + scatter_mm * error);
         }

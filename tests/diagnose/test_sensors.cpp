@@ -4,6 +4,7 @@
 #include "diagnose/verdict.h"
 #include "floor_and_ball.h"
 #include "folder.h"
+#include "gauss.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -30,9 +31,7 @@ struct Cameras {
 
     [[nodiscard]] Measurement measurement() const {
         Rng rng(7);
-        const auto normal = [&] {
-            return std::sqrt(-2 * std::log(1 - rng.uniform())) * std::cos(6.283185307179586 * rng.uniform());
-        };
+        const auto normal = [&] { return tumble::test::gauss(rng); };
         Measurement all;
         all.title = "drops before two cameras";
         all.causes = {"grav.g", "sensor scale", "clock"};

@@ -78,16 +78,24 @@ void doubt_time(const Record& record, Problems& warnings) {
              .fix = "check the clock; readings are used at the times given"});
 }
 
-/// What all readings are whole multiples of, from the lowest on; 0: there is no such step.
+/// What all readings are whole multiples of, from the lowest on; 0: there is no such step. They may have been printed
+/// with few digits: the least difference of neighbours shows the step roughly, the larger ones ever better.
 double step_of(const std::set<double>& levels) {
-    double step = std::numeric_limits<double>::infinity();
-    for (auto it = levels.begin(); it != levels.end() && std::next(it) != levels.end(); ++it)
-        step = std::min(step, *std::next(it) - *it);
-    const auto whole = [&](double level) {
-        const double steps = (level - *levels.begin()) / step;
-        return std::abs(steps - std::round(steps)) < 0.01;
-    };
-    return std::isfinite(step) && std::all_of(levels.begin(), levels.end(), whole) ? step : 0;
+    std::vector<double> differences;
+    for (auto it = levels.begin(); std::next(it) != levels.end(); ++it)
+        differences.push_back(*std::next(it) - *it);
+    std::sort(differences.begin(), differences.end());
+    double step = differences.empty() ? 0 : differences[0], way = 0, steps = 0;
+    for (const double difference : differences) {
+        way += difference;
+        steps += std::round(difference / step);
+        step = way / steps;
+    }
+    return std::all_of(
+               levels.begin(), levels.end(),
+               [&](double level) { return std::abs(std::remainder(level - *levels.begin(), step)) < 0.1 * step; })
+               ? step
+               : 0;
 }
 
 /// How many equal readings in a row chance gives to one sensor in ten thousand: of a body at rest two neighbours, each

@@ -121,8 +121,15 @@ private:
         return e_.nuisance.empty() ? static_cast<int>(column) : e_.nuisance[static_cast<std::size_t>(column)];
     }
 
+    /// Signs of the amplitude that are plausible.
+    [[nodiscard]] Side side_of(int k) const {
+        if (cause(k).lo < 0)
+            return cause(k).hi > 0 ? Side::both : Side::below;
+        return Side::above;
+    }
+
     [[nodiscard]] bool plausible_sign(int k, double z) const {
-        return (z >= 0 && cause(k).hi > 0) || (z < 0 && cause(k).lo < 0);
+        return side_of(k) == Side::both || side_of(k) == (z < 0 ? Side::below : Side::above);
     }
 
     void isolate(const std::vector<int>& visible) {
@@ -137,8 +144,12 @@ private:
                 correlation(a, b) = a == b ? 1 : cosine;
                 d_.isolability(i, j) = a == b ? 0 : std::sqrt(std::max(0.0, 1 - cosine * cosine));
             }
+        std::vector<Side> sides;
+        for (const int k : visible)
+            sides.push_back(side_of(k));
         if (size > 0)
-            d_.gate = e_.gate > 0 ? e_.gate : quantile_of_largest(correlation, settings_.alpha_gate, 1, e_.degrees);
+            d_.gate =
+                e_.gate > 0 ? e_.gate : quantile_of_largest(correlation, sides, settings_.alpha_gate, 1, e_.degrees);
     }
 
     /// How far behind the best by slopes a rival may lie and still win: what slopes miss grows with the effect.

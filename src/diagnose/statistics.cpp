@@ -40,7 +40,8 @@ double hotelling_tail(double x, double dimensions, double degrees) {
     return dimensions > 0 && below > 0 ? f_tail(x * below / (degrees * dimensions), dimensions, below) : 1.0;
 }
 
-double quantile_of_largest(const MatrixXd& correlation, double alpha, std::uint64_t seed, double degrees) {
+double quantile_of_largest(const MatrixXd& correlation, const std::vector<Side>& sides, double alpha,
+                           std::uint64_t seed, double degrees) {
     const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(correlation);
     const MatrixXd root = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
     Rng rng(seed);
@@ -51,7 +52,11 @@ double quantile_of_largest(const MatrixXd& correlation, double alpha, std::uint6
         for (double& z : drawn)
             z = normal(rng);
         const double variance = std::isinf(degrees) ? 1 : chi_square(rng, degrees) / degrees;
-        largest.push_back((root * drawn).cwiseAbs2().maxCoeff() / variance);
+        VectorXd z = root * drawn;
+        for (std::size_t j = 0; j < sides.size(); ++j)
+            if (double& one = z[static_cast<Eigen::Index>(j)]; sides[j] != Side::both)
+                one = sides[j] == Side::above ? std::max(0.0, one) : std::min(0.0, one);
+        largest.push_back(z.cwiseAbs2().maxCoeff() / variance);
     }
     const auto at = largest.begin() + static_cast<std::ptrdiff_t>((1 - alpha) * draws);
     std::nth_element(largest.begin(), at, largest.end());

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace tumble::diagnose {
 
@@ -19,11 +20,15 @@ constexpr double covariance_known = std::numeric_limits<double>::infinity();
 /// judge.
 double hotelling_tail(double x, double dimensions, double degrees);
 
-/// The value that the largest of |z_j| squared stays below with probability 1 - alpha, z standard normal with this
-/// correlation: what the best of a library of causes reaches where there is none. Student's t in place of the normal
-/// where the covariance was estimated. Drawn 40,000 times.
-double quantile_of_largest(const MatrixXd& correlation, double alpha, std::uint64_t seed,
-                           double degrees = covariance_known);
+/// Which values of a standard normal z count: an amplitude that cannot be negative has one side.
+enum class Side { both, above, below };
+
+/// The value that the largest of z_j squared stays below with probability 1 - alpha, z standard normal with this
+/// correlation, and 0 on the side that does not count (`sides`, of each; empty: both of all): what the best of a
+/// library of causes reaches where there is none. Student's t in place of the normal where the covariance was
+/// estimated. Drawn 40,000 times.
+double quantile_of_largest(const MatrixXd& correlation, const std::vector<Side>& sides, double alpha,
+                           std::uint64_t seed, double degrees = covariance_known);
 
 /// Takes a subspace out of vectors.
 class Projector {

@@ -47,8 +47,8 @@ TEST_CASE("F, Student and Hotelling have the tails of the tables") {
 TEST_CASE("the largest of a library reaches higher where the scatter is estimated from few runs") {
     const MatrixXd one = MatrixXd::Identity(1, 1);
     // One cause: the square of the two-sided quantiles of t with 8 degrees and of the normal, 0.5 %.
-    CHECK(quantile_of_largest(one, 0.005, 1, 8) == about(3.833 * 3.833, 0.06));
-    CHECK(quantile_of_largest(one, 0.005, 1) == about(2.807 * 2.807, 0.04));
+    CHECK(quantile_of_largest(one, {}, 0.005, 1, 8) == about(3.833 * 3.833, 0.06));
+    CHECK(quantile_of_largest(one, {}, 0.005, 1) == about(2.807 * 2.807, 0.04));
 }
 
 TEST_CASE("ensembles about different means show one scatter, with a degree of freedom lost for each") {

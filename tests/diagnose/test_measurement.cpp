@@ -129,6 +129,13 @@ TEST_CASE("what a reader should know is a warning: gaps, coarse steps, clipped e
     CHECK(!warns(*laboratory.load(whole, rows(stepped)), "clipped"));
     stepped.insert(stepped.begin(), 3, 200);
     CHECK(warns(*laboratory.load(whole, rows(stepped)), "clipped"));
+    // The same where steps are printed with too few digits to add up: 0.123 mm, as 0.12, 0.25, 0.37, ...
+    std::vector<double> printed{1626, 1626, 1626};
+    for (int k = 1; k < 56; ++k)
+        printed.push_back(1626 - k * (k + 1) / 2);
+    for (double& one : printed)
+        one = std::round(100 * 0.123 * one) / 100;
+    CHECK(!warns(*laboratory.load(replaced(whole, "sigma = 1.5", "sigma = 0.4"), rows(printed)), "clipped"));
     const std::vector<double> coarse{3, 3, 2, 2, 1, 1, 2, 2, 3, 3, 1, 2, 3, 2, 1};
     CHECK(warns(*laboratory.load(whole, rows(coarse)), "quantised"));
 }

@@ -16,8 +16,14 @@ TEST_CASE("the best of independent causes needs Sidak's quantile, and of equal o
     const double one = std::pow(normal_quantile(0.005), 2);
     const double each = 1 - std::pow(0.99, 1.0 / 8);
     const double eight = std::pow(normal_quantile(each / 2), 2);
-    CHECK(quantile_of_largest(MatrixXd::Identity(8, 8), 0.01, 3) == about(eight, 0.04));
-    CHECK(quantile_of_largest(MatrixXd::Ones(8, 8), 0.01, 3) == about(one, 0.05));
+    CHECK(quantile_of_largest(MatrixXd::Identity(8, 8), {}, 0.01, 3) == about(eight, 0.04));
+    CHECK(quantile_of_largest(MatrixXd::Ones(8, 8), {}, 0.01, 3) == about(one, 0.05));
+    // Of one side each, twice as rare: the tail of each is one-sided. Of both sides of one and the same, as of one
+    // cause.
+    const std::vector<Side> above(8, Side::above);
+    CHECK(quantile_of_largest(MatrixXd::Identity(8, 8), above, 0.01, 3) ==
+          about(std::pow(normal_quantile(each), 2), 0.05));
+    CHECK(quantile_of_largest(MatrixXd::Ones(2, 2), {Side::above, Side::below}, 0.01, 3) == about(one, 0.05));
 }
 
 TEST_CASE("a projector takes out a span once, however often its columns say the same") {

@@ -6,6 +6,7 @@
 #include "cli/flag_checks.h"
 #include "cli/progress_line.h"
 #include "cli/scene_arguments.h"
+#include "cli/stop_flag.h"
 #include "diagnose/bed_diagnosis.h"
 #include "diagnose/verdict.h"
 #include "observe/whole_file.h"
@@ -20,8 +21,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -124,10 +127,11 @@ void tell(const diagnose::Diagnosis& diagnosis, bool plan, bool quiet) {
     note(fmt::format("{} runs, {:.3g} s simulated", diagnosis.runs, diagnosis.simulated));
 }
 
-/// How far a diagnosis has come, on stderr: nobody knows beforehand how many simulations it will take.
+/// How far a diagnosis has come, on stderr: nobody knows beforehand how many simulations it will take. A stop ends the
+/// program after `leave`: half a diagnosis is none.
 class Watch {
 public:
-    explicit Watch(bool quiet) : line_(quiet), quiet_(quiet) {}
+    Watch(bool quiet, std::function<void()> leave) : line_(quiet), quiet_(quiet), leave_(std::move(leave)) {}
 
     void begins(const std::string& stage) {
         line_.end();
@@ -141,7 +145,13 @@ public:
             line_.working(fmt::format("     simulation {}, {:.3g} s simulated so far", ++runs_, simulated_));
             simulated_ += scene.duration;
         }
-        return run::record(scene);
+        auto series = run::record(scene, 1, stop_);
+        if (!stop_wanted(stop_))
+            return series;
+        const std::lock_guard for_good(telling_);
+        line_.end();
+        leave_();
+        std::_Exit(stop_code());
     }
     void end() { line_.end(); }
 
@@ -149,14 +159,16 @@ private:
     std::mutex telling_;
     ProgressLine line_;
     bool quiet_;
+    std::function<void()> leave_;
+    StopFlag stop_ = &watch_for_stop();
     int runs_ = 0;
     double simulated_ = 0; // s
 };
 
 /// By what was measured: records, or means of a bed.
 Result<diagnose::Diagnosis> diagnosis_of(const DiagnoseArguments& arguments, const diagnose::SceneText& scene,
-                                         const diagnose::Measurement& measurement) {
-    Watch watch(arguments.quiet);
+                                         const diagnose::Measurement& measurement, std::function<void()> leave) {
+    Watch watch(arguments.quiet, std::move(leave));
     const diagnose::Simulate simulate([&](const scene::Scene& one) { return watch.run(one); }, arguments.threads);
     const auto begins = [&](const std::string& stage) { watch.begins(stage); };
     auto diagnosis = measurement.bulks.empty()
@@ -242,9 +254,20 @@ int diagnose_it(const DiagnoseArguments& arguments) {
                         .what = "cannot be written: " + std::generic_category().message(errno),
                         .fix = "write to a folder that is there and yours"}},
                       arguments.json, wrong);
-    const auto diagnosis = diagnosis_of(arguments, scene, *measurement);
-    if (!diagnosis && !had_report)
-        fs::remove(arguments.report, ignored); // it is empty
+    const auto leave_no_folder = [&] {
+        if (!had_report)
+            fs::remove(arguments.report, ignored); // it is empty
+    };
+    const auto diagnosis = diagnosis_of(arguments, scene, *measurement, [&] {
+        leave_no_folder();
+        note("stopped: no verdict, and nothing was written" +
+             (measurement->bulks.empty()
+                  ? std::string("; begin again")
+                  : fmt::format(" but runs that had ended, in {}: begin again, and it goes on from there",
+                                arguments.for_beds().table.string())));
+    });
+    if (!diagnosis)
+        leave_no_folder();
     if (!diagnosis)
         return refuse(diagnosis.problems(), arguments.json, wrong);
     const Problems problems = leave_files(arguments, *diagnosis);

@@ -41,12 +41,7 @@ public:
 
     Result<Diagnosis> run(Beds& beds, bool plan) {
         beds_ = &beds;
-        d_.title = measurement_.title;
-        d_.scene = scene_.file;
-        d_.data = measurement_.file;
-        d_.hash = measurement_.hash;
-        d_.settings = measurement_.settings;
-        d_.warnings = measurement_.warnings;
+        d_ = begun_with(scene_, measurement_);
         auto model =
             BedModel::make(beds, measurement_.bulks, suspects_in(measurement_), measurement_.nuisances, d_.warnings);
         if (!model)

@@ -196,6 +196,7 @@ Refit BedModel::refit(const Evidence& evidence, const std::vector<int>& causes) 
         if (turns || (found > lo[k] + near && found < hi[k] - near))
             continue;
         refit.possible = false;
+        refit.at_end = true;
         refit.refused = fmt::format("would have to be {} {:g}, the end of what was run",
                                     found <= lo[k] + near ? "below" : "above", found);
     }

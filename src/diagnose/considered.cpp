@@ -100,8 +100,12 @@ Result<std::vector<Cause>> considered_in(const Measurement& measurement) {
                                                    : "leave it out, or measure them together"};
     }
     causes = for_each_sensor(causes, measurement.records);
+    std::vector<Record> used;
+    for (const Record& record : measurement.records)
+        if (!record.held_out)
+            used.push_back(record);
     for (Cause& cause : causes)
-        widen(cause, measurement.records);
+        widen(cause, used);
     return causes;
 }
 

@@ -18,7 +18,6 @@ constexpr double missed_if_astray = 0.9; // the same, of slopes about a baseline
 constexpr double pair_gate_extra = 2;    // chi-square a pair must reach beyond the gate
 constexpr double pair_adequacy = 0.05;   // a pair explains more by chance, so it must fit better
 constexpr std::size_t most_pairs_fitted = 6;
-constexpr double least_left = 1e-3;           // of a direction that a fit has nearly used up
 constexpr double followed_by_chance = 0.0027; // P(|z| > 3), shared by all directions that are tried
 constexpr std::size_t most_followed = 6;
 
@@ -158,7 +157,7 @@ private:
         return std::max(2 * settings_.rival_window, missed * largest);
     }
 
-    [[nodiscard]] bool is_astray() const { return astray(e_.residual.squaredNorm(), e_.residual.size()); }
+    [[nodiscard]] bool is_astray() const { return e_.coarse || astray(e_.residual.squaredNorm(), e_.residual.size()); }
 
     /// It explains more than chance does, and leaves nothing but noise.
     bool suffices(int winner) {
@@ -270,6 +269,10 @@ private:
             Refit pair = refit_({i, j});
             if (pair.possible && carries_weight(pair))
                 fitted.push_back(std::move(pair));
+        }
+        if (const int single = best_possible(); single != proxy && suffices(single)) {
+            name(single); // slopes had it far behind, and as one of a pair it was fitted
+            return d_;
         }
         std::sort(fitted.begin(), fitted.end(), [](const Refit& a, const Refit& b) { return a.gain > b.gain; });
         d_.outcome = Outcome::none_known;
@@ -401,7 +404,7 @@ std::vector<Followed> along_prints(const Directions& directions, const Projector
     std::vector<Followed> all;
     for (Eigen::Index k = 0; k < directions.prints.cols(); ++k) {
         const VectorXd own = fitted.out(VectorXd(directions.prints.col(k)));
-        if (own.norm() >= least_left)
+        if (own.norm() >= nearly_used_up)
             all.push_back({k < static_cast<Eigen::Index>(directions.names.size())
                                ? directions.names[static_cast<std::size_t>(k)]
                                : "",
@@ -419,7 +422,7 @@ Adequacy adequacy_of(const VectorXd& residual, const MatrixXd& slopes, const Dir
         // Columns that the fit has nearly used up would bring rounding errors back to full length.
         MatrixXd left = fitted.out(columns);
         for (Eigen::Index k = 0; k < left.cols(); ++k)
-            if (left.col(k).norm() < least_left)
+            if (left.col(k).norm() < nearly_used_up)
                 left.col(k).setZero();
         const Projector generic(left);
         return hotelling_tail(generic.inside(rest), generic.rank(), degrees);

@@ -22,6 +22,7 @@ struct Evidence {
     std::vector<int> nuisance{}; // which one a column of nuisances is of, copies side by side; empty: each of its own
     double gate = 0;             // known from a case with the same effects; 0: to be drawn
     double degrees = covariance_known; // of freedom of the covariance that whitened it
+    bool coarse = false;               // what the baseline misses was taken for scatter
     /// Of the rows behind the readings: of which nuisance each says what was known.
     std::vector<std::string> beforehand{};
 };

@@ -1,19 +1,21 @@
 #include "diagnose/diagnosis.h"
 
 #include "diagnose/considered.h"
+#include "diagnose/curves.h"
 #include "diagnose/data_doubts.h"
 #include "diagnose/folds.h"
 #include "diagnose/kinematics.h"
 #include "diagnose/noise_doubts.h"
+#include "diagnose/profile.h"
 #include "diagnose/refit.h"
 #include "diagnose/taken.h"
-#include "scene/settled.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <numeric>
 #include <set>
+#include <tuple>
 
 namespace tumble::diagnose {
 
@@ -30,6 +32,7 @@ constexpr double by_chance = 0.01;           // less likely differences of repea
 constexpr double far_away = 4;               // spreads of what was known beforehand
 constexpr double may_lack = 0.01;            // of chi-square: nats that a baseline far off may lack
 constexpr double much_wider = 3;             // times the scatter stated: what is missed was taken for it
+constexpr double hardly_less = 0.5;          // of that scatter
 constexpr double may_lack_then = 2;          // nats, a third of what the gate asks
 constexpr double seen_well = 3; // standard errors, left beside nuisances: how far off the slope of a filter is taken
 
@@ -39,12 +42,7 @@ public:
         : scene_(scene), measurement_(measurement), simulate_(simulate), tell_(tell) {}
 
     Result<Diagnosis> run(bool plan) {
-        d_.title = measurement_.title;
-        d_.scene = scene_.file;
-        d_.data = measurement_.file;
-        d_.hash = measurement_.hash;
-        d_.settings = measurement_.settings;
-        d_.warnings = measurement_.warnings;
+        d_ = begun_with(scene_, measurement_);
         auto causes = considered_in(measurement_);
         if (!causes)
             return causes.problems();
@@ -68,12 +66,18 @@ public:
         if (problems.empty() && baseline_.converged) {
             tell("fits the causes that show");
             problems = decide_it();
+            if (problems.empty() && taken_for_scatter()) {
+                tell("takes the scatter from what the best cause leaves");
+                problems = decide_by_what_is_left();
+            }
         } else {
             doubt_sensors();
         }
         if (problems.empty() && d_.decision.best) {
             tell("measures what the extended scene gains");
             problems = measure_gain();
+            d_.limits =
+                profile_of(*d_.decision.best, baseline_, *model_, noise_, student_quantile(0.025, d_.evidence.degrees));
         }
         if (!problems.empty())
             return problems;
@@ -81,7 +85,8 @@ public:
             tell("looks for experiments that would tell the causes apart");
             propose();
         }
-        draw();
+        const bool extended = d_.decision.best && d_.decision.best->values.size() > 0;
+        d_.curves = curves_of(*model_, noise_, baseline_.values, extended ? &d_.decision.best->values : nullptr);
         d_.simulated = model_->simulated();
         d_.runs = model_->runs();
         return std::move(d_);
@@ -111,15 +116,14 @@ private:
         if (const auto scene = model_->scene_at(start, -1); scene && scene->bodies[0].spheres.size() == 1)
             if (auto doubt = lowest_point(model_->records(), *predicted, scene->bodies[0].spheres[0].radius))
                 d_.warnings.push_back(std::move(*doubt));
-        const std::vector<int> nuisances = first_numbers(model_->nuisances());
-        for (const int k : nuisances)
+        for (int k = 0; k < model_->nuisances(); ++k)
             if (const auto slope = slope_of(*model_, noise_, start, k, true); !slope)
                 return slope.problems();
         if (Problems problems = fit_baseline(start, measurement_.settings.progressive); !problems.empty())
             return problems;
         if (Problems problems = find_effects(true); !problems.empty())
             return problems;
-        return sharpen_noise();
+        return sharpen_noise(baseline_.values);
     }
 
     Problems fit_baseline(const VectorXd& start, bool progressive) {
@@ -127,10 +131,9 @@ private:
         if (!fitted)
             return fitted.problems();
         baseline_ = std::move(*fitted);
-        const bool taken_for_scatter = d_.noise.stated > 0 && d_.noise.used > much_wider * d_.noise.stated;
         const bool far_off = astray(baseline_.chi_square, baseline_.residual.size());
         if ((far_off && baseline_.decrement < may_lack * baseline_.chi_square) ||
-            (taken_for_scatter && baseline_.decrement < may_lack_then))
+            (taken_for_scatter() && baseline_.decrement < may_lack_then))
             baseline_.converged = true; // what it still lacks is nothing beside what it misses
         if (!baseline_.converged) {
             d_.decision.reason = fmt::format("the baseline could not be fitted: a further step would still gain {:.2g} "
@@ -139,6 +142,46 @@ private:
             d_.decision.remedy = "Let the scene begin nearer to what is known of its nuisances, state their spread, or "
                                  "leave fewer of them free.";
         }
+        return {};
+    }
+
+    /// Of what the baseline misses.
+    [[nodiscard]] bool taken_for_scatter() const {
+        return d_.noise.stated > 0 && d_.noise.used > much_wider * d_.noise.stated;
+    }
+
+    /// Where the baseline misses much that no direction spans, the scatter found is mostly that. What the best cause
+    /// leaves tells it better: with that scatter all is decided again, unless it is hardly less.
+    Problems decide_by_what_is_left() {
+        const auto best = d_.decision.best;
+        if (!best || best->values.size() == 0)
+            return {};
+        const Diagnosis first = d_;
+        const auto state = std::tuple(noise_, baseline_, effects_, directions_);
+        std::vector<int> free = baseline_.free;
+        for (const int cause : best->causes)
+            free.push_back(model_->parameter_of(cause));
+        noise_ = first_noise(*model_);
+        auto extended = fit(*model_, noise_, best->values, free);
+        if (!extended)
+            return extended.problems();
+        baseline_ = std::move(*extended);
+        d_.warnings.resize(doubts_);
+        d_.decision = {};
+        d_.nuisances.clear();
+        d_.overstated.reset();
+        d_.differing.reset();
+        d_.alike.clear();
+        if (Problems problems = find_effects(false); !problems.empty())
+            return problems;
+        if (Problems problems = sharpen_noise(std::get<1>(state).values); !problems.empty())
+            return problems;
+        if (d_.noise.used < hardly_less * first.noise.used && baseline_.converged) {
+            doubt_bounds();
+            return decide_it();
+        }
+        d_ = first;
+        std::tie(noise_, baseline_, effects_, directions_) = state;
         return {};
     }
 
@@ -204,8 +247,10 @@ private:
         return {};
     }
 
-    /// The scatter that the readings themselves show, and all of the above with it.
-    Problems sharpen_noise() {
+    /// The scatter that the readings themselves show about the fit, and the baseline from those values on, and all of
+    /// the above, with it.
+    Problems sharpen_noise(const VectorXd& values) {
+        doubts_ = d_.warnings.size();
         const auto misfit = misfit_of(*model_, baseline_.values);
         if (!misfit)
             return misfit.problems();
@@ -227,7 +272,7 @@ private:
                     sigma *= d_.noise.widened;
         }
         doubt_noise(d_.noise, *model_, measurement_.file, d_.warnings);
-        if (Problems problems = fit_baseline(baseline_.values, false); !problems.empty())
+        if (Problems problems = fit_baseline(values, false); !problems.empty())
             return problems;
         return find_effects(false);
     }
@@ -264,6 +309,7 @@ private:
         doubt_numbers();
         d_.evidence = {baseline_.residual, baseline_.slopes, effects_, directions_, d_.causes, {}, 0};
         d_.evidence.degrees = degrees_of_numbers(model_->records());
+        d_.evidence.coarse = taken_for_scatter();
         for (const int k : baseline_.free)
             d_.evidence.nuisance.push_back(model_->parameters()[static_cast<std::size_t>(k)].nuisance);
         for (const Parameter& parameter : model_->parameters())
@@ -379,6 +425,7 @@ private:
         auto aside = Model::make(scene_, aside_, measurement_.nuisances, d_.causes, simulate_);
         if (!aside)
             return aside.problems();
+        aside->share_sensors(*model_);
         Noise noise = first_noise(*aside);
         noise.of = noise_.of;
         for (std::size_t r = 0; r < noise.sigma.size(); ++r)
@@ -428,45 +475,6 @@ private:
                                          rivals, d_.warnings);
     }
 
-    void draw() {
-        const auto baseline = model_->predict(baseline_.values);
-        const bool extended = d_.decision.best && d_.decision.best->values.size() > 0;
-        const auto with = extended ? model_->predict(d_.decision.best->values) : baseline;
-        if (!baseline || !with)
-            return;
-        Eigen::Index row = 0;
-        for (std::size_t r = 0; r < model_->records().size(); ++r) {
-            const Record& record = model_->records()[r];
-            const auto scene = model_->scene_at(baseline_.values, static_cast<int>(r));
-            const scene::Vibration shaken = scene ? scene::slowest_vibration(*scene) : scene::Vibration{};
-            for (std::size_t c = 0; c < record.channels.size(); ++c) {
-                const Channel& channel = record.channels[c];
-                const double late = model_->instrument_at(baseline_.values, static_cast<int>(r), channel).clock_offset;
-                Curve curve{.record = record.name,
-                            .condition = record.condition,
-                            .head = channel.head,
-                            .unit = channel.unit,
-                            .sigma = noise_.sigma[r][c],
-                            .time = record.time,
-                            .measured = channel.value,
-                            .baseline = {},
-                            .extended = {},
-                            .left_out = {},
-                            .measure = channel.measure,
-                            .stated = std::isinf(channel.degrees) ? channel.sigma : 0,
-                            .shaken = shaken.period,
-                            .shaken_from = shaken.from + late};
-                for (std::size_t k = 0; k < record.time.size(); ++k, ++row) {
-                    curve.baseline.push_back((*baseline)[row]);
-                    curve.left_out.push_back(noise_.left_out[static_cast<std::size_t>(row)]);
-                    if (extended)
-                        curve.extended.push_back((*with)[row]);
-                }
-                d_.curves.push_back(std::move(curve));
-            }
-        }
-    }
-
     const SceneText& scene_;
     const Measurement& measurement_;
     const Simulate& simulate_;
@@ -478,6 +486,7 @@ private:
     Fit baseline_;
     MatrixXd effects_;
     Directions directions_;
+    std::size_t doubts_ = 0; // warnings before those of the noise
 };
 
 } // namespace

@@ -1,27 +1,16 @@
 #pragma once
 
 #include "diagnose/conditions_differ.h"
+#include "diagnose/curves.h"
 #include "diagnose/decide.h"
 #include "diagnose/gain.h"
 #include "diagnose/plan.h"
+#include "diagnose/profile.h"
 
 #include <functional>
 #include <string>
 
 namespace tumble::diagnose {
-
-/// One channel of one record beside what the simulation says of it.
-struct Curve {
-    std::string record, condition, head, unit;
-    bool held_out = false;
-    double sigma = 0;                                       // SI
-    std::vector<double> time, measured, baseline, extended; // extended: empty where nothing is named
-    std::vector<bool> left_out;                             // lone outliers
-    std::string measure{};                                  // "centre_of_mass_y"
-    double stated = 0;                                      // SI, sigma as the measurement has it; 0: not stated
-    double shaken = 0;      // s, period of the slowest vibration of a wall; 0: none vibrates
-    double shaken_from = 0; // s, where its phase is 0, on the instrument's clock
-};
 
 /// One number of a bed beside what the simulation says of it, SI. Errors are standard errors of means.
 struct BedNumber {
@@ -51,7 +40,9 @@ struct FittedNuisance {
 struct Diagnosis {
     std::string title;
     std::filesystem::path scene, data;
-    std::string hash;
+    std::string hash;              // of the measurement and its data
+    std::string scene_hash;        // of the scene's text
+    std::vector<std::string> sets; // what was set beside it
     Settings settings;
     NoiseReport noise;
     std::vector<FittedNuisance> nuisances;
@@ -60,6 +51,7 @@ struct Diagnosis {
     std::vector<Cause> causes;
     Evidence evidence; // what the decision was made from
     Decision decision;
+    std::vector<Limits> limits;        // 95 %, of each amplitude of decision.best; empty: none was looked for
     Following follows;                 // what the residual that is left looks like
     std::optional<Besides> differing;  // from condition to condition, where no cause explains it
     std::optional<Besides> overstated; // a nuisance said to be better known than it is, where not even that does
@@ -76,6 +68,9 @@ struct Diagnosis {
     int old_runs = 0;                     // of a bed: that counted though another version of the program made them
     std::optional<scene::Scene> extended; // the scene with the named causes in it; none where all are the instrument's
 };
+
+/// Of what, and with which settings.
+Diagnosis begun_with(const SceneText& scene, const Measurement& measurement);
 
 /// Told what a diagnosis does next: "fits the baseline".
 using TellStage = std::function<void(const std::string&)>;

@@ -5,6 +5,9 @@
 
 namespace tumble::diagnose {
 
+/// Of a direction of length 1: what a fit has left less of is rounding.
+constexpr double nearly_used_up = 1e-3;
+
 /// Directions in which a residual may differ from noise whatever the cause, in rows as a Fit has them.
 struct Directions {
     MatrixXd blocks; // means over pieces of a record: one half of a flight between two impacts

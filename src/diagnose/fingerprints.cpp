@@ -7,12 +7,11 @@ namespace tumble::diagnose {
 
 namespace {
 
-constexpr double hardly_left = 1e-3; // of a direction that a fit has nearly used up, as in tests of adequacy
-constexpr double twins = 1e-9;       // of a share: of directions that are the same the first one counts
+constexpr double twins = 1e-9; // of a share: of directions that are the same the first one counts
 
 std::optional<Along> along(const VectorXd& own, const VectorXd& rest, double length) {
     const double left = own.norm();
-    if (left < hardly_left)
+    if (left < nearly_used_up)
         return std::nullopt;
     const double z = own.dot(rest) / left;
     return Along{.slope = z / (left * length), .error = 1 / (left * length), .z = z};
@@ -54,7 +53,7 @@ std::optional<Likeness> likest(const Evidence& evidence, int cause, bool of_cond
     for (std::size_t k = 0; k < evidence.directions.names.size() && effect.norm() > 0; ++k) {
         const VectorXd own = scene.out(VectorXd(evidence.directions.prints.col(static_cast<Eigen::Index>(k))));
         const bool of_condition = k < evidence.directions.own.size() && !evidence.directions.own[k].empty();
-        if (own.norm() < hardly_left || (of_condition && !of_conditions))
+        if (own.norm() < nearly_used_up || (of_condition && !of_conditions))
             continue;
         const double share = std::pow(own.dot(effect) / (own.norm() * effect.norm()), 2);
         if (!found || share > found->share + twins)

@@ -27,25 +27,6 @@ std::vector<int> with_prior(const Model& model) {
     return parameters;
 }
 
-std::optional<VectorXd> residual_at(Model& model, const Noise& noise, const VectorXd& values, double horizon,
-                                    Problems* why = nullptr) {
-    const auto predicted = model.predict(values, horizon);
-    if (!predicted) {
-        if (why)
-            *why = predicted.problems();
-        return std::nullopt;
-    }
-    const std::vector<int> priors = with_prior(model);
-    const Eigen::Index rows = model.readings().size();
-    VectorXd residual(rows + static_cast<Eigen::Index>(priors.size()));
-    residual.head(rows) = noise.whiten(model.readings() - *predicted, model, horizon);
-    for (std::size_t k = 0; k < priors.size(); ++k) {
-        const Parameter& parameter = model.parameters()[static_cast<std::size_t>(priors[k])];
-        residual[rows + static_cast<Eigen::Index>(k)] = (parameter.start - values[priors[k]]) / parameter.spread;
-    }
-    return residual;
-}
-
 /// Slopes of the residual's negative by a difference over the step, or a share of it, inside the bounds.
 Result<VectorXd> difference(Model& model, const Noise& noise, const VectorXd& values, int index, double horizon,
                             double share = 1) {
@@ -55,16 +36,15 @@ Result<VectorXd> difference(Model& model, const Noise& noise, const VectorXd& va
     below[index] = std::max(values[index] - share * parameter.step, parameter.lo);
     model.run_ahead({above, below}, horizon);
     Problems why;
-    auto high = residual_at(model, noise, above, horizon, &why);
-    if (!high) { // no such simulation on that side
-        above = values;
-        high = residual_at(model, noise, above, horizon, &why);
-    }
-    auto low = residual_at(model, noise, below, horizon, &why);
-    if (!low) {
-        below = values;
-        low = residual_at(model, noise, below, horizon, &why);
-    }
+    const auto inside = [&](VectorXd& side) {
+        auto residual = residual_at(model, noise, side, horizon);
+        if (residual)
+            return residual;
+        why = residual.problems(); // no such simulation on that side
+        side = values;
+        return residual_at(model, noise, side, horizon);
+    };
+    const auto high = inside(above), low = inside(below);
     if (!high || !low || above[index] == below[index])
         return why.empty() ? Problems{{.key = parameter.name, .what = "its bounds leave no room"}} : why;
     return VectorXd((*low - *high) / (above[index] - below[index]));
@@ -91,10 +71,9 @@ public:
         : model_(model), noise_(noise), fit_(fit), horizon_(horizon) {}
 
     Problems run(const FitOptions& options, bool slopes_known) {
-        Problems why;
-        auto residual = residual_at(model_, noise_, fit_.values, horizon_, &why);
+        auto residual = residual_at(model_, noise_, fit_.values, horizon_);
         if (!residual)
-            return why;
+            return residual.problems();
         take(std::move(*residual));
         bool fresh = false;
         if (!slopes_known) {
@@ -274,6 +253,21 @@ Result<VectorXd> slope_of(Model& model, const Noise& noise, const VectorXd& valu
         const double factor = seen < 1e-6 * wanted ? most / parameter.step : std::clamp(wanted / seen, 1e-3, 1e3);
         parameter.step = std::min(most, parameter.step * factor);
     }
+}
+
+Result<VectorXd> residual_at(Model& model, const Noise& noise, const VectorXd& values, double horizon) {
+    const auto predicted = model.predict(values, horizon);
+    if (!predicted)
+        return predicted.problems();
+    const std::vector<int> priors = with_prior(model);
+    const Eigen::Index rows = model.readings().size();
+    VectorXd residual(rows + static_cast<Eigen::Index>(priors.size()));
+    residual.head(rows) = noise.whiten(model.readings() - *predicted, model, horizon);
+    for (std::size_t k = 0; k < priors.size(); ++k) {
+        const Parameter& parameter = model.parameters()[static_cast<std::size_t>(priors[k])];
+        residual[rows + static_cast<Eigen::Index>(k)] = (parameter.start - values[priors[k]]) / parameter.spread;
+    }
+    return residual;
 }
 
 Result<VectorXd> misfit_of(Model& model, const VectorXd& values) {

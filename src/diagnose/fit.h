@@ -37,6 +37,10 @@ Result<Fit> fit(Model& model, const Noise& noise, const VectorXd& start, const s
 Result<VectorXd> slope_of(Model& model, const Noise& noise, const VectorXd& values, int index, bool tune,
                           double horizon = 1);
 
+/// Rows as those of Fit::residual; those of readings beyond the horizon are 0. Problems: values that cannot be
+/// simulated.
+Result<VectorXd> residual_at(Model& model, const Noise& noise, const VectorXd& values, double horizon = 1);
+
 /// Readings less prediction, in the unit of each channel.
 Result<VectorXd> misfit_of(Model& model, const VectorXd& values);
 

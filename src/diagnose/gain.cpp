@@ -13,7 +13,8 @@ namespace {
 
 constexpr int bootstraps = 2000;
 constexpr std::size_t enough_conditions = 5;
-constexpr double least_nats = 3; // a ratio of predictive densities, which chance reaches in exp(-3) = 5 % at most
+constexpr double untouched = 0.05; // nats: a condition where the cause does nothing decides nothing
+constexpr double least_nats = 3;   // a ratio of predictive densities, which chance reaches in exp(-3) = 5 % at most
 
 void bootstrap(Gain& gain) {
     Rng rng(1);
@@ -87,7 +88,8 @@ Gain gain_of(std::vector<Score> scores, bool held_out) {
         extended += score.extended;
         readings += score.readings;
         gain.nats += score.nats();
-        all_better = all_better && score.nats() > 0;
+        if (std::abs(score.nats()) > untouched)
+            all_better = all_better && score.nats() > 0;
     }
     if (readings == 0)
         return gain;

@@ -15,7 +15,8 @@ struct Gain {
     double nats = 0;                    // of log score
     double nats_low = 0, nats_high = 0; // 95 % of bootstraps over conditions; five conditions or more
     bool bootstrapped = false;
-    bool shown = false; // the lower end is above 0; with fewer conditions: every one improves, and all by 3 nats
+    bool shown =
+        false; // the lower end is above 0; with fewer conditions: all by 3 nats, and none that it touches gets worse
 };
 
 Gain gain_of(std::vector<Score> scores, bool held_out);

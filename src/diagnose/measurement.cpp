@@ -158,7 +158,8 @@ private:
                                    .spread = view.given("spread") ? view.number("spread") : 0,
                                    .measure = view.text("measure"),
                                    .cause = view.text("cause"),
-                                   .sensor = view.text("sensor")});
+                                   .sensor = view.text("sensor"),
+                                   .place = view.place("key")});
     }
 
     void series(const TypedTable& table) {

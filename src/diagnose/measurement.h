@@ -3,6 +3,7 @@
 #include "base/problem.h"
 #include "scene/keys.h"
 #include "scene/scene.h"
+#include "scene/text_tree.h"
 
 #include <filesystem>
 #include <functional>
@@ -77,11 +78,12 @@ struct Nuisance {
     std::string measure{};
     std::string cause{};
     std::string sensor{}; // whose part of the instrument it is; empty: of all
+    scene::Place place{}; // where it stands
 };
 
 struct Settings {
     double alpha_gate = 0.005;     // false alarms of the gate, one run of the library
-    double alpha_adequacy = 0.005; // false alarms of each test of adequacy
+    double alpha_adequacy = 0.005; // false alarms of the tests of adequacy together
     double margin = 3;             // nats over every rival
     double rival_window = 14;      // nats: worse causes are not fitted anew
     double same_class = 0.02;      // share of an effect that its rival leaves, below which both are one answer

@@ -106,7 +106,8 @@ Result<Done> Model::find_starts() {
         if (!value) {
             Problems problems = value.problems();
             for (Problem& problem : problems)
-                problem.what = fmt::format("nuisance '{}' of the measurement: {}", nuisance.key, problem.what);
+                problem = scene::problem_at(nuisance.place, problem.key,
+                                            fmt::format("nuisance '{}': {}", nuisance.key, problem.what), problem.fix);
             return problems;
         }
         parameter.start = *value;
@@ -289,21 +290,37 @@ Result<std::vector<Signal>> Model::signals(const VectorXd& values, int record, d
     return all;
 }
 
+Result<Done> Model::find_ranges() {
+    const std::map<Sensed, double> known = ranges_;
+    run_ahead({start()}, 1);
+    for (std::size_t r = 0; r < records_.size(); ++r) {
+        const auto truth = signals(start(), static_cast<int>(r));
+        if (!truth)
+            return truth.problems();
+        for (std::size_t c = 0; c < truth->size(); ++c) {
+            const Channel& channel = records_[r].channels[c];
+            const Signal& signal = (*truth)[c];
+            if (known.contains({channel.measure, channel.sensor}))
+                continue;
+            double& most = ranges_[{channel.measure, channel.sensor}];
+            for (std::size_t k = 0; k < signal.time.size() && signal.time[k] <= records_[r].time.back(); ++k)
+                most = std::max(most, std::abs(signal.value[k]));
+        }
+    }
+    ranges_known_ = true;
+    return Done{};
+}
+
 Result<VectorXd> Model::predict(const VectorXd& values, double horizon) {
+    if (!ranges_known_)
+        if (const auto found = find_ranges(); !found)
+            return found.problems();
     run_ahead({values}, horizon);
     std::vector<std::vector<Signal>> truths;
-    std::map<std::pair<std::string, std::string>, double> largest; // magnitude, by measure and sensor
     for (std::size_t r = 0; r < records_.size(); ++r) {
         auto truth = signals(values, static_cast<int>(r), horizon);
         if (!truth)
             return truth.problems();
-        for (std::size_t c = 0; c < truth->size(); ++c)
-            for (std::size_t k = 0; k < (*truth)[c].time.size() && (*truth)[c].time[k] <= records_[r].time.back();
-                 ++k) {
-                const Channel& channel = records_[r].channels[c];
-                double& most = largest[{channel.measure, channel.sensor}];
-                most = std::max(most, std::abs((*truth)[c].value[k]));
-            }
         truths.push_back(std::move(*truth));
     }
     VectorXd all(readings_.size());
@@ -312,7 +329,7 @@ Result<VectorXd> Model::predict(const VectorXd& values, double horizon) {
         for (std::size_t c = 0; c < records_[r].channels.size(); ++c) {
             const Channel& channel = records_[r].channels[c];
             const Instrument instrument = instrument_at(values, static_cast<int>(r), channel);
-            const double most = largest[{channel.measure, channel.sensor}];
+            const double most = ranges_[{channel.measure, channel.sensor}];
             const auto seen =
                 records_[r].single()
                     ? std::vector{number_taken(channel, records_[r].time[0], instrument, truths[r][c], most)}

@@ -73,6 +73,9 @@ public:
     [[nodiscard]] double simulated() const { return simulated_; }
     [[nodiscard]] int runs() const { return runs_; }
 
+    /// Channels of the same measure and sensor were read by what read those of the other model: its range is one.
+    void share_sensors(const Model& other) { ranges_ = other.ranges_; }
+
     /// What every row should read. Only rows up to `horizon` (a share of each record's length) are worth reading; the
     /// runs end there. Problems: those of the scene or of the run, such as a value that no simulation can have.
     Result<VectorXd> predict(const VectorXd& values, double horizon = 1);
@@ -91,7 +94,12 @@ public:
 
 private:
     Model() = default;
+    using Sensed = std::pair<std::string, std::string>; // measure, sensor
+
     Result<Done> find_starts();
+    /// The largest magnitudes of what is not known of them, in all records, as the scene is written: shares of a range
+    /// are shares of these, whatever is fitted.
+    Result<Done> find_ranges();
     /// What the command line and a record set; then a parameter's value over it.
     [[nodiscard]] std::vector<scene::Override> written_sets(int record) const;
     [[nodiscard]] std::vector<scene::Override> sets_at(const VectorXd& values, int record) const;
@@ -111,6 +119,8 @@ private:
     std::vector<Parameter> parameters_;
     std::vector<Row> rows_;
     VectorXd readings_;
+    std::map<Sensed, double> ranges_;       // SI
+    bool ranges_known_ = false;             // of all that its records hold
     std::map<std::string, Ran> remembered_; // by what was asked for
     std::map<std::string, Ran> of_scene_;   // by the scene that it came to: causes that change nothing cost nothing
     double simulated_ = 0;

@@ -18,7 +18,7 @@ constexpr double few = 200;           // of those: tests that take a scatter for
 constexpr double contradicted = 0.01; // chance, two-sided, below which so few speak against what was stated
 constexpr int halvings = 12;          // of what a memory may be, until it is known to 0.0002
 constexpr double outlier = 6;         // standard deviations
-constexpr std::size_t reach = 3;      // readings to either side that a reading is held against
+constexpr std::size_t neighbours = 3; // readings to either side that a reading is held against
 constexpr double most_outliers = 0.02;
 constexpr double least_beside = 0.05; // of an effect, that nuisances leave
 
@@ -35,9 +35,9 @@ std::vector<bool> lone_outliers(const Model& model, const VectorXd& scaled) {
         if (model.record_of(model.rows()[k]).single())
             continue;
         std::vector<double> around;
-        for (std::size_t i = k; i > 0 && i + reach > k && follows(model, i); --i)
+        for (std::size_t i = k; i > 0 && i + neighbours > k && follows(model, i); --i)
             around.push_back(scaled[static_cast<Eigen::Index>(i - 1)]);
-        for (std::size_t i = k + 1; i < rows && i <= k + reach && follows(model, i); ++i)
+        for (std::size_t i = k + 1; i < rows && i <= k + neighbours && follows(model, i); ++i)
             around.push_back(scaled[static_cast<Eigen::Index>(i)]);
         const double middle = median(around);
         const auto far = [&](double value) { return std::abs(value - middle) > outlier; };

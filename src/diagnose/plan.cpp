@@ -224,6 +224,7 @@ std::vector<Proposal> proposals_for(const SceneText& scene, const Model& model, 
         auto planned = Model::make(scene, records, nuisances, causes, simulate);
         if (!planned)
             return planned.problems();
+        planned->share_sensors(model);
         VectorXd at = planned->start();
         for (std::size_t k = 0; k < planned->parameters().size(); ++k)
             for (std::size_t i = 0; i < static_cast<std::size_t>(model.nuisances()); ++i)

@@ -14,8 +14,8 @@ namespace tumble::diagnose {
 
 namespace {
 
-constexpr double contradicted = 0.01; // tail probability, below which rows that repeat each other speak against sigma
-constexpr double most_beyond = 1.25;  // of sigma stated
+constexpr double against_sigma = 0.01; // tail probability, below which rows that repeat each other speak against sigma
+constexpr double most_beyond = 1.25;   // of sigma stated
 
 /// Text with the row's cells in the places of {HEAD}s; the heads that were used are added to `used`.
 std::optional<std::string> filled_in(const std::string& text, const Table& cells, std::size_t row,
@@ -75,7 +75,7 @@ void find_sigma(Channel& channel, const std::vector<Group>& groups, const TypedT
     };
     if (channel.sigma > 0) {
         const double chi_square = apart / (channel.sigma * channel.sigma);
-        if (free > 0 && chi_square_tail(chi_square, free) < contradicted && found > most_beyond * channel.sigma) {
+        if (free > 0 && chi_square_tail(chi_square, free) < against_sigma && found > most_beyond * channel.sigma) {
             warn("sigma contradicted",
                  fmt::format("rows of {} that repeat each other scatter {:.2f} times as much as stated", channel.head,
                              found / channel.sigma),

@@ -9,6 +9,7 @@ namespace tumble::diagnose {
 namespace {
 
 constexpr int most_decimals = 8;
+constexpr double off_the_middle = 0.1; // of what lies between limits: then they are told
 
 /// The unit with a space before it, as sentences have it; of an instrument's numbers that of its channel.
 std::string unit_words(const Cause& cause) {
@@ -36,12 +37,24 @@ std::string family_of(const Diagnosis& diagnosis, const std::vector<int>& causes
     return cause_of(diagnosis, causes[0]).family;
 }
 
+/// The limits of an amplitude that does not lie in the middle of them.
+std::string lopsided(const Diagnosis& diagnosis, std::size_t index) {
+    if (diagnosis.limits.empty())
+        return "";
+    const auto [low, high, linear] = diagnosis.limits[index];
+    const double at = diagnosis.decision.best->amplitude[static_cast<Eigen::Index>(index)];
+    if (linear || std::abs(at - 0.5 * (low + high)) < off_the_middle * (high - low))
+        return "";
+    const Cause& cause = cause_of(diagnosis, diagnosis.decision.best->causes[index]);
+    return fmt::format(" (95 %: {:.3g} to {:.3g}{})", low, high, unit_words(cause));
+}
+
 std::string found(const Diagnosis& diagnosis, std::size_t index) {
     const Refit& best = *diagnosis.decision.best;
     const Cause& cause = cause_of(diagnosis, best.causes[index]);
     const auto i = static_cast<Eigen::Index>(index);
-    return fmt::format("{} ({}): {} = {}", cause.name, cause.id, cause.symbol,
-                       amplitude_words(cause, best.amplitude[i], best.error[i]));
+    return fmt::format("{} ({}): {} = {}{}", cause.name, cause.id, cause.symbol,
+                       amplitude_words(cause, best.amplitude[i], best.error[i]), lopsided(diagnosis, index));
 }
 
 std::string gain_words(const Diagnosis& diagnosis) {
@@ -245,7 +258,8 @@ std::string standing_of(const Diagnosis& diagnosis, int cause) {
         if (decision.best->causes == std::vector<int>{cause})
             return "comes nearest";
         const double behind = nats_between(diagnosis.evidence, decision.best->gain, seen.gain);
-        return behind < 0 ? "as near by its slope, not fitted" : fmt::format("{:.1f} nats behind", behind);
+        return behind < 0 && !seen.refit ? "as near by its slope, not fitted"
+                                         : fmt::format("{:.1f} nats behind", behind);
     }
     if (decision.best && decision.best->causes.size() == 2)
         return fmt::format("alone {:.1f} nats behind the pair",

@@ -105,8 +105,8 @@ std::string bed_small_print(const Diagnosis& diagnosis, const std::string& warni
         diagnosis.evidence.degrees, diagnosis.decision.baseline.p(),
         diagnosis.decision.best ? fmt::format(", of the best explanation p = {:.2g}", diagnosis.decision.winner.p())
                                 : "",
-        diagnosis.runs, diagnosis.simulated, escaped(diagnosis.scene.string()), escaped(diagnosis.data.string()),
-        diagnosis.hash, version);
+        diagnosis.runs, diagnosis.simulated, scene_words(diagnosis), escaped(diagnosis.data.string()), diagnosis.hash,
+        version);
 }
 
 } // namespace tumble::report

@@ -34,14 +34,21 @@ Json amplitudes_of(const Diagnosis& diagnosis) {
         for (std::size_t k = 0; k < best->causes.size(); ++k) {
             const Cause& cause = diagnosis.causes[static_cast<std::size_t>(best->causes[k])];
             const auto i = static_cast<Eigen::Index>(k);
+            const double half = reach * best->error[i];
+            Limits limits{best->amplitude[i] - half, best->amplitude[i] + half, true}; // a bed's
+            if (!diagnosis.limits.empty())
+                limits = diagnosis.limits[k];
+            else if (diagnosis.decision.outcome == Outcome::none_known) // what does not fit has none
+                limits.low = limits.high = std::nan("");
             all.push_back({{"id", cause.id},
                            {"family", cause.family},
                            {"parameter", cause.symbol},
                            {"unit", cause.unit},
                            {"amplitude", number(best->amplitude[i])},
                            {"standard_error", number(best->error[i])},
-                           {"low_95", number(best->amplitude[i] - reach * best->error[i])},
-                           {"high_95", number(best->amplitude[i] + reach * best->error[i])}});
+                           {"low_95", number(limits.low)},
+                           {"high_95", number(limits.high)},
+                           {"limits_are_linear", limits.linear}});
         }
     return all;
 }
@@ -65,8 +72,8 @@ Json library_of(const Diagnosis& diagnosis) {
                        {"chi_square_gain", number(seen.gain)},
                        {"nats_behind", number(nats_behind(diagnosis, seen))},
                        {"refitted", seen.refit.has_value()},
-                       {"lower_95", number(seen.lower)},
-                       {"upper_95", number(seen.upper)},
+                       {"lower_95_one_sided", number(seen.lower)},
+                       {"upper_95_one_sided", number(seen.upper)},
                        {"standing", standing_of(diagnosis, static_cast<int>(k))}});
     }
     return all;
@@ -264,6 +271,8 @@ Json to_json(const Diagnosis& diagnosis, const std::string& version) {
     json["scene"] = diagnosis.scene.string();
     json["data"] = diagnosis.data.string();
     json["data_hash"] = diagnosis.hash;
+    json["scene_hash"] = diagnosis.scene_hash;
+    json["sets"] = diagnosis.sets;
     json["runs"] = diagnosis.runs;
     if (!diagnosis.beds.empty())
         json["old_runs"] = diagnosis.old_runs;

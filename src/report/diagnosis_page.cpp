@@ -136,11 +136,10 @@ std::string small_print(const Diagnosis& diagnosis, const std::string& version) 
     if (!diagnosis.beds.empty())
         return bed_small_print(diagnosis, warnings, version);
     return fmt::format("<h2>Small print</h2>{}{}{}<p class=\"small\">{} readings.{} {} runs, {:.4g} s simulated. Scene "
-                       "{}, data {} ({}). "
-                       "tumble {}.</p>",
+                       "{}, data {} ({}). tumble {}.</p>",
                        warnings, scatter_table(diagnosis), nuisance_table(diagnosis), diagnosis.readings,
-                       adequacy_words(diagnosis.decision), diagnosis.runs, diagnosis.simulated,
-                       escaped(diagnosis.scene.string()), escaped(diagnosis.data.string()), diagnosis.hash, version);
+                       adequacy_words(diagnosis.decision), diagnosis.runs, diagnosis.simulated, scene_words(diagnosis),
+                       escaped(diagnosis.data.string()), diagnosis.hash, version);
 }
 
 /// "+-" as a page has it.

@@ -1,5 +1,7 @@
 #include "report/measured_words.h"
 
+#include "report/svg_plot.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -39,6 +41,13 @@ std::string with_error(double value, double error) {
     return fmt::format("({} &plusmn; {:.{}f})&middot;10<sup>{}</sup>",
                        with_minus(fmt::format("{:.{}f}", value / unit, digits)), error / unit, digits,
                        common < 0 ? fmt::format("\u2212{}", -common) : std::to_string(common));
+}
+
+std::string scene_words(const diagnose::Diagnosis& diagnosis) {
+    std::string text = fmt::format("{} ({})", escaped(diagnosis.scene.string()), diagnosis.scene_hash);
+    for (const std::string& set : diagnosis.sets)
+        text += (&set == &diagnosis.sets.front() ? " with " : ", ") + escaped(set);
+    return text;
 }
 
 } // namespace tumble::report

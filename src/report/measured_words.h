@@ -1,5 +1,7 @@
 #pragma once
 
+#include "diagnose/diagnosis.h"
+
 #include <string>
 
 namespace tumble::report {
@@ -10,5 +12,8 @@ std::string with_error(double value, double error);
 
 /// With a true minus sign in place of "-"; "-0.0" is "0.0".
 std::string with_minus(std::string number);
+
+/// Which scene, by its file and a hash of its text, and what was set beside it; as HTML.
+std::string scene_words(const diagnose::Diagnosis& diagnosis);
 
 } // namespace tumble::report

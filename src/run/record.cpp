@@ -49,8 +49,9 @@ void add_row(observe::Series& series, const Watched& watched, observe::Frame fra
     series.append(row_of(watched, frame, books));
 }
 
-Result<observe::Series> record_steadily(const scene::Scene& scene, const Watched& watched, int threads) {
-    Result<SimulationPtr> simulation = simulate(scene, threads);
+Result<observe::Series> record_steadily(const scene::Scene& scene, const Watched& watched, int threads,
+                                        StopFlag stop = nullptr) {
+    Result<SimulationPtr> simulation = simulate(scene, threads, stop);
     if (!simulation)
         return simulation.problems();
     auto tracers = tracers_of(scene, (*simulation)->bodies());
@@ -65,6 +66,8 @@ Result<observe::Series> record_steadily(const scene::Scene& scene, const Watched
     for (std::int64_t step = 0;; step = std::min(rows.next(), last)) {
         if (const auto problem = (*simulation)->advance(step - (*simulation)->steps()))
             return *problem;
+        if (stop_wanted(stop))
+            return Problem{.what = "the simulation was stopped"};
         const observe::Frame frame = (*simulation)->frame();
         std::vector<double> row = row_of(watched, frame, (*simulation)->books());
         for (observe::TracerReader& tracer : *tracers)
@@ -291,18 +294,18 @@ bool flies_alone(const scene::Scene& scene) {
     return still && is_one_sphere(scene);
 }
 
-Result<observe::Series> record(const scene::Scene& scene, int threads) {
+Result<observe::Series> record(const scene::Scene& scene, int threads, StopFlag stop) {
     const auto measures = observe::choose_measures(without_tracers(scene.observe.measures));
     if (!measures)
         return measures.problems();
     const Watched watched{*measures, scene.observe.axes_turned};
     if (!traced_bodies(scene.observe.measures).empty())
-        return record_steadily(scene, watched, threads);
+        return record_steadily(scene, watched, threads, stop);
     if (flies_alone(scene))
         return Flight(scene, watched).record();
     if (is_one_sphere(scene))
         return record_shaken(scene, watched);
-    return record_steadily(scene, watched, threads);
+    return record_steadily(scene, watched, threads, stop);
 }
 
 } // namespace tumble::run

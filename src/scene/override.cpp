@@ -70,12 +70,23 @@ public:
     /// The default of the key that find() went to, where it is a number.
     [[nodiscard]] std::optional<double> standard() const {
         const KeyTable* table = find_table(table_);
-        const Key* key = table ? find_key(*table, key_.substr(key_.rfind('.') + 1), dimension_) : nullptr;
+        const Key* key = table ? find_key(*table, last_part(), dimension_) : nullptr;
         const double* number = key ? std::get_if<double>(&key->standard) : nullptr;
         return number ? std::optional(*number) : std::nullopt;
     }
 
+    /// "did you mean ...?", where find() went to a key that there is not.
+    [[nodiscard]] std::string meant() const {
+        const KeyTable* table = find_table(table_);
+        std::vector<std::string> names;
+        for (const Key& key : table ? table->keys : std::vector<Key>{})
+            names.push_back(key.name);
+        return std::count(names.begin(), names.end(), last_part()) > 0 ? "" : did_you_mean(last_part(), names);
+    }
+
 private:
+    [[nodiscard]] std::string last_part() const { return key_.substr(key_.rfind('.') + 1); }
+
     Node* refuse(std::string what, std::string fix) {
         problems_.push_back(problem_at(place_, key_, std::move(what), std::move(fix)));
         return nullptr;
@@ -222,8 +233,10 @@ Result<double> number_in(std::string_view toml, const std::filesystem::path& fil
         return static_cast<double>(*whole);
     if (const auto standard = walk.standard(); standard && node->as<Table>())
         return *standard;
+    const std::string meant = node->as<Table>() ? walk.meant() : "";
     return problem_at(node->place, key, fmt::format("'{}' is not a number that can be adjusted", key),
-                      "name a key that holds one number; `tumble list keys` names all of them");
+                      (meant.empty() ? "name a key that holds one number;" : meant) +
+                          " `tumble list keys` names all of them");
 }
 
 } // namespace tumble::scene

@@ -178,11 +178,11 @@ TEST_CASE("slow, sealed cases: three more; the sixth, a low pass, is refused, an
 TEST_CASE("on slopes: thousands of cases keep the promised rates") {
     const Evidence evidence = compressed(evidence_of_nothing(Bench::drop));
     Random random(99);
-    // Nothing hidden: the gate and the two tests of adequacy alarm in 0.5 % each; 1,500 cases, so at most 30 with 99.9
-    // %.
+    // Nothing hidden: the gate alarms in 0.5 %, the tests of adequacy together in 0.5 %: of 1,500 cases 15, and more
+    // than 27 in 0.2 %.
     const Tally nothing = linear_cases(evidence, VectorXd::Zero(evidence.residual.size()), -1, 1500, random);
     CHECK(nothing.right + nothing.wrong <= 15);
-    CHECK(1500 - nothing.quiet <= 30);
+    CHECK(1500 - nothing.quiet <= 27);
     int right = 0, wrong = 0, lost = 0, cases = 0;
     for (Eigen::Index k = 0; k < evidence.effects.cols(); ++k) {
         const double length = separable_length(evidence, static_cast<int>(k));

@@ -51,6 +51,31 @@ TEST_CASE("data that cannot be read end with exit code 2, place and remedy") {
     CHECK(contains(missing.err, "a.csv"));
 }
 
+TEST_CASE("a misspelt key of the scene is found where the measurement has it") {
+    const Folder folder;
+    std::string text = content_of(data);
+    const std::string key = "pair.leather-wood.restitution";
+    text.replace(text.find(key), key.size(), "pair.leather-wood.restitutoin");
+    std::filesystem::copy(std::filesystem::path(data).parent_path(), folder.path / "bounce");
+    put(folder.path / "bounce/measurement.toml", text);
+    const Outcome slip = tumble_in(folder, {"diagnose", scene, "--data", "bounce/measurement.toml"});
+    CHECK(slip.code == 2);
+    CHECK(contains(slip.err, "bounce/measurement.toml:4:7: nuisance 'pair.leather-wood.restitutoin': "));
+    CHECK(contains(slip.err, "did you mean 'restitution'?"));
+}
+
+TEST_CASE("a diagnosis that is stopped says so and leaves no folder") {
+    const Folder folder;
+    Process process(folder.path, {"diagnose", scene, "--data", data, "--report", "report"});
+    REQUIRE(eventually([&] { return process.catches(SIGINT); }));
+    process.send(SIGINT);
+    const Outcome stopped = process.wait();
+    CHECK(stopped.code == 130);
+    CHECK(contains(stopped.err, "stopped: no verdict, and nothing was written; begin again"));
+    CHECK(stopped.out.empty());
+    CHECK_FALSE(std::filesystem::exists(folder.path / "report"));
+}
+
 TEST_CASE("millimetres that are read as metres are a slip, not a cause") {
     const Folder folder;
     std::string csv = "time_s,height_m\n";

@@ -70,6 +70,7 @@ Json library_of(const Diagnosis& diagnosis) {
                        {"amplitude_linear", number(seen.amplitude)},
                        {"standard_error", number(seen.error)},
                        {"chi_square_gain", number(seen.gain)},
+                       {"chi_square_reached", number(seen.refit ? std::max(0.0, seen.refit->gain) : seen.gain)},
                        {"nats_behind", number(nats_behind(diagnosis, seen))},
                        {"refitted", seen.refit.has_value()},
                        {"lower_95_one_sided", number(seen.lower)},

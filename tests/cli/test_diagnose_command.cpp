@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace test_diagnose_command {
@@ -35,6 +36,35 @@ TEST_CASE("the measured bounce is diagnosed through files alone: a scale that re
     CHECK(!contains(page, "src=")); // nothing is fetched from elsewhere
     CHECK(!contains(page, "nan"));
     CHECK(contains(content_of(folder.path / "report/residuals.csv"), "record,column,time_s"));
+}
+
+TEST_CASE("the page that walks one case through has the figures that its command gives") {
+    const Folder folder;
+    const std::string page = content_of(std::string(TUMBLE_ROOT) + "/docs/diagnosis-case.md");
+    const Outcome told = tumble_in(folder, {"diagnose", std::string(TUMBLE_ROOT) + "/scenes/lane.toml", "--data",
+                                            std::string(TUMBLE_ROOT) + "/scenes/measured/cases/1/measurement.toml",
+                                            "--json", "--quiet"});
+    REQUIRE(told.code == 0);
+    const auto found = nlohmann::json::parse(told.out);
+    const auto says = [&](const std::string& words) { CHECK_MESSAGE(contains(page, words), words); };
+    const auto fall_of = [&](const std::string& id) {
+        for (const auto& one : found["library"])
+            if (one["id"] == id)
+                return one["chi_square_gain"].get<double>();
+        return 0.0;
+    };
+    says(fmt::format("takes {:.0f} from chi-square, air that drags in proportion to speed {:.0f}, rolling resistance "
+                     "that grows with speed {:.0f}, a high pass in the instrument {:.0f}.",
+                     fall_of("roll.coulomb"), fall_of("drag.linear"), fall_of("roll.viscous"),
+                     fall_of("ins.high_pass")));
+    says(fmt::format("beyond {:.1f} (the gate)", found["gate"].get<double>()));
+    says(fmt::format("(p = {:.2f})", found["adequacy_winner"]["p"].get<double>()));
+    says(fmt::format("by {:.0f} nats", found["gain"]["nats"].get<double>()));
+    says(fmt::format("`mu_r = {:.5f} +- {:.5f}`", found["fitted"][0]["amplitude"].get<double>(),
+                     found["fitted"][0]["standard_error"].get<double>()));
+    says(fmt::format("up to {:.1f} standard errors", found["second_effect_up_to"]["standard_errors"].get<double>()));
+    for (const char* key : {"value", "with_the_cause"})
+        says(fmt::format(" {:.3f}", found["nuisances"][0][key].get<double>()));
 }
 
 TEST_CASE("data that cannot be read end with exit code 2, place and remedy") {

@@ -176,8 +176,10 @@ def sideways(found):
         return f"that is no more than what {SEEDS} seeds scatter"
     if one["chi_square_reached"] > phase / 2:
         raise SystemExit("a sideways amplitude explains more than half of what the phase does: the page says that it does not stand in for it")
-    return (f"the best of what was run, {one['standing'].removeprefix('refused: ')}, explains {one['chi_square_reached']:.0f} of chi-square, "
-            f"the phase {phase:.0f}")
+    end = re.search(r"(?:below|above) (-?[\d.]+), the end of what was run", one["standing"])
+    if not end:
+        raise SystemExit(f"the page has no words for a sideways amplitude that is {one['standing']}")
+    return f"the farthest that was run to the better side, {end[1]}, explains {one['chi_square_reached']:.0f} of chi-square, the phase {phase:.0f}"
 
 
 def plan(found):

@@ -223,15 +223,19 @@ Result<std::vector<double>> Table::quantity(std::string_view name, std::span<con
         return values;
     }
     const bool named_whole = std::find(heads_.begin(), heads_.end(), name) != heads_.end();
+    const bool has_unit = std::any_of(units.begin(), units.end(),
+                                      [&](const Unit& unit) { return name.ends_with(fmt::format("_{}", unit.name)); });
     return Problem{file_,
                    head_line_,
                    0,
                    std::string(name),
                    fmt::format("no column for {}", name),
-                   named_whole ? fmt::format("leave the unit out of the name: \"{}\"", name.substr(0, name.rfind('_')))
-                               : fmt::format("call it {}; there {} {}", fmt::join(accepted, " or "),
-                                             heads_.size() == 1 ? "is" : "are",
-                                             excerpt(fmt::format("{}", fmt::join(heads_, ", "))))};
+                   named_whole && has_unit
+                       ? fmt::format("leave the unit out of the name: \"{}\"", name.substr(0, name.rfind('_')))
+                   : named_whole ? fmt::format("say its unit in the head line: {}", fmt::join(accepted, " or "))
+                                 : fmt::format("call it {}; there {} {}", fmt::join(accepted, " or "),
+                                               heads_.size() == 1 ? "is" : "are",
+                                               excerpt(fmt::format("{}", fmt::join(heads_, ", "))))};
 }
 
 std::string csv_line(std::span<const std::string> cells) {

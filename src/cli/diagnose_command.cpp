@@ -116,7 +116,8 @@ void tell(const diagnose::Diagnosis& diagnosis, bool plan, bool quiet) {
         tell_beds(diagnosis);
     tell_causes(diagnosis);
     for (const diagnose::Proposal& proposal : diagnosis.proposals)
-        say(fmt::format("plan  {}: {:.1f} standard errors apart{}", proposal.sentence, proposal.separation,
+        say(fmt::format("plan  {}: {:.1f} standard errors apart, where now it is {:.1f}{}", proposal.sentence,
+                        proposal.separation, proposal.before,
                         proposal.repeats > 1 ? fmt::format("; {} of them reach 5", proposal.repeats) : ""));
     if (plan && diagnosis.proposals.empty())
         say("plan  no two causes are left to be told apart");
@@ -277,6 +278,8 @@ int diagnose_it(const DiagnoseArguments& arguments) {
         tell(*diagnosis, arguments.plan, arguments.quiet);
     if (!arguments.json && !arguments.report.empty())
         say(fmt::format("report: {}", (arguments.report / "diagnosis.html").string()));
+    if (!arguments.json && !arguments.extended.empty() && problems.empty())
+        say(fmt::format("extended scene: {}", arguments.extended.string()));
     return problems.empty() ? static_cast<int>(fine) : refuse(problems, false, failed);
 }
 

@@ -37,8 +37,8 @@ constexpr Slip usual_slips[] = {
     {1e-3, "SI read as thousandths"},
     {100, "hundredths, such as cm, read as SI"},
     {1e-2, "SI read as hundredths", Kind::any, false}, // what sticks early goes as short a way
-    {10, "centimetres read as millimetres", Kind::way, false},
-    {0.1, "millimetres read as centimetres", Kind::way, false},
+    {10, "millimetres read as centimetres", Kind::way, false},
+    {0.1, "centimetres read as millimetres", Kind::way, false},
     {9.80665, "m/s2 read as multiples of g", Kind::acceleration, false},
     {1 / 9.80665, "multiples of g read as m/s2", Kind::acceleration, false},
     {57.29578, "degrees read as radians", Kind::angle},

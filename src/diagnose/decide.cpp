@@ -295,12 +295,22 @@ private:
         return d_;
     }
 
+    /// What a pair would explain by the slope of one beside the other, which is the best that was fitted; 0 of others.
+    double beside_best(int i, int j) {
+        if (!d_.best || d_.best->causes.size() != 1 || (d_.best->causes[0] != i && d_.best->causes[0] != j))
+            return 0;
+        const int other = d_.best->causes[0] == i ? j : i;
+        const VectorXd left = Projector(d_.best->slopes).out(VectorXd(e_.effects.col(other)));
+        const double z = left.dot(d_.best->residual) / std::max(left.norm(), 1e-300);
+        return d_.best->gain + (plausible_sign(other, z) ? z * z : 0);
+    }
+
     [[nodiscard]] std::vector<std::pair<int, int>> likely_pairs() {
         std::vector<std::pair<double, std::pair<int, int>>> all;
         for (int i = 0; i < count_; ++i)
             for (int j = i + 1; j < count_; ++j)
                 if (one(i).visible && one(j).visible && d_.isolability(i, j) > settings_.same_class)
-                    all.push_back({refit_linear(e_, {i, j}).gain, {i, j}});
+                    all.push_back({std::max(refit_linear(e_, {i, j}).gain, beside_best(i, j)), {i, j}});
         std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
         std::vector<std::pair<int, int>> likely;
         for (const auto& [gain, pair] : all) {

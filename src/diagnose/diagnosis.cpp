@@ -32,7 +32,8 @@ constexpr double by_chance = 0.01;           // less likely differences of repea
 constexpr double far_away = 4;               // spreads of what was known beforehand
 constexpr double may_lack = 0.01;            // of chi-square: nats that a baseline far off may lack
 constexpr double much_wider = 3;             // times the scatter stated: what is missed was taken for it
-constexpr double hardly_less = 0.5;          // of that scatter
+constexpr double well_above = 1.2;           // times the scatter stated: what the best cause leaves is asked
+constexpr double hardly_less = 0.9;          // of the scatter before
 constexpr double may_lack_then = 2;          // nats, a third of what the gate asks
 constexpr double seen_well = 3; // standard errors, left beside nuisances: how far off the slope of a filter is taken
 
@@ -66,7 +67,10 @@ public:
         if (problems.empty() && baseline_.converged) {
             tell("fits the causes that show");
             problems = decide_it();
-            if (problems.empty() && taken_for_scatter()) {
+            for (double before = INFINITY; problems.empty() && d_.noise.stated > 0 &&
+                                           d_.noise.used > well_above * d_.noise.stated &&
+                                           d_.noise.used < hardly_less * before;) {
+                before = d_.noise.used;
                 tell("takes the scatter from what the best cause leaves");
                 problems = decide_by_what_is_left();
             }
@@ -321,8 +325,10 @@ private:
             return refit_of(causes, *model_, noise_, baseline_, effects_);
         });
         d_.follows = followed_by(d_.evidence, d_.decision);
-        doubt_mains();
-        if (d_.decision.outcome == Outcome::none_known) {
+        if (d_.decision.outcome != Outcome::none_known) // what is left of a misfit swings at any frequency
+            doubt_hum(d_.decision.best ? d_.decision.best->residual : baseline_.residual, directions_.courses,
+                      measurement_.file, d_.warnings);
+        else {
             d_.overstated = overstated_in(d_.evidence, measurement_.settings);
             if (d_.overstated)
                 d_.alike = alike_to(d_.evidence, d_.overstated->what);
@@ -351,18 +357,6 @@ private:
         return {};
     }
 
-    void doubt_mains() {
-        const auto& best = d_.decision.best;
-        const auto hum = mains_hum(best ? best->residual : baseline_.residual, directions_.courses);
-        if (hum && hum->p < shown_hum)
-            d_.warnings.push_back({.file = measurement_.file.string(),
-                                   .key = "mains hum",
-                                   .what = fmt::format("readings of {} swing at {:.3g} Hz by {:.2f} of their scatter, "
-                                                       "as mains of 50 or 60 Hz do at this rate of readings",
-                                                       hum->measure, hum->frequency, hum->amplitude),
-                                   .fix = "nothing: no cause swings like it, and it counts as scatter"});
-    }
-
     /// Sensors that contradict each other, or what the scene can do at all, are mended before anything else.
     void doubt_sensors() {
         Decision& decision = d_.decision;
@@ -381,6 +375,9 @@ private:
                 decision.sure = false;
                 decision.reason = "the readings contradict each other, whatever the simulation says";
             }
+        } else if (const auto cut = warned({"clipped"}); cut != d_.warnings.end() && !a_name) {
+            decision.remedy = "First see to the readings: " + cut->what +
+                              ". Leave out the rows that it cut, or record again with a larger range.";
         } else if (const auto slip = warned({"unit", "lowest point"}); slip != d_.warnings.end() && !a_name) {
             decision.remedy = "First see to the readings: " + slip->what; // what a cause explains is no slip
         }

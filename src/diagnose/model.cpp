@@ -30,8 +30,8 @@ double& part(Instrument& instrument, const std::string& name) {
 /// How far a part of the instrument may be taken, and a step that most records would just show; a key of the scene
 /// learns both from where the scene has it. `record`: the only one it acts on.
 Parameter nuisance_parameter(const Nuisance& nuisance, const Record* record, int index) {
-    const std::string whose =
-        (nuisance.sensor.empty() ? "" : " of " + nuisance.sensor) + (record ? " of " + record->name : "");
+    const std::string whose = (nuisance.sensor.empty() ? "" : " of " + nuisance.sensor) +
+                              (record ? fmt::format(" of '{}'", record->name) : "");
     if (nuisance.instrument.empty())
         return {.name = nuisance.key + whose, .spread = nuisance.spread, .record = index};
     const bool clock = nuisance.instrument == "clock_offset";

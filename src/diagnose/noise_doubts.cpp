@@ -50,4 +50,17 @@ void doubt_noise(const NoiseReport& noise, const Model& model, const std::filesy
                                        : "they are left out"});
 }
 
+void doubt_hum(const VectorXd& residual, const std::vector<Course>& courses, const std::filesystem::path& file,
+               Problems& warnings) {
+    const auto hum = mains_hum(residual, courses);
+    if (hum && hum->p < shown_hum)
+        warnings.push_back(
+            {.file = file.string(),
+             .key = "mains hum",
+             .what = fmt::format("readings of {} swing at {:.3g} Hz by {:.2f} of their scatter, as mains "
+                                 "of 50 or 60 Hz do at this rate of readings",
+                                 hum->measure, hum->frequency, hum->amplitude),
+             .fix = "nothing: no cause swings like it, and it counts as scatter"});
+}
+
 } // namespace tumble::diagnose

@@ -8,9 +8,10 @@ namespace tumble::diagnose {
 
 namespace {
 
-constexpr double enough = 5;           // standard errors
-constexpr double most_repeats = 1000;  // that anybody would make
-constexpr double clock_reading = 1e-3; // s, scatter of a clock read from a picture
+constexpr double adds_something = 1.02; // times what was there before
+constexpr double enough = 5;            // standard errors
+constexpr double most_repeats = 1000;   // that anybody would make
+constexpr double clock_reading = 1e-3;  // s, scatter of a clock read from a picture
 
 struct Experiment {
     const char* id;
@@ -205,6 +206,7 @@ std::vector<std::vector<int>> rivals_in(const Decision& decision) {
 
 Proposal proposal_of(std::string id, std::string sentence, double separation, double before) {
     Proposal proposal{.id = std::move(id), .sentence = std::move(sentence), .separation = separation};
+    proposal.before = before;
     const double known = before * before, added = separation * separation - known;
     const double needed = std::ceil((enough * enough - known) / std::max(added, 1e-9));
     proposal.repeats = needed > most_repeats ? 0 : std::max(1, static_cast<int>(needed));
@@ -251,7 +253,10 @@ std::vector<Proposal> proposals_for(const SceneText& scene, const Model& model, 
             cannot(apart.problems());
             continue;
         }
+        if (*apart < adds_something * *before)
+            continue;
         proposals.push_back(proposal_of(experiment.id, experiment.sentence, *apart, experiment.beside ? *before : 0));
+        proposals.back().before = *before;
     }
     std::sort(proposals.begin(), proposals.end(),
               [](const Proposal& a, const Proposal& b) { return a.separation > b.separation; });

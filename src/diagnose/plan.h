@@ -14,6 +14,7 @@ struct Proposal {
     double separation = 0; // standard errors between the two explanations that stay nearest, with the data there are
     int repeats = 0;       // of the experiment, to reach 5 standard errors; 0: it never does
     double reached = 0;    // standard errors after so many
+    double before = 0;     // standard errors with what was measured already
 };
 
 /// An explanation that an experiment is to hold against others: a cause, or two of them, where they were fitted.

@@ -60,7 +60,8 @@ private:
         for (const Key& key : keys.keys)
             names.push_back(key.name);
         for (const KeyTable& table : list_)
-            if (table_inside(list_, keys, table.path.substr(table.path.rfind('.') + 1)) == &table)
+            if (!table.path.empty() &&
+                table_inside(list_, keys, table.path.substr(table.path.rfind('.') + 1)) == &table)
                 names.push_back(table.path.substr(table.path.rfind('.') + 1));
         std::string all;
         for (const std::string& name : names)

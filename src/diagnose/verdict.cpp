@@ -186,6 +186,10 @@ std::string next_step(const Diagnosis& diagnosis) {
             return diagnosis.decision.remedy;
         if (diagnosis.extended)
             return "Write the extended scene (--write-extended), and confirm it with an experiment not used here.";
+        if (cause_of(diagnosis, diagnosis.decision.causes[0]).family == "sensor range")
+            return "It is the instrument, not the scene. What it cut off cannot be brought back: leave those rows out, "
+                   "or "
+                   "record again with a larger range.";
         return fmt::format(
             "It is the instrument, not the scene: calibrate it ({}) or correct the readings, and confirm it "
             "with an experiment not used here.",

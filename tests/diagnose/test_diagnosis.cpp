@@ -228,7 +228,7 @@ TEST_CASE("a nuisance that ends at its bound is warned of, with what to do") {
     const auto warning = std::find_if(diagnosis.warnings.begin(), diagnosis.warnings.end(),
                                       [](const Problem& one) { return one.key == "nuisance at its bound"; });
     REQUIRE(warning != diagnosis.warnings.end());
-    CHECK(warning->what.starts_with("clock_offset of 0.5 ended at "));
+    CHECK(warning->what.starts_with("clock_offset of '0.5' ended at "));
     CHECK(warning->what.ends_with(" 0.01, as far from 0 as a fit may take it"));
     CHECK(warning->fix.starts_with("let the scene begin nearer to it or state a larger spread"));
 }
@@ -298,7 +298,7 @@ TEST_CASE("a unit that cannot be and a sigma that the readings contradict are to
         value /= 9.81;
     const Diagnosis tenth = Laboratory::diagnosed(short_way);
     CHECK(std::any_of(tenth.warnings.begin(), tenth.warnings.end(), [](const Problem& warning) {
-        return warning.what.ends_with("times what the simulation does: millimetres read as centimetres?");
+        return warning.what.ends_with("times what the simulation does: centimetres read as millimetres?");
     }));
     CHECK(next_step(tenth).starts_with("First see to the readings: "));
 

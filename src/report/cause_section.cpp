@@ -18,6 +18,11 @@ namespace {
 constexpr double least_fall = 1;      // of chi-square, what one number that is free takes of noise
 constexpr double least_drawn = 0.005; // of the scale: 2.5 px
 
+/// In whole numbers from a hundred on.
+std::string of_chi_square(double value) {
+    return value < 100 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
+}
+
 /// Of causes that show in these data, the largest fall of chi-square first.
 std::vector<int> by_fall(const Decision& decision) {
     std::vector<int> causes;
@@ -58,15 +63,15 @@ std::string short_words(const Diagnosis& diagnosis, const std::vector<int>& caus
         words += (words.empty() ? "" : "; ") + escaped(diagnosis.causes[static_cast<std::size_t>(k)].id) +
                  (tells ? " (" + escaped(standing) + ")" : "");
     }
-    return words.empty() ? "" : fmt::format(" Chi-square falls by less than {:.2g} with: {}.", least, words);
+    return words.empty() ? "" : fmt::format(" Chi-square falls by less than {} with: {}.", of_chi_square(least), words);
 }
 
 /// The gate; beside it, where one cause is enough, the margin of the best, and where two are, how far both go.
 std::pair<std::vector<Mark>, std::string> limits_of(const Diagnosis& diagnosis, double best) {
     const Decision& decision = diagnosis.decision;
-    std::vector<Mark> marks{{decision.gate, fmt::format("gate {:.3g}", decision.gate)}};
+    std::vector<Mark> marks{{decision.gate, "gate " + of_chi_square(decision.gate)}};
     if (decision.best && decision.best->causes.size() == 2) {
-        marks.push_back({decision.best->gain, fmt::format("both {:.4g}", decision.best->gain)});
+        marks.push_back({decision.best->gain, "both " + of_chi_square(decision.best->gain)});
         return {marks, " No single cause leaves nothing but noise."};
     }
     if (decision.outcome == Outcome::none_known && best > decision.gate)
@@ -74,7 +79,7 @@ std::pair<std::vector<Mark>, std::string> limits_of(const Diagnosis& diagnosis, 
     if (best <= decision.gate)
         return {marks, ""};
     const double margin = std::max(0.0, gain_behind(diagnosis.evidence, best, diagnosis.settings.margin));
-    marks.push_back({margin, fmt::format("margin {:.4g}", margin)});
+    marks.push_back({margin, "margin " + of_chi_square(margin)});
     return {marks, fmt::format(" Whoever reaches the margin, {:g} nats behind the best, cannot be told from it.",
                                diagnosis.settings.margin)};
 }

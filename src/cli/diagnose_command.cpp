@@ -267,10 +267,10 @@ int diagnose_it(const DiagnoseArguments& arguments) {
                   : fmt::format(" but runs that had ended, in {}: begin again, and it goes on from there",
                                 arguments.for_beds().table.string())));
     });
-    if (!diagnosis)
+    if (!diagnosis) {
         leave_no_folder();
-    if (!diagnosis)
         return refuse(diagnosis.problems(), arguments.json, wrong);
+    }
     const Problems problems = leave_files(arguments, *diagnosis);
     if (arguments.json)
         say_json(report::to_json(*diagnosis, run::version()));

@@ -39,7 +39,8 @@ void widen(Cause& cause, const std::vector<Record>& records) {
     for (const Record& record : records)
         for (const Channel& channel : record.channels)
             for (const double value : channel.value)
-                if (!channel.shows_time() && (cause.sensor.empty() || channel.sensor == cause.sensor))
+                if (!record.held_out && !channel.shows_time() &&
+                    (cause.sensor.empty() || channel.sensor == cause.sensor))
                     most = std::max(most, std::abs(value));
     cause.hi = std::max(cause.hi, (cause.range == Cause::Range::readings ? zero_off : zero_wanders) * most);
     cause.lo = -cause.hi;
@@ -100,12 +101,8 @@ Result<std::vector<Cause>> considered_in(const Measurement& measurement) {
                                                    : "leave it out, or measure them together"};
     }
     causes = for_each_sensor(causes, measurement.records);
-    std::vector<Record> used;
-    for (const Record& record : measurement.records)
-        if (!record.held_out)
-            used.push_back(record);
     for (Cause& cause : causes)
-        widen(cause, used);
+        widen(cause, measurement.records);
     return causes;
 }
 

@@ -1,10 +1,8 @@
 #include "about.h"
-#include "base/rng.h"
 #include "base/text.h"
 #include "diagnose/fingerprints.h"
 #include "diagnose/verdict.h"
-#include "floor_and_ball.h"
-#include "gauss.h"
+#include "drops.h"
 
 #include <algorithm>
 #include <atomic>
@@ -18,64 +16,10 @@ using namespace tumble::diagnose;
 using tumble::test::about;
 using tumble::test::bouncing;
 using tumble::test::closed_form;
+using tumble::test::Drops;
 using tumble::test::floor_and_ball;
 
 namespace {
-
-struct Laboratory {
-    double sigma = 2e-3; // m
-    double memory = 0;   // of one reading's error in the next
-    bool clock = false;  // one in the picture, read to a millisecond, each reading by itself
-    double offset = 0;   // s, of the first record's clock
-    double restitution = 0.79;
-    int rows = 150;
-    std::uint64_t seed = 1;
-    double (*distort)(double y, double t) = [](double y, double) { return y; };
-    std::vector<double> heights{0.5, 0.8, 1.1, 1.5};
-
-    [[nodiscard]] Measurement measurement() const {
-        Rng rng(seed);
-        const auto normal = [&] { return tumble::test::gauss(rng); };
-        Measurement all;
-        all.title = "drops";
-        all.causes = {"grav.g", "clock", "sensor scale", "filter"};
-        all.nuisances = {{.key = "pair.rubber-rubber.restitution", .instrument = "", .spread = 0.05},
-                         {.key = "", .instrument = "clock_offset", .per_record = true, .spread = 0.005}};
-        for (const double height : heights) {
-            Record record{.name = shortest(height),
-                          .condition = shortest(height),
-                          .file = "none.csv",
-                          .sets = {"fill.0.position_m.1=" + shortest(height)},
-                          .time = {},
-                          .channels = {}};
-            Channel channel{
-                .head = "height_m", .measure = "centre_of_mass_y", .unit = "m", .value = {}, .sigma = sigma};
-            double error = memory > 0 ? normal() : 0;
-            for (int k = 0; k < rows; ++k) {
-                const double t = k / 120.0;
-                record.time.push_back(t);
-                const double y = bouncing(height, 9.81, restitution, t - (all.records.empty() ? offset : 0));
-                error = memory * error + std::sqrt(1 - memory * memory) * normal();
-                channel.value.push_back(distort(y, t) + sigma * error);
-            }
-            record.channels.push_back(std::move(channel));
-            Channel times{.head = "clock_s", .measure = "time", .unit = "s", .value = {}, .sigma = 1e-3};
-            for (int k = 0; k < rows && clock; ++k)
-                times.value.push_back(record.time[static_cast<std::size_t>(k)] - (all.records.empty() ? offset : 0) +
-                                      1e-3 * normal());
-            if (clock)
-                record.channels.push_back(std::move(times));
-            all.records.push_back(std::move(record));
-        }
-        return all;
-    }
-    [[nodiscard]] Diagnosis diagnosis() const { return diagnosed(measurement()); }
-    [[nodiscard]] static Diagnosis diagnosed(const Measurement& measurement, const Simulate& simulate = closed_form) {
-        auto result = diagnose::diagnose({floor_and_ball, "ball.toml"}, measurement, simulate);
-        REQUIRE_MESSAGE(result, to_string(result.problems()));
-        return std::move(*result);
-    }
-};
 
 double two_per_cent(double y, double) {
     return 1.02 * y;
@@ -92,7 +36,7 @@ const Seen& seen(const Diagnosis& diagnosis, const std::string& id) {
 } // namespace
 
 TEST_CASE("a simulation that is right agrees with its data, and its nuisances are found") {
-    const Diagnosis diagnosis = Laboratory{.offset = 0.003}.diagnosis();
+    const Diagnosis diagnosis = Drops{.offset = 0.003}.diagnosis();
     CHECK_MESSAGE(diagnosis.decision.outcome == Outcome::consistent, verdict_of(diagnosis));
     CHECK(diagnosis.nuisances[0].value == about(0.79, 1e-3));
     CHECK(diagnosis.nuisances[1].value == about(0.003, 0.2));
@@ -105,7 +49,7 @@ TEST_CASE("heights whose errors last and a clock whose errors do not are each we
     // Gate and tests of adequacy alarm in 1.5 % of cases: two or more of twelve in 1.4 %.
     int alarms = 0;
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-        const Diagnosis diagnosis = Laboratory{.memory = 0.35, .clock = true, .seed = seed}.diagnosis();
+        const Diagnosis diagnosis = Drops{.memory = 0.35, .clock = true, .seed = seed}.diagnosis();
         alarms += diagnosis.decision.outcome != Outcome::consistent;
         // 600 readings of either, 4 % each; what is fitted takes some of the memory with it.
         CHECK(std::abs(diagnosis.noise.of.at("centre_of_mass_y").correlation - 0.35) < 0.15);
@@ -115,18 +59,18 @@ TEST_CASE("heights whose errors last and a clock whose errors do not are each we
 }
 
 TEST_CASE("what a residual follows is told where no cause explains it") {
-    const Diagnosis diagnosis = Laboratory{.distort = [](double y, double) { return y + 0.02 * y * y; }}.diagnosis();
+    const Diagnosis diagnosis = Drops{.distort = [](double y, double) { return y + 0.02 * y * y; }}.diagnosis();
     REQUIRE_MESSAGE(diagnosis.decision.outcome == Outcome::none_known, verdict_of(diagnosis));
     REQUIRE(!diagnosis.follows.all.empty());
     CHECK(next_step(diagnosis).starts_with("What is left follows most of all "));
     CHECK(std::any_of(diagnosis.follows.all.begin(), diagnosis.follows.all.end(),
                       [](const Followed& one) { return one.what == "the square of the reading (centre_of_mass_y)"; }));
     // Nothing stands out of noise: in 0.27 % of cases, however many directions are tried.
-    CHECK(Laboratory{}.diagnosis().follows.all.empty());
+    CHECK(Drops{}.diagnosis().follows.all.empty());
 }
 
 TEST_CASE("a scale that reads two per cent too much is named, with its amplitude, and the gain is shown") {
-    const Diagnosis diagnosis = Laboratory{.distort = two_per_cent}.diagnosis();
+    const Diagnosis diagnosis = Drops{.distort = two_per_cent}.diagnosis();
     REQUIRE_MESSAGE(diagnosis.decision.outcome == Outcome::named, verdict_of(diagnosis));
     CHECK(diagnosis.causes[static_cast<std::size_t>(diagnosis.decision.causes[0])].id == "ins.gain");
     const Refit& best = *diagnosis.decision.best;
@@ -146,19 +90,19 @@ TEST_CASE("a scale that reads two per cent too much is named, with its amplitude
 }
 
 TEST_CASE("a clock's offset is absorbed by the nuisance that is there for it; without that nuisance it is found") {
-    Measurement measurement = Laboratory{.offset = 0.01}.measurement();
-    CHECK(Laboratory::diagnosed(measurement).decision.outcome == Outcome::consistent);
-    CHECK(!seen(Laboratory::diagnosed(measurement), "ins.clock_offset").visible);
+    Measurement measurement = Drops{.offset = 0.01}.measurement();
+    CHECK(Drops::diagnosed(measurement).decision.outcome == Outcome::consistent);
+    CHECK(!seen(Drops::diagnosed(measurement), "ins.clock_offset").visible);
     measurement.nuisances.pop_back();
-    CHECK(Laboratory::diagnosed(measurement).decision.outcome != Outcome::consistent);
+    CHECK(Drops::diagnosed(measurement).decision.outcome != Outcome::consistent);
 }
 
 TEST_CASE("a number of the scene may be unknown in each series on its own, and is found there") {
-    Measurement measurement = Laboratory{}.measurement();
+    Measurement measurement = Drops{}.measurement();
     measurement.nuisances.push_back(
         {.key = "fill.0.position_m.1", .instrument = "", .per_record = true, .spread = 0.01});
     measurement.records[1].sets = {"fill.0.position_m.1=0.806"}; // dropped from 0.8
-    const Diagnosis diagnosis = Laboratory::diagnosed(measurement);
+    const Diagnosis diagnosis = Drops::diagnosed(measurement);
     CHECK_MESSAGE(diagnosis.decision.outcome == Outcome::consistent, verdict_of(diagnosis));
     for (const FittedNuisance& nuisance : diagnosis.nuisances)
         if (nuisance.name == "fill.0.position_m.1 of 0.8") {
@@ -170,9 +114,9 @@ TEST_CASE("a number of the scene may be unknown in each series on its own, and i
 }
 
 TEST_CASE("a nuisance that had to go far from what was known of it is warned of") {
-    Measurement measurement = Laboratory{.offset = 0.003}.measurement();
+    Measurement measurement = Drops{.offset = 0.003}.measurement();
     measurement.nuisances[1].spread = 5e-4;
-    const Diagnosis diagnosis = Laboratory::diagnosed(measurement);
+    const Diagnosis diagnosis = Drops::diagnosed(measurement);
     CHECK(std::count_if(diagnosis.warnings.begin(), diagnosis.warnings.end(),
                         [](const Problem& warning) { return warning.key == "nuisance far off"; }) == 1);
 }
@@ -186,9 +130,9 @@ double lagging(double y, double t) {
 TEST_CASE("a filter that looks like late clocks, later than they were said to be, is told as that") {
     // Each of four clocks would be 2 ms late, 7 times what was said; of the filter itself 0.04 mm are left, which a
     // scatter of 2 mm hides.
-    Measurement falls = Laboratory{.rows = 55, .distort = lagging, .heights = {1.1, 1.3, 1.5, 1.7}}.measurement();
+    Measurement falls = Drops{.rows = 55, .distort = lagging, .heights = {1.1, 1.3, 1.5, 1.7}}.measurement();
     falls.nuisances[1].spread = 3e-4;
-    const Diagnosis diagnosis = Laboratory::diagnosed(falls);
+    const Diagnosis diagnosis = Drops::diagnosed(falls);
     REQUIRE_MESSAGE(diagnosis.decision.outcome == Outcome::none_known, verdict_of(diagnosis));
     REQUIRE_MESSAGE(diagnosis.overstated, verdict_of(diagnosis));
     CHECK(diagnosis.overstated->what == "clock_offset");
@@ -201,7 +145,7 @@ TEST_CASE("a filter that looks like late clocks, later than they were said to be
     CHECK(next_step(diagnosis).starts_with("Find out whether clock_offset can have gone that far"));
 
     falls.nuisances[1].spread = 5e-3; // which leaves room for that
-    const Diagnosis roomy = Laboratory::diagnosed(falls);
+    const Diagnosis roomy = Drops::diagnosed(falls);
     CHECK_MESSAGE(roomy.decision.outcome == Outcome::consistent, verdict_of(roomy));
     CHECK(!roomy.overstated);
 }
@@ -212,7 +156,7 @@ TEST_CASE("scatter and memory of errors are found beside all that is projected o
         double found = 0, ratio = 0;
         for (std::uint64_t seed = 11; seed <= 18; ++seed) {
             const NoiseOfMeasure noise =
-                Laboratory{.memory = memory, .seed = seed}.diagnosis().noise.of.at("centre_of_mass_y");
+                Drops{.memory = memory, .seed = seed}.diagnosis().noise.of.at("centre_of_mass_y");
             found += noise.correlation / 8;
             ratio += noise.ratio / 8;
         }
@@ -222,9 +166,9 @@ TEST_CASE("scatter and memory of errors are found beside all that is projected o
 }
 
 TEST_CASE("a nuisance that ends at its bound is warned of, with what to do") {
-    Measurement measurement = Laboratory{.offset = 0.012}.measurement();
+    Measurement measurement = Drops{.offset = 0.012}.measurement();
     measurement.nuisances[1].spread = 5e-4; // a fit may go to 20 times that
-    const Diagnosis diagnosis = Laboratory::diagnosed(measurement);
+    const Diagnosis diagnosis = Drops::diagnosed(measurement);
     const auto warning = std::find_if(diagnosis.warnings.begin(), diagnosis.warnings.end(),
                                       [](const Problem& one) { return one.key == "nuisance at its bound"; });
     REQUIRE(warning != diagnosis.warnings.end());
@@ -236,13 +180,13 @@ TEST_CASE("a nuisance that ends at its bound is warned of, with what to do") {
 TEST_CASE("repeats that differ by more than their readings scatter make every error larger") {
     // Each height twice; the second time restitution is another one, as a rough ball has it: 0.79 and 0.785.
     const auto twice = [](double second) {
-        Measurement measurement = Laboratory{}.measurement();
-        Measurement again = Laboratory{.restitution = second, .seed = 2}.measurement();
+        Measurement measurement = Drops{}.measurement();
+        Measurement again = Drops{.restitution = second, .seed = 2}.measurement();
         for (Record& record : again.records) {
             record.name += " again";
             measurement.records.push_back(std::move(record));
         }
-        return Laboratory::diagnosed(measurement);
+        return Drops::diagnosed(measurement);
     };
     const auto warned = [](const Diagnosis& diagnosis) {
         return std::count_if(diagnosis.warnings.begin(), diagnosis.warnings.end(),
@@ -266,13 +210,13 @@ TEST_CASE("ablation: fitted to whole records at once, baselines end in false min
     for (std::uint64_t seed = 1; seed <= 2; ++seed)
         for (const double restitution : {0.68, 0.70, 0.72, 0.74, 0.76, 0.78, 0.82, 0.84, 0.86, 0.88, 0.90, 0.92}) {
             Measurement measurement =
-                Laboratory{.restitution = restitution, .rows = 500, .seed = seed, .heights = {0.15, 0.25, 0.4}}
+                Drops{.restitution = restitution, .rows = 500, .seed = seed, .heights = {0.15, 0.25, 0.4}}
                     .measurement();
             measurement.causes = {"grav.g"};
             measurement.nuisances[0].spread = 0.2;
-            with += Laboratory::diagnosed(measurement).decision.outcome != Outcome::consistent;
+            with += Drops::diagnosed(measurement).decision.outcome != Outcome::consistent;
             measurement.settings.progressive = false;
-            without += Laboratory::diagnosed(measurement).decision.outcome != Outcome::consistent;
+            without += Drops::diagnosed(measurement).decision.outcome != Outcome::consistent;
             ++cases;
         }
     MESSAGE(with << " of " << cases << " go wrong, " << without << " without growing horizons");
@@ -281,7 +225,7 @@ TEST_CASE("ablation: fitted to whole records at once, baselines end in false min
 }
 
 TEST_CASE("a unit that cannot be and a sigma that the readings contradict are told, and no verdict is built on them") {
-    Measurement metres = Laboratory{}.measurement();
+    Measurement metres = Drops{}.measurement();
     for (Record& record : metres.records)
         for (double& value : record.channels[0].value)
             value *= 1000;
@@ -292,53 +236,52 @@ TEST_CASE("a unit that cannot be and a sigma that the readings contradict are to
         "times what the simulation does: thousandths, such as mm or ms, read as SI?"));
     CHECK(refused.problems()[0].fix == "correct the unit in the head of the column");
 
-    Measurement short_way =
-        Laboratory{}.measurement(); // a tenth of what was foretold: the scene may be that wrong, too
+    Measurement short_way = Drops{}.measurement(); // a tenth of what was foretold: the scene may be that wrong, too
     for (double& value : short_way.records[0].channels[0].value)
         value /= 9.81;
-    const Diagnosis tenth = Laboratory::diagnosed(short_way);
+    const Diagnosis tenth = Drops::diagnosed(short_way);
     CHECK(std::any_of(tenth.warnings.begin(), tenth.warnings.end(), [](const Problem& warning) {
         return warning.what.ends_with("times what the simulation does: centimetres read as millimetres?");
     }));
     CHECK(next_step(tenth).starts_with("First see to the readings: "));
 
-    Measurement lowest = Laboratory{.restitution = 0.8}.measurement(); // of the ball of 10 mm, not of its centre
+    Measurement lowest = Drops{.restitution = 0.8}.measurement(); // of the ball of 10 mm, not of its centre
     for (Record& record : lowest.records)
         for (double& value : record.channels[0].value)
             value -= 0.0102;
     lowest.causes = {"filter"};
-    CHECK(next_step(Laboratory::diagnosed(lowest)).starts_with("First see to the readings: heights are 10"));
+    CHECK(next_step(Drops::diagnosed(lowest)).starts_with("First see to the readings: heights are 10"));
 
-    Measurement nowhere = Laboratory{}.measurement(); // whose set it is, a table's row has its cells in its name
+    Measurement nowhere = Drops{}.measurement(); // whose set it is, a table's row has its cells in its name
     nowhere.records[2].sets = {"fill.0.position_m.1=high"};
     const auto which = diagnose::diagnose({floor_and_ball, "ball.toml"}, nowhere, closed_form);
     REQUIRE(!which);
     CHECK(which.problems()[0].what.starts_with("in '1.1': "));
 
-    Measurement sure = Laboratory{}.measurement(); // ten times as sure of itself as it may be
+    Measurement sure = Drops{}.measurement(); // ten times as sure of itself as it may be
     for (Record& record : sure.records)
         record.channels[0].sigma /= 10;
-    const Diagnosis diagnosis = Laboratory::diagnosed(sure);
+    const Diagnosis diagnosis = Drops::diagnosed(sure);
     CHECK_MESSAGE(diagnosis.decision.outcome == Outcome::consistent, verdict_of(diagnosis));
     CHECK(std::abs(diagnosis.noise.of.at("centre_of_mass_y").ratio - 10) < 1);
     CHECK(std::count_if(diagnosis.warnings.begin(), diagnosis.warnings.end(),
                         [](const Problem& warning) { return warning.key == "sigma contradicted"; }) == 1);
 
-    Measurement unsaid = Laboratory{}.measurement(); // not stated at all: found in the residual
+    Measurement unsaid = Drops{}.measurement(); // not stated at all: found in the residual
     for (Record& record : unsaid.records)
         record.channels[0].sigma = 0;
-    const Diagnosis estimated = Laboratory::diagnosed(unsaid);
+    const Diagnosis estimated = Drops::diagnosed(unsaid);
     CHECK_MESSAGE(estimated.decision.outcome == Outcome::consistent, verdict_of(estimated));
     CHECK(std::abs(estimated.noise.used / 2e-3 - 1) < 0.15);
 }
 
 TEST_CASE("whether sigma is contradicted is asked of every measure that has one, whatever the first says") {
-    Measurement measurement = Laboratory{.clock = true}.measurement();
+    Measurement measurement = Drops{.clock = true}.measurement();
     for (Record& record : measurement.records) {
         record.channels[0].sigma = 0;   // of heights nothing is said
         record.channels[1].sigma /= 10; // the clock is said to be ten times as sure as it is
     }
-    const Diagnosis diagnosis = Laboratory::diagnosed(measurement);
+    const Diagnosis diagnosis = Drops::diagnosed(measurement);
     std::vector<std::string> told;
     for (const Problem& warning : diagnosis.warnings)
         if (warning.key == "sigma contradicted")
@@ -348,7 +291,7 @@ TEST_CASE("whether sigma is contradicted is asked of every measure that has one,
 }
 
 TEST_CASE("warnings name a file") {
-    Measurement measurement = Laboratory{.distort = two_per_cent}.measurement(); // no column for ways sideways
+    Measurement measurement = Drops{.distort = two_per_cent}.measurement(); // no column for ways sideways
     measurement.file = "drops.toml";
     const auto told = diagnose::diagnose({floor_and_ball, "ball.toml"}, measurement, closed_form, true);
     REQUIRE(told);
@@ -360,7 +303,7 @@ TEST_CASE("warnings name a file") {
 
 /// Readings that are 0.3 % too large leave 0.003 y: a slope of 0.003 along the reading, and nothing with the gain.
 TEST_CASE("a fingerprint has the slope that was hidden, and is gone with the cause") {
-    const Diagnosis diagnosis = Laboratory{.distort = [](double y, double) { return 1.003 * y; }}.diagnosis();
+    const Diagnosis diagnosis = Drops{.distort = [](double y, double) { return 1.003 * y; }}.diagnosis();
     REQUIRE_MESSAGE(diagnosis.decision.outcome == Outcome::named, verdict_of(diagnosis));
     const auto prints = fingerprints_of(diagnosis.evidence, diagnosis.decision);
     REQUIRE(prints.size() == diagnosis.evidence.directions.names.size());
@@ -386,9 +329,9 @@ TEST_CASE("a fingerprint has the slope that was hidden, and is gone with the cau
 
 TEST_CASE("a heavy clipping is named though its slope is far behind, and the scatter is that of what it leaves") {
     // At 0.9 m the sensor of a drop from 1.5 m ends: two fifths. What no slope explains was taken for scatter at first.
-    Measurement measurement = Laboratory{.distort = [](double y, double) { return std::min(y, 0.9); }}.measurement();
+    Measurement measurement = Drops{.distort = [](double y, double) { return std::min(y, 0.9); }}.measurement();
     measurement.causes.push_back("ins.clipping");
-    const Diagnosis all = Laboratory::diagnosed(measurement);
+    const Diagnosis all = Drops::diagnosed(measurement);
     REQUIRE_MESSAGE(all.decision.outcome == Outcome::named, verdict_of(all));
     CHECK(all.causes[static_cast<std::size_t>(all.decision.causes[0])].id == "ins.clipping");
     CHECK(std::abs(all.decision.best->amplitude[0] - 0.4) < 4 * all.decision.best->error[0]);
@@ -398,7 +341,7 @@ TEST_CASE("a heavy clipping is named though its slope is far behind, and the sca
     CHECK(all.decision.winner.p() < 1); // a scatter that is too large makes everything fit
     // A low drop never gets there, whatever it is fitted with: the limit is the sensor's, not the record's.
     measurement.records[0].held_out = true;
-    const Diagnosis aside = Laboratory::diagnosed(measurement);
+    const Diagnosis aside = Drops::diagnosed(measurement);
     REQUIRE_MESSAGE(aside.decision.outcome == Outcome::named, verdict_of(aside));
     REQUIRE(aside.gain);
     REQUIRE(aside.gain->scores.size() == 1);
@@ -418,25 +361,25 @@ TEST_CASE("a gain is shown though one condition does not feel the cause, and is 
 }
 
 TEST_CASE("a sensor at its limit bears no name but that") {
-    Measurement measurement = Laboratory{.distort = two_per_cent}.measurement();
+    Measurement measurement = Drops{.distort = two_per_cent}.measurement();
     measurement.warnings.push_back({.key = "clipped", .what = "height_m: 5 equal readings", .fix = ""});
-    const Diagnosis diagnosis = Laboratory::diagnosed(measurement);
+    const Diagnosis diagnosis = Drops::diagnosed(measurement);
     REQUIRE(diagnosis.decision.outcome == Outcome::named);
     CHECK(outcome_words(diagnosis) == "UNSURE");
     CHECK(next_step(diagnosis) == "Record it again with a sensor of a larger range.");
 }
 
 TEST_CASE("a measurement without nuisances is diagnosed as it stands") {
-    Measurement measurement = Laboratory{.restitution = 0.8, .distort = two_per_cent}.measurement();
+    Measurement measurement = Drops{.restitution = 0.8, .distort = two_per_cent}.measurement();
     measurement.nuisances.clear();
-    const Diagnosis diagnosis = Laboratory::diagnosed(measurement);
+    const Diagnosis diagnosis = Drops::diagnosed(measurement);
     REQUIRE_MESSAGE(diagnosis.decision.outcome == Outcome::named, verdict_of(diagnosis));
     CHECK(diagnosis.causes[static_cast<std::size_t>(diagnosis.decision.causes[0])].id == "ins.gain");
     CHECK(std::abs(diagnosis.decision.best->amplitude[0] - 0.02) < 4 * diagnosis.decision.best->error[0]);
 }
 
 TEST_CASE("one condition alone bears no name") {
-    const Diagnosis diagnosis = Laboratory{.distort = two_per_cent, .heights = {1.1}}.diagnosis();
+    const Diagnosis diagnosis = Drops{.distort = two_per_cent, .heights = {1.1}}.diagnosis();
     CHECK_MESSAGE((diagnosis.decision.outcome != Outcome::named || !diagnosis.decision.sure), verdict_of(diagnosis));
     if (diagnosis.decision.outcome == Outcome::named) {
         CHECK(outcome_words(diagnosis) == "UNSURE");
@@ -445,15 +388,15 @@ TEST_CASE("one condition alone bears no name") {
 }
 
 TEST_CASE("twice the scatter, half as sure; and the order of the series does not matter") {
-    const Diagnosis fine = Laboratory{.distort = two_per_cent}.diagnosis();
-    const Diagnosis coarse = Laboratory{.sigma = 4e-3, .distort = two_per_cent}.diagnosis();
+    const Diagnosis fine = Drops{.distort = two_per_cent}.diagnosis();
+    const Diagnosis coarse = Drops{.sigma = 4e-3, .distort = two_per_cent}.diagnosis();
     // What priors know does not grow with the scatter: somewhat less than twice.
     const double growth = seen(coarse, "ins.gain").error / seen(fine, "ins.gain").error;
     CHECK(growth > 1.8);
     CHECK(growth < 2.01);
-    Measurement turned = Laboratory{.distort = two_per_cent}.measurement();
+    Measurement turned = Drops{.distort = two_per_cent}.measurement();
     std::reverse(turned.records.begin(), turned.records.end());
-    const Diagnosis other = Laboratory::diagnosed(turned);
+    const Diagnosis other = Drops::diagnosed(turned);
     CHECK(other.decision.causes == fine.decision.causes);
     CHECK(std::abs(other.decision.best->amplitude[0] - fine.decision.best->amplitude[0]) <
           0.1 * fine.decision.best->error[0]);
@@ -462,26 +405,26 @@ TEST_CASE("twice the scatter, half as sure; and the order of the series does not
 TEST_CASE("in drops a clock that runs fast and a gravity that is wrong are one answer") {
     // y(t; g, h) = y(t sqrt(g); 1, h) where impacts take no time: only the product of g and the clock's rate squared
     // counts.
-    Measurement measurement = Laboratory{}.measurement();
+    Measurement measurement = Drops{}.measurement();
     for (Record& record : measurement.records)
         for (double& t : record.time)
             t *= 1.01;
-    const Diagnosis diagnosis = Laboratory::diagnosed(measurement);
+    const Diagnosis diagnosis = Drops::diagnosed(measurement);
     REQUIRE_MESSAGE(diagnosis.decision.outcome == Outcome::named, verdict_of(diagnosis));
     CHECK(diagnosis.decision.one_class);
     CHECK(diagnosis.decision.causes.size() == 2);
 }
 
 TEST_CASE("simulations that run side by side come to the same diagnosis, to the bit, and are as many") {
-    const Measurement measurement = Laboratory{.distort = two_per_cent}.measurement();
+    const Measurement measurement = Drops{.distort = two_per_cent}.measurement();
     std::atomic<int> calls = 0;
     const auto counted = [&](const scene::Scene& scene) {
         ++calls;
         return closed_form(scene);
     };
-    const Diagnosis one = Laboratory::diagnosed(measurement, counted);
+    const Diagnosis one = Drops::diagnosed(measurement, counted);
     CHECK(one.runs == calls);
-    const Diagnosis three = Laboratory::diagnosed(measurement, Simulate(counted, 3));
+    const Diagnosis three = Drops::diagnosed(measurement, Simulate(counted, 3));
     CHECK(three.runs == one.runs);
     CHECK(three.simulated == about(one.simulated, 1e-12));
     CHECK(calls == 2 * one.runs);
@@ -493,9 +436,9 @@ TEST_CASE("simulations that run side by side come to the same diagnosis, to the 
 }
 
 TEST_CASE("a series that is held out is not fitted, and the gain is measured on it") {
-    Measurement measurement = Laboratory{.distort = two_per_cent}.measurement();
+    Measurement measurement = Drops{.distort = two_per_cent}.measurement();
     measurement.records[3].held_out = true;
-    const Diagnosis diagnosis = Laboratory::diagnosed(measurement);
+    const Diagnosis diagnosis = Drops::diagnosed(measurement);
     REQUIRE(diagnosis.gain);
     CHECK(diagnosis.gain->held_out);
     CHECK(diagnosis.gain->scores.size() == 1);
@@ -505,14 +448,14 @@ TEST_CASE("a series that is held out is not fitted, and the gain is measured on 
 
 TEST_CASE("a scene that cannot be run, or data that are all held out, end in problems and not in a verdict") {
     const auto broken = [](const scene::Scene&) -> Result<observe::Series> { return Problem{.what = "it fell apart"}; };
-    const auto result = diagnose::diagnose({floor_and_ball, "ball.toml"}, Laboratory{}.measurement(), broken);
+    const auto result = diagnose::diagnose({floor_and_ball, "ball.toml"}, Drops{}.measurement(), broken);
     REQUIRE(!result);
     CHECK(result.problems()[0].what == "it fell apart");
-    Measurement held = Laboratory{}.measurement();
+    Measurement held = Drops{}.measurement();
     for (Record& record : held.records)
         record.held_out = true;
     CHECK(!diagnose::diagnose({floor_and_ball, "ball.toml"}, held, closed_form));
-    Measurement unknown = Laboratory{}.measurement();
+    Measurement unknown = Drops{}.measurement();
     unknown.nuisances[0].key = "pair.rubber-rubber.restitutoin";
     CHECK(!diagnose::diagnose({floor_and_ball, "ball.toml"}, unknown, closed_form));
 }

@@ -12,21 +12,18 @@ namespace test_ensemble {
 using namespace tumble;
 using namespace tumble::diagnose;
 using tumble::test::about;
+using tumble::test::gauss;
 
 namespace {
-
-double normal(Rng& rng) {
-    return tumble::test::gauss(rng);
-}
 
 /// Two numbers of deviation 2 and 3 that correlate by `share`, and one of deviation 0.1 by itself, about any mean.
 Ensemble drawn(Rng& rng, int runs, double share, double mean) {
     Ensemble all(runs, 3);
     for (int k = 0; k < runs; ++k) {
-        const double common = normal(rng);
+        const double common = gauss(rng);
         all(k, 0) = mean + 2 * common;
-        all(k, 1) = mean + 3 * (share * common + std::sqrt(1 - share * share) * normal(rng));
-        all(k, 2) = mean + 0.1 * normal(rng);
+        all(k, 1) = mean + 3 * (share * common + std::sqrt(1 - share * share) * gauss(rng));
+        all(k, 2) = mean + 0.1 * gauss(rng);
     }
     return all;
 }

@@ -16,6 +16,7 @@ using namespace tumble;
 using namespace tumble::diagnose;
 using tumble::test::about;
 using tumble::test::floor_and_ball;
+using tumble::test::gauss;
 
 namespace {
 
@@ -68,10 +69,6 @@ Result<observe::Series> closed_form(const scene::Scene& scene) {
 }
 
 constexpr double sigma = 1e-3; // m
-
-double gauss(Rng& rng) {
-    return tumble::test::gauss(rng);
-}
 
 /// Drops from four heights, thrown along at `along`; x is read where `both`.
 Measurement filmed(Path path, bool both, std::vector<std::string> causes, double odd_restitution = 0) {

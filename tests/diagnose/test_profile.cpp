@@ -1,10 +1,8 @@
 #include "about.h"
 #include "base/rng.h"
-#include "base/text.h"
 #include "diagnose/profile.h"
 #include "diagnose/refit.h"
-#include "floor_and_ball.h"
-#include "gauss.h"
+#include "drops.h"
 
 #include <doctest/doctest.h>
 
@@ -13,48 +11,22 @@ namespace test_profile {
 using namespace tumble;
 using namespace tumble::diagnose;
 using tumble::test::about;
+using tumble::test::Drops;
 
 namespace {
-
-constexpr double sigma = 2e-3; // m
-
-const std::vector<Nuisance> nuisances{
-    {.key = "pair.rubber-rubber.restitution", .instrument = "", .spread = 0.05},
-    {.key = "", .instrument = "clock_offset", .per_record = true, .spread = 0.005},
-};
-
-std::vector<Record> drops() {
-    std::vector<Record> all;
-    for (const double height : {0.5, 0.8, 1.1, 1.5}) {
-        Record record{.name = shortest(height),
-                      .condition = shortest(height),
-                      .file = "none.csv",
-                      .sets = {"fill.0.position_m.1=" + shortest(height)},
-                      .time = {},
-                      .channels = {{.head = "height_m",
-                                    .measure = "centre_of_mass_y",
-                                    .unit = "m",
-                                    .value = std::vector<double>(150),
-                                    .sigma = sigma}}};
-        for (int k = 0; k < 150; ++k)
-            record.time.push_back(k / 120.0);
-        all.push_back(std::move(record));
-    }
-    return all;
-}
 
 Model model_of(std::vector<Record> records, const std::vector<std::string>& ids) {
     auto causes = choose_causes(ids);
     REQUIRE(causes);
-    auto model = Model::make({tumble::test::floor_and_ball, "ball.toml"}, std::move(records), nuisances, *causes,
-                             tumble::test::closed_form);
+    auto model = Model::make({tumble::test::floor_and_ball, "ball.toml"}, std::move(records),
+                             Drops{}.measurement().nuisances, *causes, tumble::test::closed_form);
     REQUIRE_MESSAGE(model, to_string(model.problems()));
     return std::move(*model);
 }
 
-/// Readings with that amplitude of the first cause in them, and noise.
+/// Drops with that amplitude of the first cause in their readings, and noise.
 Model measured(const std::vector<std::string>& causes, double amplitude, std::uint64_t seed) {
-    std::vector<Record> records = drops();
+    std::vector<Record> records = Drops{}.measurement().records;
     Model clean = model_of(records, causes);
     VectorXd values = clean.start();
     values[clean.parameter_of(0)] = amplitude;
@@ -64,7 +36,7 @@ Model measured(const std::vector<std::string>& causes, double amplitude, std::ui
     Eigen::Index row = 0;
     for (Record& record : records)
         for (double& value : record.channels[0].value)
-            value = (*readings)[row++] + sigma * tumble::test::gauss(rng);
+            value = (*readings)[row++] + record.channels[0].sigma * tumble::test::gauss(rng);
     return model_of(std::move(records), causes);
 }
 

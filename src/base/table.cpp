@@ -152,7 +152,10 @@ private:
             problems_.push_back(
                 problem(line, row_.back().column,
                         fmt::format("{} cells where the head line has {}", row_.size(), table_.heads_.size()),
-                        "give every row as many cells as the head line"));
+                        row_.size() == 2 * table_.heads_.size()
+                            ? "give every row as many cells as the head line; if commas stand for decimal points, "
+                              "write points"
+                            : "give every row as many cells as the head line"));
             return;
         }
         if (table_.lines_.size() == limits_.rows) {

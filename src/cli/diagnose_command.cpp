@@ -108,6 +108,14 @@ void tell_causes(const diagnose::Diagnosis& diagnosis) {
         say(fmt::format("  {}: {}", why, fmt::join(causes, ", ")));
 }
 
+/// Why there is no experiment to propose.
+std::string no_plan_words(const diagnose::Decision& decision) {
+    if (decision.outcome == diagnose::Outcome::none_known || decision.outcome == diagnose::Outcome::cannot_decide)
+        return "none: no cause explains the data, so there are no two to be told apart";
+    return diagnose::rivals_in(decision).size() < 2 ? "no two causes are left to be told apart"
+                                                    : "no experiment of the catalogue adds to what was measured";
+}
+
 void tell(const diagnose::Diagnosis& diagnosis, bool plan, bool quiet) {
     say(diagnose::outcome_words(diagnosis));
     say(diagnose::verdict_of(diagnosis));
@@ -120,7 +128,7 @@ void tell(const diagnose::Diagnosis& diagnosis, bool plan, bool quiet) {
                         proposal.separation, proposal.before,
                         proposal.repeats > 1 ? fmt::format("; {} of them reach 5", proposal.repeats) : ""));
     if (plan && diagnosis.proposals.empty())
-        say("plan  no two causes are left to be told apart");
+        say("plan  " + no_plan_words(diagnosis.decision));
     if (quiet)
         return;
     for (const Problem& warning : diagnosis.warnings)
@@ -202,9 +210,11 @@ Problems leave_files(const DiagnoseArguments& arguments, const diagnose::Diagnos
             {.file = arguments.extended.string(),
              .what = "no extended scene was written: the name is not sure, for " + diagnosis.decision.reason,
              .fix = diagnosis.decision.remedy});
-    else if (diagnosis.extended)
-        leave(arguments.extended, scene::to_toml(*diagnosis.extended));
-    else
+    else if (diagnosis.extended) {
+        scene::Scene extended = *diagnosis.extended;
+        extended.claim = diagnose::extended_claim(diagnosis);
+        leave(arguments.extended, scene::to_toml(extended));
+    } else
         problems.push_back(
             {.file = arguments.extended.string(),
              .what = diagnosis.decision.outcome == diagnose::Outcome::named

@@ -36,6 +36,8 @@ struct Cause {
     std::string sensor{}; // the only one that it distorts; empty: all
 
     [[nodiscard]] bool physical() const { return extend != nullptr; }
+    /// The sensor's range ends, and readings with it.
+    [[nodiscard]] bool clips() const { return family == "sensor range"; }
 };
 
 /// The library, physical causes first.

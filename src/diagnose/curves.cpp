@@ -3,6 +3,7 @@
 #include "scene/settled.h"
 
 #include <cmath>
+#include <set>
 
 namespace tumble::diagnose {
 
@@ -44,6 +45,21 @@ std::vector<Curve> curves_of(Model& model, const Noise& noise, const VectorXd& a
         }
     }
     return curves;
+}
+
+std::vector<Cut> cuts_of(Model& model, const VectorXd& values) {
+    std::vector<Cut> cuts;
+    std::set<std::string> heads;
+    for (std::size_t r = 0; r < model.records().size(); ++r)
+        for (const Channel& channel : model.records()[r].channels) {
+            const double share = model.instrument_at(values, static_cast<int>(r), channel).clipping;
+            if (share == 0 || channel.shows_time() || !heads.insert(channel.head).second)
+                continue;
+            if (const auto ranges = model.ranges_at(values))
+                cuts.push_back(
+                    {channel.head, channel.unit, (1 - share) * ranges->at({channel.measure, channel.sensor})});
+        }
+    return cuts;
 }
 
 } // namespace tumble::diagnose

@@ -2,6 +2,7 @@
 
 #include "base/column.h"
 #include "diagnose/noise.h"
+#include "diagnose/warning_key.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,11 @@ constexpr double far_too_long = 100;   // times what the scene lasts
 constexpr double about_a_radius = 0.1; // of it
 constexpr double as_noise = 1.5;       // times their scatter that two columns may differ
 constexpr double clear_of_noise = 15;  // scatters that readings must span: noise alone spans some seven
+
+constexpr double far_off = 10;        // standard errors, of the root mean square
+constexpr int shifts_tried = 200;     // to either side, up to the record's length
+constexpr double share_missed = 0.04; // of the mean square, that a shift in time leaves
+constexpr double least_shift = 0.1;   // of the record's length: less is a clock's, which causes and nuisances explain
 
 enum class Kind { any, angle, way, acceleration };
 
@@ -115,10 +121,13 @@ void doubt_channel(const Record& record, const Channel& channel, Problems& warni
                             .fix = std::move(fix)});
     };
     const std::set<double> levels(channel.value.begin(), channel.value.end());
+    if (levels.size() == 1)
+        warn(warning_key::dead, fmt::format("all {} readings are equal", channel.value.size()),
+             "find out whether the sensor ran; a body at rest would let its readings scatter");
     const double step = step_of(levels);
     const bool few = levels.size() <= few_levels && channel.value.size() > 2 * levels.size();
     const bool repeat = 10 * levels.size() <= 9 * channel.value.size();
-    const bool coarse = few || (channel.sigma > 0 && step > channel.sigma && repeat);
+    const bool coarse = (few && levels.size() > 1) || (channel.sigma > 0 && step > channel.sigma && repeat);
     if (coarse)
         warn("quantised",
              step > 0 ? fmt::format("only {} different readings, in steps of {:.3g} {} (ins.quant)", levels.size(),
@@ -130,8 +139,8 @@ void doubt_channel(const Record& record, const Channel& channel, Problems& warni
         std::size_t run = 0, longest = 0;
         for (const double value : channel.value)
             longest = std::max(longest, run = value == extreme ? run + 1 : 0);
-        if (longest >= suspicious && !coarse)
-            warn("clipped", fmt::format("{} equal readings in a row at the end of the range", longest),
+        if (longest >= suspicious && !coarse && levels.size() > 1)
+            warn(warning_key::clipped, fmt::format("{} equal readings in a row at the end of the range", longest),
                  "the sensor was at its limit: choose a larger range");
     }
     if (channel.sigma == 0)
@@ -161,6 +170,28 @@ void doubt_pair(const Record& record, const Channel& one, const Channel& other, 
                                    "with one of them is told then"});
 }
 
+/// Mean square, in standard errors, of what readings over time miss if their time is so late, s; infinite where less
+/// than half of them lie in what was simulated. Before that every body stands where the scene has it.
+double missed_if_late(const Record& record, const std::vector<Signal>& truth, const std::vector<double>& sigma,
+                      double late) {
+    double sum = 0;
+    std::size_t count = 0, readings = 0;
+    for (std::size_t c = 0; c < record.channels.size(); ++c) {
+        if (record.channels[c].shows_time() || sigma[c] <= 0)
+            continue;
+        readings += record.time.size();
+        for (std::size_t k = 0; k < record.time.size(); ++k) {
+            const double t = record.time[k] - late;
+            if (late != 0 && (t < 0 || t > truth[c].time.back()))
+                continue;
+            const double z = (record.channels[c].value[k] - truth[c].at(t)) / sigma[c];
+            sum += z * z;
+            ++count;
+        }
+    }
+    return 2 * count < readings || count == 0 ? INFINITY : sum / static_cast<double>(count);
+}
+
 /// From the lowest to the highest reading; of a single number its magnitude.
 template <class Readings> double span_of(const Readings& readings) {
     const auto [lowest, highest] = std::minmax_element(readings.begin(), readings.end());
@@ -181,15 +212,54 @@ void doubt_record(const Record& record, Problems& warnings) {
 }
 
 std::optional<Problem> time_slip(const Record& record, double scene_lasts) {
-    if (record.time.back() < far_too_long * scene_lasts)
+    if (record.time.front() > far_too_long * scene_lasts)
+        return Problem{.file = record.file.string(),
+                       .key = "time",
+                       .what = fmt::format("'{}' begins at {:.10g} s, and the scene ends at {:g} s", record.name,
+                                           record.time.front(), scene_lasts),
+                       .fix = "let its time count from the moment at which the scene begins"};
+    const double lasts = record.single() ? record.time.back() : record.time.back() - record.time.front();
+    if (lasts < far_too_long * scene_lasts)
         return std::nullopt;
     return Problem{.file = record.file.string(),
                    .key = "time",
                    .what =
                        fmt::format("'{}' lasts {:g} s, {:.0f} times as long as the scene, {:g} s: milliseconds read "
                                    "as seconds?",
-                                   record.name, record.time.back(), record.time.back() / scene_lasts, scene_lasts),
+                                   record.name, lasts, lasts / scene_lasts, scene_lasts),
                    .fix = "correct the unit of time, or let the scene last longer (duration_s)"};
+}
+
+std::optional<Problem> shifted_time(const Record& record, const std::vector<Signal>& truth,
+                                    const std::vector<double>& sigma) {
+    if (record.single())
+        return std::nullopt;
+    const double lasts = record.time.back() - record.time.front();
+    const double as_it_stands = missed_if_late(record, truth, sigma, 0);
+    if (as_it_stands < far_off * far_off)
+        return std::nullopt;
+    double least = as_it_stands, late = 0;
+    const auto look_about = [&](double from, double reach) {
+        for (int k = -shifts_tried; k <= shifts_tried; ++k) {
+            const double shift = from + reach * k / shifts_tried;
+            if (const double missed = missed_if_late(record, truth, sigma, shift); missed < least) {
+                least = missed;
+                late = shift;
+            }
+        }
+    };
+    look_about(0, lasts);
+    look_about(record.time.front(), lasts);
+    look_about(late, 2 * lasts / shifts_tried);
+    if (least > share_missed * as_it_stands || std::abs(late) < least_shift * lasts)
+        return std::nullopt;
+    return Problem{.file = record.file.string(),
+                   .key = warning_key::shifted,
+                   .what = fmt::format("'{}' agrees with the simulation {:.0f} times as well if its time begins {:.3g} "
+                                       "s {}",
+                                       record.name, std::sqrt(as_it_stands / least), std::abs(late),
+                                       late > 0 ? "earlier" : "later"),
+                   .fix = "let its time count from the moment at which the scene begins"};
 }
 
 Problems equal_columns(const std::vector<Record>& records) {
@@ -236,7 +306,7 @@ Problems unit_slips(const std::vector<Record>& records, const Eigen::VectorXd& p
                     (slip.surely ? problems : warnings)
                         .push_back(
                             {.file = record.file.string(),
-                             .key = slip.surely ? channel.head : "unit",
+                             .key = slip.surely ? channel.head : std::string(warning_key::unit),
                              .what = fmt::format("{} {} {:.3g} times what the simulation does: {}?", channel.head,
                                                  record.single() ? "is" : "spans", ratio, slip.meaning),
                              .fix = "correct the unit in the head of the column"});
@@ -262,7 +332,7 @@ std::optional<Problem> lowest_point(const std::vector<Record>& records, const Ei
         return std::nullopt;
     return Problem{
         .file = first->file.string(),
-        .key = "lowest point",
+        .key = warning_key::lowest_point,
         .what = fmt::format("heights are {:.3g} mm too low in the middle of all, and the ball's radius is {:.3g} "
                             "mm: are they those of its lowest point?",
                             1e3 * median(below), 1e3 * radius),

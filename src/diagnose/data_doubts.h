@@ -1,6 +1,7 @@
 #pragma once
 
 #include "diagnose/measurement.h"
+#include "diagnose/signal.h"
 
 #include <Eigen/Core>
 #include <optional>
@@ -11,8 +12,15 @@ namespace tumble::diagnose {
 /// that is not stated, columns that should read the same and do not. One sentence each, with what to do.
 void doubt_record(const Record& record, Problems& warnings);
 
-/// A record that lasts so long beside the scene, s, that its time cannot be in seconds.
+/// A record that lasts so long beside the scene, s, that its time cannot be in seconds; or begins so late that it
+/// cannot count from the scene's beginning.
 std::optional<Problem> time_slip(const Record& record, double scene_lasts);
+
+/// A record that misses what was foretold (`truth`, a signal for each channel) by ten times its scatter (`sigma`, SI)
+/// and agrees five times as well, or better, if its time is shifted by a tenth of its length or more: it does not count
+/// from the scene's beginning.
+std::optional<Problem> shifted_time(const Record& record, const std::vector<Signal>& truth,
+                                    const std::vector<double>& sigma);
 
 /// Columns that hold the same numbers as another one: a copy was stored under two names, and no verdict can be built on
 /// either. Records of held clocks ("time") may agree.

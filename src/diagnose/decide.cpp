@@ -193,16 +193,22 @@ private:
         return best;
     }
 
-    /// The winner and whoever is within the margin of it.
+    /// The winner and whoever is within the margin of it; also a twin by its slope whose fit did not end.
     void name(int winner) {
         d_.causes = {winner};
         bool alike = true;
-        for (int k = 0; k < count_; ++k)
-            if (k != winner && one(k).refit && one(k).refit->possible &&
-                nats_between(e_, one(winner).gain, one(k).gain) < settings_.margin) {
+        for (int k = 0; k < count_; ++k) {
+            if (k == winner || !one(k).refit || reached(k) == 0 ||
+                nats_between(e_, one(winner).gain, reached(k)) >= settings_.margin)
+                continue;
+            const bool twin = d_.isolability(winner, k) < settings_.same_class;
+            if (one(k).refit->possible || (twin && !one(k).refit->at_end)) {
                 d_.causes.push_back(k);
                 alike = alike && same_answer(winner, k);
+            } else if (twin) {
+                d_.beyond.push_back(k);
             }
+        }
         d_.one_class = alike && d_.causes.size() > 1;
         d_.outcome = alike ? Outcome::named : Outcome::ambiguous;
         d_.folds = folds_of(e_, *d_.best);
@@ -271,8 +277,11 @@ private:
                 fitted.push_back(std::move(pair));
         }
         if (const int single = best_possible(); single != proxy && suffices(single)) {
-            name(single); // slopes had it far behind, and as one of a pair it was fitted
-            return d_;
+            fit_rivals(true); // slopes had it far behind, and as one of a pair it was fitted: they say nothing here
+            if (const int best = best_possible(); suffices(best)) {
+                name(best);
+                return d_;
+            }
         }
         std::sort(fitted.begin(), fitted.end(), [](const Refit& a, const Refit& b) { return a.gain > b.gain; });
         d_.outcome = Outcome::none_known;
@@ -305,12 +314,20 @@ private:
         return d_.best->gain + (plausible_sign(other, z) ? z * z : 0);
     }
 
+    /// What a pair would explain by slopes; where one of the two would have the wrong sign, what the other does alone.
+    double by_slopes(int i, int j) {
+        const Refit pair = refit_linear(e_, {i, j});
+        if (is_astray() || (plausible_sign(i, pair.amplitude[0]) && plausible_sign(j, pair.amplitude[1])))
+            return pair.gain;
+        return std::max(one(i).gain, one(j).gain);
+    }
+
     [[nodiscard]] std::vector<std::pair<int, int>> likely_pairs() {
         std::vector<std::pair<double, std::pair<int, int>>> all;
         for (int i = 0; i < count_; ++i)
             for (int j = i + 1; j < count_; ++j)
                 if (one(i).visible && one(j).visible && d_.isolability(i, j) > settings_.same_class)
-                    all.push_back({std::max(refit_linear(e_, {i, j}).gain, beside_best(i, j)), {i, j}});
+                    all.push_back({std::max(by_slopes(i, j), beside_best(i, j)), {i, j}});
         std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
         std::vector<std::pair<int, int>> likely;
         for (const auto& [gain, pair] : all) {

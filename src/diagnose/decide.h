@@ -112,6 +112,7 @@ struct Decision {
     std::string remedy;                  // what would make it sure
     bool one_class = false;              // the causes named are one answer to these data
     std::vector<int> causes;             // named; or the set that holds the truth
+    std::vector<int> beyond;             // would be one answer with those named, at the end of their range or beyond
     std::vector<std::vector<int>> pairs; // of two causes, or of ambiguous pairs
     double gate = 0;    // chi-square fall that the best of the library reaches in alpha of the cases by chance
     double largest = 0; // reached
@@ -123,6 +124,11 @@ struct Decision {
     std::vector<Fold> folds;
     std::optional<Refit> best; // of the causes named, or the best proxy of none known
 };
+
+/// It says what is wrong, sure of it or not.
+inline bool names(const Decision& decision) {
+    return decision.outcome == Outcome::named || decision.outcome == Outcome::two_causes;
+}
 
 Decision decide(const Evidence& evidence, const Settings& settings, const Refitter& refit);
 

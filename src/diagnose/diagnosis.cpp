@@ -3,6 +3,7 @@
 #include "diagnose/considered.h"
 #include "diagnose/curves.h"
 #include "diagnose/data_doubts.h"
+#include "diagnose/fit_doubts.h"
 #include "diagnose/folds.h"
 #include "diagnose/kinematics.h"
 #include "diagnose/noise_doubts.h"
@@ -14,7 +15,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <numeric>
-#include <set>
 #include <tuple>
 
 namespace tumble::diagnose {
@@ -31,8 +31,8 @@ constexpr double most_between_repeats = 1.2; // of their scatter over that of th
 constexpr double by_chance = 0.01;           // less likely differences of repeats are not put down to chance
 constexpr double far_away = 4;               // spreads of what was known beforehand
 constexpr double may_lack = 0.01;            // of chi-square: nats that a baseline far off may lack
-constexpr double much_wider = 3;             // times the scatter stated: what is missed was taken for it
-constexpr double well_above = 1.2;           // times the scatter stated: what the best cause leaves is asked
+constexpr double much_wider = 3;             // times the scatter known before: what is missed was taken for it
+constexpr double well_above = 1.2;           // times the scatter known before: what the best cause leaves is asked
 constexpr double hardly_less = 0.9;          // of the scatter before
 constexpr double may_lack_then = 2;          // nats, a third of what the gate asks
 constexpr double seen_well = 3; // standard errors, left beside nuisances: how far off the slope of a filter is taken
@@ -63,25 +63,26 @@ public:
         tell("fits the baseline, and how each cause would show");
         Problems problems = find_baseline();
         if (problems.empty())
-            doubt_bounds();
+            doubt_bounds(*model_, baseline_.values, measurement_.file, d_.warnings);
         if (problems.empty() && baseline_.converged) {
             tell("fits the causes that show");
             problems = decide_it();
-            for (double before = INFINITY; problems.empty() && d_.noise.stated > 0 &&
-                                           d_.noise.used > well_above * d_.noise.stated &&
-                                           d_.noise.used < hardly_less * before;) {
-                before = d_.noise.used;
+            for (double before = INFINITY;
+                 problems.empty() && d_.noise.above > well_above && d_.noise.above < hardly_less * before;) {
+                before = d_.noise.above;
                 tell("takes the scatter from what the best cause leaves");
                 problems = decide_by_what_is_left();
             }
         } else {
-            doubt_sensors();
+            doubt_sensors(d_.decision, d_.warnings);
         }
-        if (problems.empty() && d_.decision.best) {
+        if (problems.empty() && names(d_.decision)) {
             tell("measures what the extended scene gains");
             problems = measure_gain();
-            d_.limits =
-                profile_of(*d_.decision.best, baseline_, *model_, noise_, student_quantile(0.025, d_.evidence.degrees));
+            if (problems.empty())
+                d_.limits = profile_of(*d_.decision.best, baseline_, *model_, noise_,
+                                       student_quantile(0.025, d_.evidence.degrees));
+            d_.cuts = cuts_of(*model_, d_.decision.best->values);
         }
         if (!problems.empty())
             return problems;
@@ -105,6 +106,7 @@ private:
     Problems find_baseline() {
         noise_ = first_noise(*model_);
         const VectorXd start = model_->start();
+        bool shifted = false;
         for (std::size_t r = 0; r < model_->records().size(); ++r)
             if (const auto scene = model_->scene_at(start, static_cast<int>(r))) {
                 if (auto slip = time_slip(model_->records()[r], scene->duration))
@@ -115,8 +117,15 @@ private:
         const auto predicted = model_->predict(start);
         if (!predicted)
             return predicted.problems();
-        if (Problems problems = unit_slips(model_->records(), *predicted, d_.warnings); !problems.empty())
-            return problems;
+        for (std::size_t r = 0; r < model_->records().size(); ++r)
+            if (const auto truth = model_->signals(start, static_cast<int>(r)))
+                if (auto slip = shifted_time(model_->records()[r], *truth, noise_.sigma[r])) {
+                    d_.warnings.push_back(std::move(*slip));
+                    shifted = true;
+                }
+        if (!shifted) // readings that agree a moment later are in their units
+            if (Problems problems = unit_slips(model_->records(), *predicted, d_.warnings); !problems.empty())
+                return problems;
         if (const auto scene = model_->scene_at(start, -1); scene && scene->bodies[0].spheres.size() == 1)
             if (auto doubt = lowest_point(model_->records(), *predicted, scene->bodies[0].spheres[0].radius))
                 d_.warnings.push_back(std::move(*doubt));
@@ -135,8 +144,8 @@ private:
         if (!fitted)
             return fitted.problems();
         baseline_ = std::move(*fitted);
-        const bool far_off = astray(baseline_.chi_square, baseline_.residual.size());
-        if ((far_off && baseline_.decrement < may_lack * baseline_.chi_square) ||
+        const bool lost = astray(baseline_.chi_square, baseline_.residual.size());
+        if ((lost && baseline_.decrement < may_lack * baseline_.chi_square) ||
             (taken_for_scatter() && baseline_.decrement < may_lack_then))
             baseline_.converged = true; // what it still lacks is nothing beside what it misses
         if (!baseline_.converged) {
@@ -150,9 +159,7 @@ private:
     }
 
     /// Of what the baseline misses.
-    [[nodiscard]] bool taken_for_scatter() const {
-        return d_.noise.stated > 0 && d_.noise.used > much_wider * d_.noise.stated;
-    }
+    [[nodiscard]] bool taken_for_scatter() const { return d_.noise.above > much_wider; }
 
     /// Where the baseline misses much that no direction spans, the scatter found is mostly that. What the best cause
     /// leaves tells it better: with that scatter all is decided again, unless it is hardly less.
@@ -180,29 +187,13 @@ private:
             return problems;
         if (Problems problems = sharpen_noise(std::get<1>(state).values); !problems.empty())
             return problems;
-        if (d_.noise.used < hardly_less * first.noise.used && baseline_.converged) {
-            doubt_bounds();
+        if (d_.noise.above < hardly_less * first.noise.above && baseline_.converged) {
+            doubt_bounds(*model_, baseline_.values, measurement_.file, d_.warnings);
             return decide_it();
         }
         d_ = first;
         std::tie(noise_, baseline_, effects_, directions_) = state;
         return {};
-    }
-
-    void doubt_bounds() {
-        for (int k = 0; k < model_->nuisances(); ++k) {
-            const Parameter& parameter = model_->parameters()[static_cast<std::size_t>(k)];
-            const double value = baseline_.values[k];
-            if (value > parameter.lo && value < parameter.hi)
-                continue;
-            d_.warnings.push_back(
-                {.file = measurement_.file.string(),
-                 .key = "nuisance at its bound",
-                 .what = fmt::format("{} ended at {:g}, as far from {:g} as a fit may take it", parameter.name, value,
-                                     parameter.start),
-                 .fix = "let the scene begin nearer to it or state a larger spread; if it cannot be true, look for a "
-                        "slip of units or of files"});
-        }
     }
 
     /// What filters and clipping do is not in proportion to them: a low pass that is quicker than the readings only
@@ -263,6 +254,7 @@ private:
         explained << baseline_.slopes, effects_, directions_.blocks, directions_.prints;
         noise_ = refined_noise(noise_, *model_, *misfit, explained, d_.noise);
         const Repeats repeats = repeats_in(noise_, *model_, *misfit, slopes_of_own(), effects_);
+        d_.noise.widened = 1;
         d_.noise.repeats = repeats.scatter;
         d_.noise.along = repeats.along;
         if (repeats.chance < by_chance && repeats.scatter > most_between_repeats)
@@ -290,27 +282,8 @@ private:
         return baseline_.slopes(Eigen::all, own);
     }
 
-    /// A number that is the last value of its stretch, or no rebound at all, is warned of.
-    void doubt_numbers() {
-        for (std::size_t r = 0; r < model_->records().size(); ++r) {
-            const Record& record = model_->records()[r];
-            const auto truth = record.single() ? model_->signals(baseline_.values, static_cast<int>(r))
-                                               : Result<std::vector<Signal>>(std::vector<Signal>{});
-            for (std::size_t c = 0; truth && c < truth->size(); ++c)
-                if (at_an_end(record.channels[c], record.time[0], (*truth)[c]))
-                    d_.warnings.push_back(
-                        {.file = record.file.string(),
-                         .key = "end of the stretch",
-                         .what =
-                             fmt::format("{}: {} of {} lies at an end of {:g} to {:g} s in the simulation", record.name,
-                                         words_of_takes()[static_cast<std::size_t>(record.channels[c].take) - 1],
-                                         record.channels[c].measure, record.channels[c].from, record.time[0]),
-                         .fix = "let until_s be later, or from_s earlier, unless that is what was measured"});
-        }
-    }
-
     Problems decide_it() {
-        doubt_numbers();
+        doubt_numbers(*model_, baseline_.values, d_.warnings);
         d_.evidence = {baseline_.residual, baseline_.slopes, effects_, directions_, d_.causes, {}, 0};
         d_.evidence.degrees = degrees_of_numbers(model_->records());
         d_.evidence.coarse = taken_for_scatter();
@@ -324,6 +297,13 @@ private:
         d_.decision = decide(d_.evidence, measurement_.settings, [this](const std::vector<int>& causes) {
             return refit_of(causes, *model_, noise_, baseline_, effects_);
         });
+        if (d_.decision.outcome == Outcome::cannot_decide && taken_for_scatter()) {
+            d_.decision.reason = fmt::format("the simulation misses the readings by {:.0f} times what they scatter, "
+                                             "and beside that nothing would show",
+                                             d_.noise.above);
+            d_.decision.remedy = "Look at the residual first: does time begin where the scene begins, and is each "
+                                 "record under its own condition?";
+        }
         d_.follows = followed_by(d_.evidence, d_.decision);
         if (d_.decision.outcome != Outcome::none_known) // what is left of a misfit swings at any frequency
             doubt_hum(d_.decision.best ? d_.decision.best->residual : baseline_.residual, directions_.courses,
@@ -335,7 +315,7 @@ private:
             else
                 d_.differing = differing_in(d_.evidence, measurement_.settings);
         }
-        doubt_name();
+        doubt_name(d_.decision, d_.causes, d_.warnings);
         const VectorXd errors = errors_of(baseline_.slopes);
         for (int k = 0; k < model_->nuisances(); ++k) {
             const Parameter& parameter = model_->parameters()[static_cast<std::size_t>(k)];
@@ -343,6 +323,8 @@ private:
             const auto& best = d_.decision.best;
             if (best && !d_.decision.causes.empty() && best->values.size() > 0)
                 d_.nuisances.back().extended = best->values[k];
+            const auto of = static_cast<std::size_t>(parameter.nuisance);
+            d_.nuisances.back().in_scene = parameter.record < 0 && !measurement_.nuisances[of].key.empty();
             const double away = std::abs(baseline_.values[k] - parameter.start);
             if (parameter.spread > 0 && away > far_away * parameter.spread)
                 d_.warnings.push_back(
@@ -357,54 +339,8 @@ private:
         return {};
     }
 
-    /// Sensors that contradict each other, or what the scene can do at all, are mended before anything else.
-    void doubt_sensors() {
-        Decision& decision = d_.decision;
-        if (decision.outcome == Outcome::consistent)
-            return;
-        const bool a_name = decision.outcome == Outcome::named || decision.outcome == Outcome::two_causes;
-        const auto warned = [this](const std::set<std::string>& keys) {
-            return std::find_if(d_.warnings.begin(), d_.warnings.end(),
-                                [&](const Problem& warning) { return keys.contains(warning.key); });
-        };
-        if (const auto wrong = warned({"velocity against way", "peak speed", "speed"}); wrong != d_.warnings.end()) {
-            if (a_name && !decision.sure)
-                return;
-            decision.remedy = "First find out which sensor is wrong: " + wrong->what + ".";
-            if (a_name) {
-                decision.sure = false;
-                decision.reason = "the readings contradict each other, whatever the simulation says";
-            }
-        } else if (const auto cut = warned({"clipped"}); cut != d_.warnings.end() && !a_name) {
-            decision.remedy = "First see to the readings: " + cut->what +
-                              ". Leave out the rows that it cut, or record again with a larger range.";
-        } else if (const auto slip = warned({"unit", "lowest point"}); slip != d_.warnings.end() && !a_name) {
-            decision.remedy = "First see to the readings: " + slip->what; // what a cause explains is no slip
-        }
-    }
-
-    /// What the sensor did not show cannot bear a name, unless it is the name.
-    void doubt_name() {
-        doubt_sensors();
-        Decision& decision = d_.decision;
-        if ((decision.outcome != Outcome::named && decision.outcome != Outcome::two_causes) || !decision.sure)
-            return;
-        const bool clips = std::any_of(decision.causes.begin(), decision.causes.end(), [this](int k) {
-            return d_.causes[static_cast<std::size_t>(k)].id.starts_with("ins.clipping");
-        });
-        for (const Problem& warning : d_.warnings)
-            if (warning.key == "clipped" && !clips) {
-                decision.sure = false;
-                decision.reason = "readings are clipped (" + warning.what + "), and what was cut off may be the cause";
-                decision.remedy = "Record it again with a sensor of a larger range.";
-                return;
-            }
-    }
-
     Problems measure_gain() {
         const Decision& decision = d_.decision;
-        if (decision.outcome != Outcome::named && decision.outcome != Outcome::two_causes)
-            return {};
         VectorXd baseline = model_->start();
         baseline.head(model_->nuisances()) = baseline_.values.head(model_->nuisances());
         const auto& named = decision.best->causes;
@@ -422,7 +358,10 @@ private:
         auto aside = Model::make(scene_, aside_, measurement_.nuisances, d_.causes, simulate_);
         if (!aside)
             return aside.problems();
-        aside->share_sensors(*model_);
+        auto ranges = model_->ranges_at(decision.best->values);
+        if (!ranges)
+            return ranges.problems();
+        aside->share_sensors(std::move(*ranges));
         Noise noise = first_noise(*aside);
         noise.of = noise_.of;
         for (std::size_t r = 0; r < noise.sigma.size(); ++r)

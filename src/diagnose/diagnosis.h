@@ -34,6 +34,7 @@ struct FittedNuisance {
     std::string name;
     double start = 0, value = 0, error = 0;
     std::optional<double> extended{}; // with what was named
+    bool in_scene = false;            // a key of the scene, the same under every condition
 };
 
 /// All that a report tells.
@@ -52,6 +53,7 @@ struct Diagnosis {
     Evidence evidence; // what the decision was made from
     Decision decision;
     std::vector<Limits> limits;        // 95 %, of each amplitude of decision.best; empty: none was looked for
+    std::vector<Cut> cuts;             // of a clipping that is named
     Following follows;                 // what the residual that is left looks like
     std::optional<Besides> differing;  // from condition to condition, where no cause explains it
     std::optional<Besides> overstated; // a nuisance said to be better known than it is, where not even that does

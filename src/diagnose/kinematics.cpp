@@ -1,6 +1,7 @@
 #include "diagnose/kinematics.h"
 
 #include "base/distributions.h"
+#include "diagnose/warning_key.h"
 #include "observe/cycle.h"
 
 #include <Eigen/Dense>
@@ -141,7 +142,7 @@ void doubt_sums(const Record& record, const Scatters& sigma, const scene::Scene&
         if (chi_square_tail(found.fall, 3) > normal_tail(surely))
             return;
         doubts.push_back(doubt(
-            record, "velocity against way",
+            record, warning_key::velocity_against_way,
             fmt::format(
                 "the sum of {} is not {}: it has {:+.3g} % of the way too much, and runs away by {:+.3g} m/s and "
                 "{:+.3g} m/s2",
@@ -179,7 +180,7 @@ void doubt_peaks(const Record& record, const Scatters& sigma, const scene::Scene
         const double most = crest * 2 * std::numbers::pi * found->amplitude / found->period;
         if (peak < least - surely * sigma[v] || peak > most + surely * sigma[v])
             doubts.push_back(
-                doubt(record, "peak speed",
+                doubt(record, warning_key::peak_speed,
                       fmt::format(
                           "{} swings by {:.3g} m in {:.3g} s, which takes a peak speed of {:.3g} to {:.3g} m/s, but {} "
                           "reaches {:.3g} m/s",
@@ -249,7 +250,7 @@ void doubt_speeds(const Record& record, const Scatters& sigma, const scene::Scen
             most = std::max(most, std::abs(value));
         if (most > limit + surely * sigma[c])
             doubts.push_back(
-                doubt(record, "speed",
+                doubt(record, warning_key::speed,
                       fmt::format("{} reaches {:.3g} m/s, and nothing in the scene makes a body faster than "
                                   "{:.3g} m/s: how it is put in, a fall through all of the domain, and its "
                                   "walls",

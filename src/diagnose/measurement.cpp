@@ -165,6 +165,10 @@ private:
     void series(const TypedTable& table) {
         Record record;
         record.name = table.view.text("name");
+        if (!series_.insert(record.name).second)
+            return report_.add(
+                table.view.place("name"), "series.name", fmt::format("there are two [[series]] '{}'", record.name),
+                fmt::format("give each its own name; of repeats the same condition, condition = \"{}\"", record.name));
         record.condition = table.view.given("condition") ? table.view.text("condition") : record.name;
         record.sets = table.view.words("set");
         record.held_out = table.view.flag("held_out");
@@ -238,7 +242,7 @@ private:
     scene::Report report_;
     Measurement read_;
     Hash64 hash_;
-    std::set<std::string> tables_; // names
+    std::set<std::string> series_, tables_; // names
 };
 
 } // namespace

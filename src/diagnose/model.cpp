@@ -290,31 +290,7 @@ Result<std::vector<Signal>> Model::signals(const VectorXd& values, int record, d
     return all;
 }
 
-Result<Done> Model::find_ranges() {
-    const std::map<Sensed, double> known = ranges_;
-    run_ahead({start()}, 1);
-    for (std::size_t r = 0; r < records_.size(); ++r) {
-        const auto truth = signals(start(), static_cast<int>(r));
-        if (!truth)
-            return truth.problems();
-        for (std::size_t c = 0; c < truth->size(); ++c) {
-            const Channel& channel = records_[r].channels[c];
-            const Signal& signal = (*truth)[c];
-            if (known.contains({channel.measure, channel.sensor}))
-                continue;
-            double& most = ranges_[{channel.measure, channel.sensor}];
-            for (std::size_t k = 0; k < signal.time.size() && signal.time[k] <= records_[r].time.back(); ++k)
-                most = std::max(most, std::abs(signal.value[k]));
-        }
-    }
-    ranges_known_ = true;
-    return Done{};
-}
-
-Result<VectorXd> Model::predict(const VectorXd& values, double horizon) {
-    if (!ranges_known_)
-        if (const auto found = find_ranges(); !found)
-            return found.problems();
+Result<std::vector<std::vector<Signal>>> Model::all_signals(const VectorXd& values, double horizon) {
     run_ahead({values}, horizon);
     std::vector<std::vector<Signal>> truths;
     for (std::size_t r = 0; r < records_.size(); ++r) {
@@ -323,13 +299,44 @@ Result<VectorXd> Model::predict(const VectorXd& values, double horizon) {
             return truth.problems();
         truths.push_back(std::move(*truth));
     }
+    return truths;
+}
+
+Model::Ranges Model::ranges_of(const std::vector<std::vector<Signal>>& truths) const {
+    Ranges ranges;
+    for (std::size_t r = 0; r < records_.size(); ++r)
+        for (std::size_t c = 0; c < truths[r].size(); ++c) {
+            const Channel& channel = records_[r].channels[c];
+            const Signal& signal = truths[r][c];
+            double& most = ranges[{channel.measure, channel.sensor}];
+            for (std::size_t k = 0; k < signal.time.size() && signal.time[k] <= records_[r].time.back(); ++k)
+                most = std::max(most, std::abs(signal.value[k]));
+        }
+    for (const auto& [sensed, most] : ranges_)
+        ranges[sensed] = most;
+    return ranges;
+}
+
+Result<Model::Ranges> Model::ranges_at(const VectorXd& values) {
+    const auto truths = all_signals(values, 1);
+    if (!truths)
+        return truths.problems();
+    return ranges_of(*truths);
+}
+
+Result<VectorXd> Model::predict(const VectorXd& values, double horizon) {
+    const auto signals_of_all = all_signals(values, horizon);
+    if (!signals_of_all)
+        return signals_of_all.problems();
+    const std::vector<std::vector<Signal>>& truths = *signals_of_all;
+    Ranges ranges = ranges_of(truths);
     VectorXd all(readings_.size());
     Eigen::Index row = 0;
     for (std::size_t r = 0; r < records_.size(); ++r) {
         for (std::size_t c = 0; c < records_[r].channels.size(); ++c) {
             const Channel& channel = records_[r].channels[c];
             const Instrument instrument = instrument_at(values, static_cast<int>(r), channel);
-            const double most = ranges_[{channel.measure, channel.sensor}];
+            const double most = ranges[{channel.measure, channel.sensor}];
             const auto seen =
                 records_[r].single()
                     ? std::vector{number_taken(channel, records_[r].time[0], instrument, truths[r][c], most)}

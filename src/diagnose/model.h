@@ -73,8 +73,11 @@ public:
     [[nodiscard]] double simulated() const { return simulated_; }
     [[nodiscard]] int runs() const { return runs_; }
 
-    /// Channels of the same measure and sensor were read by what read those of the other model: its range is one.
-    void share_sensors(const Model& other) { ranges_ = other.ranges_; }
+    /// Of each measure and sensor the largest magnitude in any record, SI: a range that is clipped is a share of it.
+    using Ranges = std::map<std::pair<std::string, std::string>, double>;
+    Result<Ranges> ranges_at(const VectorXd& values);
+    /// What reads these records has read others, too: its range is theirs, whatever is fitted here.
+    void share_sensors(Ranges ranges) { ranges_ = std::move(ranges); }
 
     /// What every row should read. Only rows up to `horizon` (a share of each record's length) are worth reading; the
     /// runs end there. Problems: those of the scene or of the run, such as a value that no simulation can have.
@@ -94,12 +97,11 @@ public:
 
 private:
     Model() = default;
-    using Sensed = std::pair<std::string, std::string>; // measure, sensor
 
     Result<Done> find_starts();
-    /// The largest magnitudes of what is not known of them, in all records, as the scene is written: shares of a range
-    /// are shares of these, whatever is fitted.
-    Result<Done> find_ranges();
+    /// Of every record, a signal for each channel.
+    Result<std::vector<std::vector<Signal>>> all_signals(const VectorXd& values, double horizon);
+    [[nodiscard]] Ranges ranges_of(const std::vector<std::vector<Signal>>& truths) const;
     /// What the command line and a record set; then a parameter's value over it.
     [[nodiscard]] std::vector<scene::Override> written_sets(int record) const;
     [[nodiscard]] std::vector<scene::Override> sets_at(const VectorXd& values, int record) const;
@@ -119,8 +121,7 @@ private:
     std::vector<Parameter> parameters_;
     std::vector<Row> rows_;
     VectorXd readings_;
-    std::map<Sensed, double> ranges_;       // SI
-    bool ranges_known_ = false;             // of all that its records hold
+    Ranges ranges_;                         // that others know
     std::map<std::string, Ran> remembered_; // by what was asked for
     std::map<std::string, Ran> of_scene_;   // by the scene that it came to: causes that change nothing cost nothing
     double simulated_ = 0;

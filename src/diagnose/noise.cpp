@@ -147,6 +147,11 @@ bool all_stated(const Model& model, const std::string& measure) {
     return true;
 }
 
+/// The share of a scatter that second differences show of it where neighbours correlate so.
+double seen_by_bends(double correlation) {
+    return std::sqrt((3 - 4 * correlation + correlation * correlation) / 3);
+}
+
 /// Records of one condition, done alike and read alike at the same times.
 struct RepeatGroup {
     std::vector<Eigen::Index> first{}; // row, of each record
@@ -278,10 +283,13 @@ Noise refined_noise(const Noise& before, const Model& model, const VectorXd& mis
     const Projector projector(directions);
     const VectorXd rest = projector.out(scaled);
     report.of.clear();
+    report.above = 0;
     for (const auto& [measure, chain] : chains_of(model, noise.left_out, projector.basis())) {
         NoiseOfMeasure& found = report.of[measure] = noise_behind(chain, sums_of(chain, rest));
-        if (all_stated(model, measure) && bears_out(chain, found))
+        const bool stated = all_stated(model, measure);
+        if (stated && bears_out(chain, found))
             found.ratio = 1;
+        report.above = std::max(report.above, found.ratio * (stated ? 1 : seen_by_bends(found.correlation)));
     }
     noise.of = report.of;
     for (auto& [measure, one] : noise.of)

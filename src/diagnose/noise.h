@@ -32,6 +32,7 @@ struct NoiseReport {
     double stated = 0; // SI, mean over the channels of the first measure that state it; 0: none does
     double used = 0;   // SI, of the same; of all where none does
     std::map<std::string, NoiseOfMeasure> of{};
+    double above = 1;   // the largest scatter of a measure over what was known of it before, stated or seen
     int left_out = 0;   // readings
     double repeats = 0; // scatter between records of one condition over the noise used before; 0: nothing repeats
     double along = 0;   // the same of what differs between them as the effect of some cause would

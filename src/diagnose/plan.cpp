@@ -214,7 +214,7 @@ Proposal proposal_of(std::string id, std::string sentence, double separation, do
     return proposal;
 }
 
-std::vector<Proposal> proposals_for(const SceneText& scene, const Model& model, const std::vector<Nuisance>& nuisances,
+std::vector<Proposal> proposals_for(const SceneText& scene, Model& model, const std::vector<Nuisance>& nuisances,
                                     const Noise& noise, const Simulate& simulate, const VectorXd& values,
                                     const std::vector<Rival>& rivals, Problems& warnings) {
     std::vector<int> list;
@@ -222,11 +222,16 @@ std::vector<Proposal> proposals_for(const SceneText& scene, const Model& model, 
     std::vector<Cause> causes;
     for (const int k : list)
         causes.push_back(model.causes()[static_cast<std::size_t>(k)]);
+    VectorXd baseline = model.start();
+    baseline.head(model.nuisances()) = values.head(model.nuisances());
+    const auto ranges = model.ranges_at(baseline);
+    if (!ranges)
+        return {};
     const auto apart_with = [&](const std::vector<Record>& records) -> Result<double> {
         auto planned = Model::make(scene, records, nuisances, causes, simulate);
         if (!planned)
             return planned.problems();
-        planned->share_sensors(model);
+        planned->share_sensors(*ranges);
         VectorXd at = planned->start();
         for (std::size_t k = 0; k < planned->parameters().size(); ++k)
             for (std::size_t i = 0; i < static_cast<std::size_t>(model.nuisances()); ++i)
@@ -255,8 +260,9 @@ std::vector<Proposal> proposals_for(const SceneText& scene, const Model& model, 
         }
         if (*apart < adds_something * *before)
             continue;
-        proposals.push_back(proposal_of(experiment.id, experiment.sentence, *apart, experiment.beside ? *before : 0));
-        proposals.back().before = *before;
+        Proposal proposal = proposal_of(experiment.id, experiment.sentence, *apart, experiment.beside ? *before : 0);
+        proposal.before = *before; // also of one that is made in place of what was measured
+        proposals.push_back(std::move(proposal));
     }
     std::sort(proposals.begin(), proposals.end(),
               [](const Proposal& a, const Proposal& b) { return a.separation > b.separation; });

@@ -33,7 +33,7 @@ Proposal proposal_of(std::string id, std::string sentence, double separation, do
 
 /// Every experiment of the catalogue, the most telling first. `values`: where the nuisances are. Those that are done
 /// already are left out; those that cannot be simulated, too, with a warning that says why.
-std::vector<Proposal> proposals_for(const SceneText& scene, const Model& model, const std::vector<Nuisance>& nuisances,
+std::vector<Proposal> proposals_for(const SceneText& scene, Model& model, const std::vector<Nuisance>& nuisances,
                                     const Noise& noise, const Simulate& simulate, const VectorXd& values,
                                     const std::vector<Rival>& rivals, Problems& warnings);
 

@@ -1,5 +1,7 @@
 #include "diagnose/verdict.h"
 
+#include "diagnose/warning_key.h"
+
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -49,12 +51,21 @@ std::string lopsided(const Diagnosis& diagnosis, std::size_t index) {
     return fmt::format(" (95 %: {:.3g} to {:.3g}{})", low, high, unit_words(cause));
 }
 
+/// " (height_mm at 0.312 m)": where a clipping cuts.
+std::string cut_words(const Diagnosis& diagnosis) {
+    std::vector<std::string> words;
+    for (const Cut& cut : diagnosis.cuts)
+        words.push_back(fmt::format("{} at {:.4g} {}", cut.head, cut.limit, cut.unit));
+    return words.empty() ? "" : fmt::format(" ({})", fmt::join(words, ", "));
+}
+
 std::string found(const Diagnosis& diagnosis, std::size_t index) {
     const Refit& best = *diagnosis.decision.best;
     const Cause& cause = cause_of(diagnosis, best.causes[index]);
     const auto i = static_cast<Eigen::Index>(index);
-    return fmt::format("{} ({}): {} = {}{}", cause.name, cause.id, cause.symbol,
-                       amplitude_words(cause, best.amplitude[i], best.error[i]), lopsided(diagnosis, index));
+    return fmt::format("{} ({}): {} = {}{}{}", cause.name, cause.id, cause.symbol,
+                       amplitude_words(cause, best.amplitude[i], best.error[i]), lopsided(diagnosis, index),
+                       cause.clips() ? cut_words(diagnosis) : "");
 }
 
 std::string gain_words(const Diagnosis& diagnosis) {
@@ -84,6 +95,9 @@ std::string named(const Diagnosis& diagnosis) {
         text += fmt::format(" These data cannot tell it from {}: they are one answer.",
                             fmt::join(ids_of(diagnosis, others), ", "));
     }
+    for (const int k : decision.beyond)
+        text += fmt::format(" {} would look alike, and {}.", cause_of(diagnosis, k).id,
+                            decision.seen[static_cast<std::size_t>(k)].refit->refused);
     text += doubt_words(decision) + gain_words(diagnosis);
     if (decision.second_cause >= 0)
         text += fmt::format(" Beside it a second effect of up to {:.1f} standard errors ({}) is not excluded.",
@@ -186,10 +200,13 @@ std::string next_step(const Diagnosis& diagnosis) {
             return diagnosis.decision.remedy;
         if (diagnosis.extended)
             return "Write the extended scene (--write-extended), and confirm it with an experiment not used here.";
-        if (cause_of(diagnosis, diagnosis.decision.causes[0]).family == "sensor range")
+        if (cause_of(diagnosis, diagnosis.decision.causes[0]).clips())
             return "It is the instrument, not the scene. What it cut off cannot be brought back: leave those rows out, "
                    "or "
                    "record again with a larger range.";
+        if (const Problem* low = warned_of(diagnosis.warnings, warning_key::lowest_point);
+            low && cause_of(diagnosis, diagnosis.decision.causes[0]).id.starts_with("ins.bias"))
+            return "First see to the readings: " + low->what;
         return fmt::format(
             "It is the instrument, not the scene: calibrate it ({}) or correct the readings, and confirm it "
             "with an experiment not used here.",
@@ -227,6 +244,23 @@ std::string next_step(const Diagnosis& diagnosis) {
     if (!diagnosis.decision.remedy.empty())
         return diagnosis.decision.remedy;
     return "Measure under more conditions, or state what is known about the nuisances (spread).";
+}
+
+std::string extended_claim(const Diagnosis& diagnosis) {
+    const auto count = diagnosis.decision.best->causes.size();
+    std::vector<std::string> causes;
+    for (std::size_t k = 0; k < count; ++k)
+        causes.push_back(found(diagnosis, k));
+    std::string text =
+        fmt::format("{} with what {} named (`tumble diagnose`): {}.", diagnosis.scene.filename().string(),
+                    diagnosis.data.filename().string(), fmt::join(causes, "; "));
+    std::vector<std::string> adjusted;
+    for (const FittedNuisance& nuisance : diagnosis.nuisances)
+        if (nuisance.extended && nuisance.in_scene)
+            adjusted.push_back(fmt::format("{} = {:.6g}", nuisance.name, *nuisance.extended));
+    if (!adjusted.empty())
+        text += fmt::format(" Adjusted with it: {}.", fmt::join(adjusted, ", "));
+    return text;
 }
 
 std::string amplitude_words(const Cause& cause, double amplitude, double error) {
@@ -271,9 +305,11 @@ std::string standing_of(const Diagnosis& diagnosis, int cause) {
     if (decision.outcome == Outcome::none_known)
         return "no limit: the scene does not fit";
     const Cause& suspect = cause_of(diagnosis, cause);
-    const double low = std::max(seen.lower, suspect.lo), high = std::min(seen.upper, suspect.hi);
-    return suspect.lo == 0 ? fmt::format("below {:.2g}{} (95 %)", high, unit_words(suspect))
-                           : fmt::format("between {:.2g} and {:.2g}{} (each 95 %)", low, high, unit_words(suspect));
+    // Limits that leave 0 out are chance where nothing shows: a name would need the gate.
+    const double low = std::clamp(seen.lower, suspect.lo, 0.0), high = std::clamp(seen.upper, 0.0, suspect.hi);
+    return suspect.lo == 0
+               ? fmt::format("below {:.2g}{} (95 %)", high, unit_words(suspect))
+               : fmt::format("between {:.2g} and {:.2g}{} (each at least 95 %)", low, high, unit_words(suspect));
 }
 
 } // namespace tumble::diagnose

@@ -16,6 +16,10 @@ std::string verdict_of(const Diagnosis& diagnosis);
 /// What to do next, one sentence.
 std::string next_step(const Diagnosis& diagnosis);
 
+/// What the extended scene claims in place of what the scene did: which scene it is, with what in it and from which
+/// data.
+std::string extended_claim(const Diagnosis& diagnosis);
+
 /// "0.0123 +- 0.0004 s": an amplitude with its standard error and unit.
 std::string amplitude_words(const Cause& cause, double amplitude, double error);
 

@@ -35,7 +35,7 @@ Json amplitudes_of(const Diagnosis& diagnosis) {
             const Cause& cause = diagnosis.causes[static_cast<std::size_t>(best->causes[k])];
             const auto i = static_cast<Eigen::Index>(k);
             const double half = reach * best->error[i];
-            Limits limits{best->amplitude[i] - half, best->amplitude[i] + half, true}; // a bed's
+            Limits limits{best->amplitude[i] - half, best->amplitude[i] + half, true}; // a bed's, or not named
             if (!diagnosis.limits.empty())
                 limits = diagnosis.limits[k];
             else if (diagnosis.decision.outcome == Outcome::none_known) // what does not fit has none
@@ -236,6 +236,7 @@ Json to_json(const Diagnosis& diagnosis, const std::string& version) {
         proposals.push_back({{"id", proposal.id},
                              {"sentence", proposal.sentence},
                              {"separation", proposal.separation},
+                             {"separation_before", proposal.before},
                              {"repeats", proposal.repeats},
                              {"reached", proposal.reached}});
     json["experiments"] = std::move(proposals);
@@ -252,11 +253,10 @@ Json to_json(const Diagnosis& diagnosis, const std::string& version) {
     Json measures;
     for (const auto& [measure, one] : diagnosis.noise.of)
         measures[measure] = {{"ratio", one.ratio}, {"correlation", one.correlation}};
-    json["noise"] = {{"stated", diagnosis.noise.stated},
-                     {"used", diagnosis.noise.used},
-                     {"measures", std::move(measures)},
-                     {"outliers", diagnosis.noise.left_out},
-                     {"repeats", diagnosis.noise.repeats}};
+    json["noise"] = {{"stated", diagnosis.noise.stated},   {"used", diagnosis.noise.used},
+                     {"measures", std::move(measures)},    {"outliers", diagnosis.noise.left_out},
+                     {"repeats", diagnosis.noise.repeats}, {"repeats_along_causes", diagnosis.noise.along},
+                     {"widened", diagnosis.noise.widened}};
     json["readings"] = diagnosis.readings;
     json["chi_square_baseline"] = diagnosis.chi_square;
     Json warnings = Json::array();

@@ -66,8 +66,10 @@ std::string gain_section(const Diagnosis& diagnosis) {
         "</th><th>baseline</th><th>extended</th></tr>{}</table><p class=\"small\">Root mean square residual in "
         "standard errors; 1 is noise alone.{}</p>",
         text,
-        gain.shown ? "The gain is shown"
-                   : "The gain is not shown: some conditions do not improve, or all together by less than 3 nats",
+        gain.shown          ? "The gain is shown"
+        : gain.bootstrapped ? "The gain is not shown: the interval does not lie above 0"
+                            : "The gain is not shown: some condition that the cause acts on does not improve, or all "
+                              "together by less than 3 nats",
         gain.held_out ? "held out" : "condition left out", diagnosis.beds.empty() ? "readings" : "numbers", rows,
         diagnosis.beds.empty()
             ? " What only a record can tell, its clock say, is left as open as it was beforehand, for both alike."
@@ -79,14 +81,15 @@ std::string plan_section(const Diagnosis& diagnosis) {
         return "";
     std::string rows;
     for (const Proposal& proposal : diagnosis.proposals)
-        rows += fmt::format("<tr><td>{}</td><td class=\"n\">{:.1f}</td><td class=\"n\">{}</td></tr>",
-                            escaped(proposal.sentence), proposal.separation,
+        rows += fmt::format("<tr><td>{}</td><td class=\"n\">{:.1f}</td><td class=\"n\">{:.1f}</td><td "
+                            "class=\"n\">{}</td></tr>",
+                            escaped(proposal.sentence), proposal.before, proposal.separation,
                             proposal.repeats == 0 ? "over 1000" : std::to_string(proposal.repeats));
     return fmt::format(
         "<h2>What to measure next</h2><p>How far each experiment, added to what was measured, would set "
         "the nearest two of {} apart, and how often it would have to be made to reach 5 standard errors. "
-        "Most telling first.</p><table><tr><th>experiment</th><th>standard errors apart</th><th>times to "
-        "reach 5</th></tr>{}</table>",
+        "Most telling first.</p><table><tr><th>experiment</th><th>standard errors apart now</th><th>with "
+        "it</th><th>times to reach 5</th></tr>{}</table>",
         ids_to_part(diagnosis), rows);
 }
 

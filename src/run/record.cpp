@@ -49,6 +49,10 @@ void add_row(observe::Series& series, const Watched& watched, observe::Frame fra
     series.append(row_of(watched, frame, books));
 }
 
+Problem stopped() {
+    return {.what = "the simulation was stopped"};
+}
+
 Result<observe::Series> record_steadily(const scene::Scene& scene, const Watched& watched, int threads,
                                         StopFlag stop = nullptr) {
     Result<SimulationPtr> simulation = simulate(scene, threads, stop);
@@ -67,7 +71,7 @@ Result<observe::Series> record_steadily(const scene::Scene& scene, const Watched
         if (const auto problem = (*simulation)->advance(step - (*simulation)->steps()))
             return *problem;
         if (stop_wanted(stop))
-            return Problem{.what = "the simulation was stopped"};
+            return stopped();
         const observe::Frame frame = (*simulation)->frame();
         std::vector<double> row = row_of(watched, frame, (*simulation)->books());
         for (observe::TracerReader& tracer : *tracers)
@@ -81,18 +85,18 @@ Result<observe::Series> record_steadily(const scene::Scene& scene, const Watched
 }
 
 /// A sphere alone on walls that move: fine steps throughout, and rows that draw its impacts.
-Result<observe::Series> record_shaken(scene::Scene scene, const Watched& watched) {
+Result<observe::Series> record_shaken(scene::Scene scene, const Watched& watched, StopFlag stop) {
     scene.observe.every = std::min(scene.observe.every, steps_of_row * scene.time_step);
     scene.time_step *= share_of_step;
-    return record_steadily(scene, watched, 1);
+    return record_steadily(scene, watched, 1, stop);
 }
 
 /// A sphere alone, piece by piece: a new world for every flight and every impact, which begins where the last one was
 /// left.
 class Flight {
 public:
-    Flight(const scene::Scene& scene, const Watched& watched)
-        : as_written_(scene), scene_(scene), watched_(watched), series_(empty_series(watched)) {
+    Flight(const scene::Scene& scene, const Watched& watched, StopFlag stop)
+        : as_written_(scene), scene_(scene), watched_(watched), stop_(stop), series_(empty_series(watched)) {
         const scene::Fill& fill = scene.fills[0];
         now_ = {0, *fill.position, fill.velocity, fill.angular_velocity, scene.gravity};
         scene_.allow_large_step = true;
@@ -103,7 +107,7 @@ public:
             if (const auto problem = fly())
                 return *problem;
             if (now_.time == 0) // it touches from the beginning: no flight
-                return record_steadily(as_written_, watched_, 1);
+                return record_steadily(as_written_, watched_, 1, stop_);
             if (now_.time < scene_.duration)
                 if (const auto problem = touch())
                     return *problem;
@@ -125,7 +129,7 @@ private:
         fill.position = state.position;
         fill.velocity = state.velocity;
         fill.angular_velocity = state.spin;
-        return simulate(scene_, 1);
+        return simulate(scene_, 1, stop_);
     }
 
     [[nodiscard]] static State state_of(const observe::Frame& frame, double began, const State& before) {
@@ -148,6 +152,8 @@ private:
             add_row(series_, watched_, (*world)->frame(), (*world)->books(), began);
         State clear = now_;
         while (now_.time < scene_.duration) {
+            if (stop_wanted(stop_))
+                return stopped();
             const auto problem = (*world)->advance(parts);
             if (problem && (*world)->books().contacts == 0) {
                 if (parts >= most_parts)
@@ -203,6 +209,8 @@ private:
         const auto stride = std::max<std::int64_t>(1, std::llround(row / step));
         int free = 0; // strides since the impact
         while (now_.time < scene_.duration) {
+            if (stop_wanted(stop_))
+                return stopped();
             if (const auto problem = (*world)->advance(stride))
                 return problem;
             const observe::Frame frame = (*world)->frame();
@@ -277,6 +285,7 @@ private:
     scene::Scene scene_; // as it is at the moment
     const double usual_step_ = as_written_.time_step;
     const Watched& watched_;
+    StopFlag stop_;
     observe::Series series_;
     State now_;
 };
@@ -302,9 +311,9 @@ Result<observe::Series> record(const scene::Scene& scene, int threads, StopFlag 
     if (!traced_bodies(scene.observe.measures).empty())
         return record_steadily(scene, watched, threads, stop);
     if (flies_alone(scene))
-        return Flight(scene, watched).record();
+        return Flight(scene, watched, stop).record();
     if (is_one_sphere(scene))
-        return record_shaken(scene, watched);
+        return record_shaken(scene, watched, stop);
     return record_steadily(scene, watched, threads, stop);
 }
 

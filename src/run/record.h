@@ -9,7 +9,7 @@ namespace tumble::run {
 
 /// Runs a scene in memory and gives what its [observe] names, about every observe.every seconds, and nothing else: no
 /// folder, no frames. Problems: the scene cannot be built, a measure that does not exist, a state that stopped being
-/// sane, a stop that is wanted (a sphere alone flies on: it takes no second).
+/// sane, a stop that is wanted.
 ///
 /// A sphere alone among walls that stand still (flies_alone) is taken through its flights in strides of observe.every
 /// and through its impacts in a whole number of steps, of about a quarter of the scene's: where in a step an impact

@@ -46,7 +46,7 @@ TEST_CASE("a simulation that is right agrees with its data, and its nuisances ar
 }
 
 TEST_CASE("heights whose errors last and a clock whose errors do not are each weighted by their own noise") {
-    // Gate and tests of adequacy alarm in 1.5 % of cases: two or more of twelve in 1.4 %.
+    // Gate and tests of adequacy alarm in 1 % of cases: two or more of twelve in 0.6 %.
     int alarms = 0;
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
         const Diagnosis diagnosis = Drops{.memory = 0.35, .clock = true, .seed = seed}.diagnosis();

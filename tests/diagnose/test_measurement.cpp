@@ -157,6 +157,9 @@ TEST_CASE("each bad input has its answer: place, what is wrong, what to do") {
                                       "\"height\"\nmeasure = \"centre_of_mass_y\"\nsigma = 1.5\n";
     CHECK(laboratory.refusal(again, good) == "low.csv: height_mm holds the same numbers as height_mm of low.csv\n    "
                                              "store each record once, under its own name");
+    CHECK(laboratory.refusal(replaced(again, "\"twin\"", "\"low\""), good)
+              .starts_with("m.toml:13:8: there are two [[series]] 'low'\n    give each its own name; of repeats the "
+                           "same condition"));
     const auto warning = [&](const std::string& toml, const std::vector<double>& values) {
         const auto read = laboratory.load(toml, rows(values));
         REQUIRE(read);

@@ -58,7 +58,6 @@ diagnose::Curve curve_of(const std::string& record, const std::string& head, dou
                           .condition = record,
                           .head = head,
                           .unit = "m",
-                          .held_out = false,
                           .sigma = 0.001,
                           .time = {},
                           .measured = {},

@@ -18,8 +18,6 @@ constexpr double missed_if_astray = 0.9; // the same, of slopes about a baseline
 constexpr double pair_gate_extra = 2;    // chi-square a pair must reach beyond the gate
 constexpr double pair_adequacy = 0.05;   // a pair explains more by chance, so it must fit better
 constexpr std::size_t most_pairs_fitted = 6;
-constexpr double followed_by_chance = 0.0027; // P(|z| > 3), shared by all directions that are tried
-constexpr std::size_t most_followed = 6;
 
 class Deciding {
 public:
@@ -39,13 +37,11 @@ public:
         }
         for (int k = 0; k < count_; ++k)
             d_.largest = std::max(d_.largest, one(k).gain);
-        if (d_.largest < d_.gate) {
-            d_.outcome = d_.baseline.p() > settings_.alpha_adequacy ? Outcome::consistent : Outcome::none_known;
-            return d_;
-        }
-        fit_rivals(false);
-        if (d_.baseline.p() > settings_.alpha_adequacy && !stays_over_the_gate()) {
-            d_.outcome = Outcome::consistent; // by slopes alone it went over
+        const bool adequate = d_.baseline.p() > settings_.alpha_adequacy;
+        if (d_.largest >= d_.gate || !adequate)
+            fit_rivals(d_.largest < d_.gate); // all, where something is there that no slope points to: it may bend
+        if (!stays_over_the_gate() && adequate) {
+            d_.outcome = Outcome::consistent; // or by slopes alone it went over
             return d_;
         }
         int winner = best_possible();
@@ -53,9 +49,10 @@ public:
             fit_rivals(true);
             winner = best_possible();
         }
-        if (!suffices(winner))
-            return try_pairs(winner);
-        name(winner);
+        if (suffices(winner))
+            name(winner);
+        else if (!name_unended())
+            try_pairs(winner);
         return d_;
     }
 
@@ -218,6 +215,33 @@ private:
         }
     }
 
+    /// Where no fit that ended suffices, the one that came farthest may: what it lacks would only better it. Its
+    /// amplitude is not known well, so the name is not sure.
+    bool name_unended() {
+        int open = -1;
+        for (int k = 0; k < count_; ++k)
+            if (one(k).refit && !one(k).refit->possible && !one(k).refit->at_end &&
+                (open < 0 || reached(k) > reached(open)))
+                open = k;
+        if (open < 0 || reached(open) == 0)
+            return false;
+        one(open).gain = reached(open);
+        if (!suffices(open)) {
+            one(open).gain = 0;
+            return false;
+        }
+        name(open);
+        if (d_.outcome == Outcome::named && d_.sure)
+            doubt("its fit did not end", "Let the scene begin nearer to what is known of its nuisances.");
+        return true;
+    }
+
+    void doubt(std::string reason, std::string remedy) {
+        d_.sure = false;
+        d_.reason = std::move(reason);
+        d_.remedy = std::move(remedy);
+    }
+
     /// By their slopes, or by what each leaves once it is fitted: slopes about a baseline that went astray say little.
     bool same_answer(int i, int k) {
         const Refit &one_fit = *one(i).refit, &other = *one(k).refit;
@@ -227,13 +251,8 @@ private:
     }
 
     void veto() {
-        const auto speak = [&](std::string reason, std::string remedy) {
-            d_.sure = false;
-            d_.reason = std::move(reason);
-            d_.remedy = std::move(remedy);
-        };
         if (d_.folds.empty())
-            return speak("there is only one condition, so nothing was tried on one that it was not fitted to",
+            return doubt("there is only one condition, so nothing was tried on one that it was not fitted to",
                          "Measure under a second condition, best a very different one.");
         if (d_.outcome == Outcome::named)
             for (int k = 0; k < count_; ++k)
@@ -241,34 +260,35 @@ private:
                     !(d_.isolability(d_.best->causes[0], k) < settings_.same_class) &&
                     nats_between(e_, d_.best->gain, reached(k)) < settings_.margin) {
                     if (one(k).refit->at_end)
-                        speak(fmt::format("{} would explain it as well, at the end of its range ({:.3g}) or beyond",
+                        doubt(fmt::format("{} would explain it as well, at the end of its range ({:.3g}) or beyond",
                                           cause(k).id, one(k).refit->amplitude[0]),
                               "Find out whether that can be. If not, leave it out of the causes that are considered.");
                     else
-                        speak(fmt::format("{} explains it as well as far as its fit came, which did not end",
+                        doubt(fmt::format("{} explains it as well as far as its fit came, which did not end",
                                           cause(k).id),
                               "Let the scene begin nearer to what is known of its nuisances, or leave that cause out "
                               "if it cannot be.");
                 }
         if (d_.outcome == Outcome::two_causes && pairs_left_)
-            speak("there are more pairs that may explain it than were fitted",
+            doubt("there are more pairs that may explain it than were fitted",
                   "Name the families that can be at work (causes), or measure under more conditions.");
         double better = 0;
         for (const Fold& fold : d_.folds) {
             better += fold.score.nats();
             if (std::abs(fold.moved) > settings_.fold_veto)
-                speak(fmt::format("the amplitude of {} moves by {:.1f} standard errors when {} is left out",
+                doubt(fmt::format("the amplitude of {} moves by {:.1f} standard errors when {} is left out",
                                   cause(fold.mover).id, std::abs(fold.moved), fold.score.condition),
                       "Repeat the condition that disagrees before you believe the name.");
         }
         if (better <= 0)
-            speak("it does not improve the prediction of conditions that are left out",
+            doubt("it does not improve the prediction of conditions that are left out",
                   "Measure under more conditions before you believe the name.");
     }
 
     /// Two causes at once, all pairs; each must carry its weight, and the pair must leave nothing but noise.
-    Decision try_pairs(int proxy) {
-        if (proxy >= 0)
+    void try_pairs(int proxy) {
+        d_.best.reset();
+        if (proxy >= 0 && one(proxy).gain >= d_.gate)
             d_.best = one(proxy).refit;
         std::vector<Refit> fitted;
         for (const auto& [i, j] : likely_pairs()) {
@@ -280,16 +300,16 @@ private:
             fit_rivals(true); // slopes had it far behind, and as one of a pair it was fitted: they say nothing here
             if (const int best = best_possible(); suffices(best)) {
                 name(best);
-                return d_;
+                return;
             }
         }
         std::sort(fitted.begin(), fitted.end(), [](const Refit& a, const Refit& b) { return a.gain > b.gain; });
         d_.outcome = Outcome::none_known;
         if (fitted.empty() || fitted[0].gain < d_.gate + pair_gate_extra)
-            return d_;
+            return;
         const Adequacy rest = adequacy_of(fitted[0].residual, fitted[0].slopes, e_.directions, e_.degrees);
         if (rest.p() <= pair_adequacy)
-            return d_;
+            return;
         d_.winner = rest;
         for (const Refit& pair : fitted)
             if (nats_between(e_, fitted[0].gain, pair.gain) < settings_.margin)
@@ -301,7 +321,6 @@ private:
             d_.folds = folds_of(e_, *d_.best);
             veto();
         }
-        return d_;
     }
 
     /// What a pair would explain by the slope of one beside the other, which is the best that was fitted; 0 of others.
@@ -421,64 +440,6 @@ double gain_behind(const Evidence& evidence, double best, double nats) {
         return best - 2 * nats;
     const double n = evidence.degrees, whole = evidence.residual.squaredNorm();
     return n + whole - (n + whole - best) * std::exp(2 * nats / (n + 1));
-}
-
-namespace {
-
-/// How far a residual goes along each direction of no particular cause, in standard errors; without those that the fit
-/// has nearly used up.
-std::vector<Followed> along_prints(const Directions& directions, const Projector& fitted, const VectorXd& rest) {
-    std::vector<Followed> all;
-    for (Eigen::Index k = 0; k < directions.prints.cols(); ++k) {
-        const VectorXd own = fitted.out(VectorXd(directions.prints.col(k)));
-        if (own.norm() >= nearly_used_up)
-            all.push_back({k < static_cast<Eigen::Index>(directions.names.size())
-                               ? directions.names[static_cast<std::size_t>(k)]
-                               : "",
-                           own.dot(rest) / own.norm()});
-    }
-    return all;
-}
-
-} // namespace
-
-Adequacy adequacy_of(const VectorXd& residual, const MatrixXd& slopes, const Directions& directions, double degrees) {
-    const Projector fitted(slopes);
-    const VectorXd rest = fitted.out(residual);
-    const auto tail = [&](const MatrixXd& columns) {
-        // Columns that the fit has nearly used up would bring rounding errors back to full length.
-        MatrixXd left = fitted.out(columns);
-        for (Eigen::Index k = 0; k < left.cols(); ++k)
-            if (left.col(k).norm() < nearly_used_up)
-                left.col(k).setZero();
-        const Projector generic(left);
-        return hotelling_tail(generic.inside(rest), generic.rank(), degrees);
-    };
-    double strongest = 1;
-    const std::vector<Followed> prints = along_prints(directions, fitted, rest);
-    for (const Followed& one : prints)
-        strongest = std::min(strongest, static_cast<double>(prints.size()) * hotelling_tail(one.z * one.z, 1, degrees));
-    return {tail(directions.blocks), tail(directions.prints), strongest, strongest_swing(rest, directions.courses)};
-}
-
-Following followed_by(const Evidence& evidence, const Decision& decision) {
-    const Projector fitted(decision.best ? decision.best->slopes : evidence.nuisances);
-    const VectorXd rest = fitted.out(decision.best ? decision.best->residual : evidence.residual);
-    Following following;
-    following.all = along_prints(evidence.directions, fitted, rest);
-    const auto swing = strongest_swing(rest, evidence.directions.courses);
-    following.tried = static_cast<int>(following.all.size()) + (swing ? 1 : 0);
-    if (following.tried == 0)
-        return following;
-    following.gate = student_quantile(followed_by_chance / 2 / following.tried, evidence.degrees);
-    if (swing) // as many standard errors as its probability is those of a direction
-        following.all.push_back({fmt::format("a swing at {:.3g} Hz ({})", swing->frequency, swing->measure),
-                                 normal_quantile(std::max(1e-300, swing->p / 2 / following.tried))});
-    std::erase_if(following.all, [&](const Followed& one) { return std::abs(one.z) < following.gate; });
-    std::sort(following.all.begin(), following.all.end(),
-              [](const auto& a, const auto& b) { return std::abs(a.z) > std::abs(b.z); });
-    following.all.resize(std::min(following.all.size(), most_followed));
-    return following;
 }
 
 Decision decide(const Evidence& evidence, const Settings& settings, const Refitter& refit) {

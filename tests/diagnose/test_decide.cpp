@@ -193,6 +193,57 @@ TEST_CASE("where one of a pair suffices alone, no rival stays unfitted, however 
     CHECK(decision.causes == std::vector<int>{0, 1});
 }
 
+TEST_CASE("where something is there that no slope points to, a cause that bends is fitted and named") {
+    // The cause's slope is another direction than its effect of this size is.
+    Evidence evidence = laboratory({distinct[0], distinct[1]});
+    const auto decided = [&](const VectorXd& effect) {
+        Rng rng(22);
+        evidence.residual = effect;
+        for (double& value : evidence.residual)
+            value += normal(rng);
+        evidence.residual = Projector(evidence.nuisances).out(evidence.residual);
+        return decide(evidence, {}, [&](const std::vector<int>& causes) {
+            Refit refit = refit_linear(evidence, causes);
+            if (causes == std::vector<int>{1}) {
+                Evidence bent = evidence;
+                bent.effects.col(1) = distinct[3];
+                refit = refit_linear(bent, causes);
+            }
+            return refit;
+        });
+    };
+    const Decision decision = decided(8 * distinct[3]);
+    CHECK(decision.outcome == Outcome::named);
+    CHECK(decision.causes == std::vector<int>{1});
+    CHECK(decided(VectorXd::Zero(rows)).outcome == Outcome::consistent);
+    const Decision other = decided(8 * distinct[2]);
+    CHECK(other.outcome == Outcome::none_known);
+    CHECK(!other.best); // nothing comes near
+}
+
+TEST_CASE("where only a fit that did not end leaves nothing but noise, its cause is named, unsure") {
+    Evidence evidence = laboratory(distinct);
+    Rng rng(23);
+    evidence.residual = 12 * distinct[1];
+    for (double& value : evidence.residual)
+        value += normal(rng);
+    evidence.residual = Projector(evidence.nuisances).out(evidence.residual);
+    const auto decided = [&](bool at_end) {
+        return decide(evidence, {}, [&](const std::vector<int>& causes) {
+            Refit refit = refit_linear(evidence, causes);
+            refit.possible = refit.possible && causes != std::vector<int>{1} && causes.size() == 1;
+            refit.at_end = at_end;
+            return refit;
+        });
+    };
+    const Decision open = decided(false);
+    CHECK(open.outcome == Outcome::named);
+    CHECK(open.causes == std::vector<int>{1});
+    CHECK(!open.sure);
+    CHECK(open.reason == "its fit did not end");
+    CHECK(decided(true).outcome == Outcome::none_known);
+}
+
 TEST_CASE("a twin belongs to the answer though its fit did not end, and is told where it would lie beyond its range") {
     Evidence evidence = laboratory({distinct[0], distinct[1], distinct[1]});
     const auto with_twin = [&](bool at_end) {

@@ -141,7 +141,10 @@ Separation separation_of(const Setup& setup, const Truth& truth, const Truth& wi
             result.nearest = rivals[k].second->id;
         }
     }
-    for (const auto& [kind, word] : {std::pair{Innocent::clock, "late clocks"}, {Innocent::throws, "other throws"}}) {
+    constexpr std::pair<Innocent::Kind, const char*> kinds[] = {{Innocent::clock, "late clocks"},
+                                                                {Innocent::throws, "other throws"},
+                                                                {Innocent::law, "other friction or restitution"}};
+    for (const auto& [kind, word] : kinds) {
         Explanation farther(setup, without, nullptr, data);
         if (!farther.disbelieve(kind))
             continue;

@@ -67,8 +67,8 @@ public:
         if (problems.empty() && baseline_.converged) {
             tell("fits the causes that show");
             problems = decide_it();
-            for (double before = INFINITY;
-                 problems.empty() && d_.noise.above > well_above && d_.noise.above < hardly_less * before;) {
+            for (double before = INFINITY; problems.empty() && !slipped() && d_.noise.above > well_above &&
+                                           d_.noise.above < hardly_less * before;) {
                 before = d_.noise.above;
                 tell("takes the scatter from what the best cause leaves");
                 problems = decide_by_what_is_left();
@@ -156,6 +156,11 @@ private:
                                  "leave fewer of them free.";
         }
         return {};
+    }
+
+    /// A slip of units or of time is the likeliest reason for a large misfit: no long search for causes then.
+    [[nodiscard]] bool slipped() const {
+        return warned_of(d_.warnings, warning_key::unit) || warned_of(d_.warnings, warning_key::shifted);
     }
 
     /// Of what the baseline misses.
@@ -286,7 +291,7 @@ private:
         doubt_numbers(*model_, baseline_.values, d_.warnings);
         d_.evidence = {baseline_.residual, baseline_.slopes, effects_, directions_, d_.causes, {}, 0};
         d_.evidence.degrees = degrees_of_numbers(model_->records());
-        d_.evidence.coarse = taken_for_scatter();
+        d_.evidence.coarse = taken_for_scatter() && !slipped();
         for (const int k : baseline_.free)
             d_.evidence.nuisance.push_back(model_->parameters()[static_cast<std::size_t>(k)].nuisance);
         for (const Parameter& parameter : model_->parameters())

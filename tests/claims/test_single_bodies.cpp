@@ -72,8 +72,6 @@ TEST_CASE("slope: the tripod slides down with g (sin a - mu cos a)") {
     const Ran ran(loaded("slope.toml", {"observe.measures=[\"centre_of_mass_x\"]"}));
     const auto way = [&](double t) { return ran.at("centre_of_mass_x", t); };
     CHECK((way(0.99) - 2 * way(0.69) + way(0.39)) / (0.3 * 0.3) == about(0.866, 0.01));
-    // From rest without loss: a start that takes 1 mm/s would be 0.23 % short of it.
-    CHECK(way(0.99) == about(0.5 * (3.3552 - 0.27 * 9.2184) * 0.99 * 0.99, 3e-4));
 }
 
 TEST_CASE("plate: the ball leaves where the plate slows down by g, and flies from there") {

@@ -9,7 +9,6 @@ namespace tumble::diagnose {
 namespace {
 
 constexpr double adds_something = 1.02; // times what was there before
-constexpr double enough = 5;            // standard errors
 constexpr double most_repeats = 1000;   // that anybody would make
 constexpr double clock_reading = 1e-3;  // s, scatter of a clock read from a picture
 
@@ -208,7 +207,7 @@ Proposal proposal_of(std::string id, std::string sentence, double separation, do
     Proposal proposal{.id = std::move(id), .sentence = std::move(sentence), .separation = separation};
     proposal.before = before;
     const double known = before * before, added = separation * separation - known;
-    const double needed = std::ceil((enough * enough - known) / std::max(added, 1e-9));
+    const double needed = std::ceil((told_apart * told_apart - known) / std::max(added, 1e-9));
     proposal.repeats = needed > most_repeats ? 0 : std::max(1, static_cast<int>(needed));
     proposal.reached = std::sqrt(known + proposal.repeats * std::max(added, 0.0));
     return proposal;

@@ -6,6 +6,8 @@ namespace tumble::diagnose {
 
 /// What another apparatus must give, in times of what there is without it.
 constexpr double worth_it = 1.05;
+/// Standard errors between two explanations that tell them apart.
+constexpr double told_apart = 5;
 
 /// An experiment that could be done beside those that were, and what it would tell.
 struct Proposal {

@@ -84,7 +84,9 @@ std::string plan_section(const Diagnosis& diagnosis) {
         rows += fmt::format("<tr><td>{}</td><td class=\"n\">{:.1f}</td><td class=\"n\">{:.1f}</td><td "
                             "class=\"n\">{}</td></tr>",
                             escaped(proposal.sentence), proposal.before, proposal.separation,
-                            proposal.repeats == 0 ? "over 1000" : std::to_string(proposal.repeats));
+                            proposal.before >= told_apart ? "reached"
+                            : proposal.repeats == 0       ? "over 1000"
+                                                          : std::to_string(proposal.repeats));
     return fmt::format(
         "<h2>What to measure next</h2><p>How far each experiment, added to what was measured, would set "
         "the nearest two of {} apart, and how often it would have to be made to reach 5 standard errors. "

@@ -106,7 +106,7 @@ private:
     Problems find_baseline() {
         noise_ = first_noise(*model_);
         const VectorXd start = model_->start();
-        bool shifted = false;
+        Problems shifted;
         for (std::size_t r = 0; r < model_->records().size(); ++r)
             if (const auto scene = model_->scene_at(start, static_cast<int>(r))) {
                 if (auto slip = time_slip(model_->records()[r], scene->duration))
@@ -119,11 +119,9 @@ private:
             return predicted.problems();
         for (std::size_t r = 0; r < model_->records().size(); ++r)
             if (const auto truth = model_->signals(start, static_cast<int>(r)))
-                if (auto slip = shifted_time(model_->records()[r], *truth, noise_.sigma[r])) {
-                    d_.warnings.push_back(std::move(*slip));
-                    shifted = true;
-                }
-        if (!shifted) // readings that agree a moment later are in their units
+                if (auto slip = shifted_time(model_->records()[r], *truth, noise_.sigma[r]))
+                    shifted.push_back(std::move(*slip));
+        if (shifted.empty()) // readings that agree a moment later are in their units
             if (Problems problems = unit_slips(model_->records(), *predicted, d_.warnings); !problems.empty())
                 return problems;
         if (const auto scene = model_->scene_at(start, -1); scene && scene->bodies[0].spheres.size() == 1)
@@ -134,6 +132,11 @@ private:
                 return slope.problems();
         if (Problems problems = fit_baseline(start, measurement_.settings.progressive); !problems.empty())
             return problems;
+        if (astray(baseline_.chi_square, baseline_.residual.size())) // else a nuisance explains it
+            append(d_.warnings, shifted);
+        for (const char* key : {warning_key::unit, warning_key::shifted})
+            if (const Problem* slip = warned_of(d_.warnings, key)) // what comes may take minutes
+                tell("goes on, though " + slip->what);
         if (Problems problems = find_effects(true); !problems.empty())
             return problems;
         return sharpen_noise(baseline_.values);

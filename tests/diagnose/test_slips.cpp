@@ -44,6 +44,20 @@ TEST_CASE("a record whose time does not begin with the scene is told by the shif
     CHECK(!warned_of(Drops{.restitution = 0.6}.diagnosis().warnings, warning_key::shifted));
 }
 
+TEST_CASE("a shift in time that a nuisance explains is no slip; one that stays is told before the search begins") {
+    Measurement late = with_times(0.13, 0, 3); // a tenth of the records and more
+    late.nuisances[1].spread = 0.1;
+    const Diagnosis innocent = Drops::diagnosed(late);
+    CHECK_MESSAGE(innocent.decision.outcome == Outcome::consistent, verdict_of(innocent));
+    CHECK(!warned_of(innocent.warnings, warning_key::shifted));
+    std::vector<std::string> stages;
+    const auto told = diagnose::diagnose({floor_and_ball, "ball.toml"}, with_times(0.5, 0, 3), closed_form, false,
+                                         [&](const std::string& stage) { stages.push_back(stage); });
+    REQUIRE(told);
+    REQUIRE(stages.size() > 1);
+    CHECK_MESSAGE(stages[1].starts_with("goes on, though '0.5' agrees"), stages[1]);
+}
+
 TEST_CASE("time since 1970 is refused as time that does not count from the scene's beginning") {
     const auto refused = diagnose::diagnose({floor_and_ball, "ball.toml"}, with_times(1.7e9, 0, 3), closed_form);
     REQUIRE(!refused);

@@ -206,7 +206,9 @@ Result<std::vector<double>> Table::numbers(std::string_view head) const {
             continue;
         }
         const Problem inner = number.problems().front();
-        problems.push_back(problem_at(row, *column, inner.what, inner.fix));
+        const bool empty = cell(row, *column).empty();
+        problems.push_back(problem_at(row, *column, empty ? "an empty cell is no number" : inner.what,
+                                      empty ? "give the number, or leave the row out" : inner.fix));
     }
     if (!problems.empty())
         return problems;
@@ -226,6 +228,12 @@ Result<std::vector<double>> Table::quantity(std::string_view name, std::span<con
         return values;
     }
     const bool named_whole = std::find(heads_.begin(), heads_.end(), name) != heads_.end();
+    std::vector<std::string> stems; // of heads in these units
+    for (const std::string& head : heads_)
+        for (const Unit& unit : units)
+            if (const std::string end = fmt::format("_{}", unit.name); head.ends_with(end))
+                stems.push_back(head.substr(0, head.size() - end.size()));
+    const std::string meant = did_you_mean(name, stems);
     const bool has_unit = std::any_of(units.begin(), units.end(),
                                       [&](const Unit& unit) { return name.ends_with(fmt::format("_{}", unit.name)); });
     return Problem{file_,
@@ -235,6 +243,7 @@ Result<std::vector<double>> Table::quantity(std::string_view name, std::span<con
                    fmt::format("no column for {}", name),
                    named_whole && has_unit
                        ? fmt::format("leave the unit out of the name: \"{}\"", name.substr(0, name.rfind('_')))
+                   : !meant.empty() && !named_whole ? meant
                    : named_whole ? fmt::format("say its unit in the head line: {}", fmt::join(accepted, " or "))
                                  : fmt::format("call it {}; there {} {}", fmt::join(accepted, " or "),
                                                heads_.size() == 1 ? "is" : "are",

@@ -28,6 +28,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <system_error>
 #include <unistd.h>
 
@@ -116,7 +117,13 @@ std::string no_plan_words(const diagnose::Decision& decision) {
                                                     : "no experiment of the catalogue adds to what was measured";
 }
 
-void tell(const diagnose::Diagnosis& diagnosis, bool plan, bool quiet) {
+void tell_warnings(std::span<const Problem> warnings) {
+    for (const Problem& warning : warnings)
+        note(fmt::format("warning: {}: {}: {}\n    {}", warning.file, warning.key, warning.what, warning.fix));
+}
+
+/// `told`: how many of its warnings were, before it began.
+void tell(const diagnose::Diagnosis& diagnosis, bool plan, bool quiet, std::size_t told) {
     say(diagnose::outcome_words(diagnosis));
     say(diagnose::verdict_of(diagnosis));
     say("Next: " + diagnose::next_step(diagnosis));
@@ -131,8 +138,7 @@ void tell(const diagnose::Diagnosis& diagnosis, bool plan, bool quiet) {
         say("plan  " + no_plan_words(diagnosis.decision));
     if (quiet)
         return;
-    for (const Problem& warning : diagnosis.warnings)
-        note(fmt::format("warning: {}: {}: {}\n    {}", warning.file, warning.key, warning.what, warning.fix));
+    tell_warnings(std::span(diagnosis.warnings).subspan(told));
     note(fmt::format("{} runs, {:.3g} s simulated", diagnosis.runs, diagnosis.simulated));
 }
 
@@ -224,6 +230,21 @@ Problems leave_files(const DiagnoseArguments& arguments, const diagnose::Diagnos
     return problems;
 }
 
+/// Whether a file can be written there, its folder made if need be; no file can always.
+Result<Done> can_hold(const fs::path& file) {
+    if (file.empty())
+        return Done{};
+    std::error_code ignored;
+    fs::path folder = fs::absolute(file).parent_path(); // the nearest that is there
+    while (!fs::exists(folder, ignored) && folder.has_relative_path())
+        folder = folder.parent_path();
+    if (::access(folder.c_str(), W_OK) == 0)
+        return Done{};
+    return Problem{.file = file.string(),
+                   .what = "cannot be written: " + std::generic_category().message(errno),
+                   .fix = "write to a folder that is there and yours"};
+}
+
 int diagnose_it(const DiagnoseArguments& arguments) {
     if (arguments.pictures && arguments.report.empty())
         return refuse({{.what = "--pictures go beside the report, and none is asked for",
@@ -253,18 +274,15 @@ int diagnose_it(const DiagnoseArguments& arguments) {
         say("records are simulated as their fits ask for it: nobody knows beforehand how often");
     if (arguments.dry)
         return fine;
+    if (!arguments.quiet && !arguments.json)
+        tell_warnings(measurement->warnings);
     std::error_code ignored;
     const bool had_report = arguments.report.empty() || fs::exists(arguments.report, ignored);
     if (!arguments.report.empty()) // a place that cannot be had is better known before the work than after it
         if (const auto made = make_folder(arguments.report); !made)
             return refuse(made.problems(), arguments.json, wrong);
-    const fs::path& written = arguments.extended;
-    const fs::path folder = written.parent_path().empty() ? "." : written.parent_path();
-    if (!written.empty() && fs::exists(folder, ignored) && ::access(folder.c_str(), W_OK) != 0)
-        return refuse({{.file = written.string(),
-                        .what = "cannot be written: " + std::generic_category().message(errno),
-                        .fix = "write to a folder that is there and yours"}},
-                      arguments.json, wrong);
+    if (const auto place = can_hold(arguments.extended); !place)
+        return refuse(place.problems(), arguments.json, wrong);
     const auto leave_no_folder = [&] {
         if (!had_report)
             fs::remove(arguments.report, ignored); // it is empty
@@ -285,7 +303,7 @@ int diagnose_it(const DiagnoseArguments& arguments) {
     if (arguments.json)
         say_json(report::to_json(*diagnosis, run::version()));
     else
-        tell(*diagnosis, arguments.plan, arguments.quiet);
+        tell(*diagnosis, arguments.plan, arguments.quiet, measurement->warnings.size());
     if (!arguments.json && !arguments.report.empty())
         say(fmt::format("report: {}", (arguments.report / "diagnosis.html").string()));
     if (!arguments.json && !arguments.extended.empty() && problems.empty())

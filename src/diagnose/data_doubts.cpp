@@ -2,13 +2,16 @@
 
 #include "base/column.h"
 #include "diagnose/noise.h"
+#include "diagnose/signal.h"
 #include "diagnose/warning_key.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <set>
 
 namespace tumble::diagnose {
@@ -19,15 +22,16 @@ constexpr std::size_t few_levels = 50;
 constexpr std::size_t flat_run = 3; // equal readings in a row, of a sensor whose steps are fine
 constexpr double one_in_ten_thousand = 1e-4;
 constexpr double clear = 10;           // standard errors: a single number nearer to 0 than that tells no unit
-constexpr double far_too_long = 100;   // times what the scene lasts
-constexpr double about_a_radius = 0.1; // of it
-constexpr double as_noise = 1.5;       // times their scatter that two columns may differ
-constexpr double clear_of_noise = 15;  // scatters that readings must span: noise alone spans some seven
-
-constexpr double far_off = 10;        // standard errors, of the root mean square
-constexpr int shifts_tried = 200;     // to either side, up to the record's length
-constexpr double share_missed = 0.04; // of the mean square, that a shift in time leaves
-constexpr double least_shift = 0.1;   // of the record's length: less is a clock's, which causes and nuisances explain
+constexpr double far_too_long = 100;   // times what the scene lasts, or a part of it
+constexpr std::size_t fewest_lost = 3; // equal readings that stand apart from all others
+constexpr double leap = 2;             // times the longest step that the other readings take
+constexpr double beyond_scatter = 10;  // times the scatter of a reading
+constexpr std::size_t fewest_stuck = 5;
+constexpr double no_repeats = 30;     // scatters, root mean square, between series of one set
+constexpr double share_apart = 0.1;   // of what the readings span
+constexpr std::size_t most_told = 3;  // stretches of lost readings
+constexpr double as_noise = 1.5;      // times their scatter that two columns may differ
+constexpr double clear_of_noise = 15; // scatters that readings must span: noise alone spans some seven
 
 enum class Kind { any, angle, way, acceleration };
 
@@ -45,6 +49,8 @@ constexpr Slip usual_slips[] = {
     {1e-2, "SI read as hundredths", Kind::any, false}, // what sticks early goes as short a way
     {10, "millimetres read as centimetres", Kind::way, false},
     {0.1, "centimetres read as millimetres", Kind::way, false},
+    {25.4, "millimetres read as inches", Kind::way, false},
+    {1 / 25.4, "inches read as millimetres", Kind::way, false},
     {9.80665, "m/s2 read as multiples of g", Kind::acceleration, false},
     {1 / 9.80665, "multiples of g read as m/s2", Kind::acceleration, false},
     {57.29578, "degrees read as radians", Kind::angle},
@@ -113,6 +119,36 @@ std::size_t suspicious_run(double step, double sigma) {
     return std::max(flat_run, 1 + static_cast<std::size_t>(std::ceil(std::log(one_in_ten_thousand) / std::log(equal))));
 }
 
+std::string times_of(const Record& record, const Stretch& stretch) {
+    return stretch.length == 1 ? fmt::format("{:g} s", record.time[stretch.first])
+                               : fmt::format("{:g} to {:g} s", record.time[stretch.first],
+                                             record.time[stretch.first + stretch.length - 1]);
+}
+
+/// Runs of readings that are `value`.
+std::vector<Stretch> runs_of(const std::vector<double>& readings, double value) {
+    std::vector<Stretch> runs;
+    for (std::size_t k = 0; k < readings.size(); ++k)
+        if (readings[k] == value && k > 0 && readings[k - 1] == value)
+            ++runs.back().length;
+        else if (readings[k] == value)
+            runs.push_back({k, 1});
+    return runs;
+}
+
+/// The longest run of equal readings inside a sensor's range that ends with a leap beyond scatter.
+Stretch longest_held(const Channel& channel, double lowest, double highest) {
+    Stretch longest, run{0, 1};
+    for (std::size_t k = 1; k < channel.value.size(); ++k) {
+        const double before = channel.value[k - 1], step = channel.value[k] - before;
+        if (std::abs(step) > beyond_scatter * channel.sigma && run.length > longest.length && before != lowest &&
+            before != highest)
+            longest = run;
+        run = step != 0 ? Stretch{k, 1} : Stretch{run.first, run.length + 1};
+    }
+    return longest;
+}
+
 void doubt_channel(const Record& record, const Channel& channel, Problems& warnings) {
     const auto warn = [&](std::string key, const std::string& what, std::string fix) {
         warnings.push_back({.file = record.file.string(),
@@ -143,6 +179,11 @@ void doubt_channel(const Record& record, const Channel& channel, Problems& warni
             warn(warning_key::clipped, fmt::format("{} equal readings in a row at the end of the range", longest),
                  "the sensor was at its limit: choose a larger range");
     }
+    if (const Stretch held = longest_held(channel, *levels.begin(), *levels.rbegin());
+        !coarse && channel.sigma > 0 && held.length >= std::max(suspicious, fewest_stuck))
+        warn(warning_key::stuck,
+             fmt::format("{} equal readings in a row ({}), and then a leap", held.length, times_of(record, held)),
+             "find out whether the sensor held on to one; if so, leave those rows out");
     if (channel.sigma == 0)
         warn("sigma missing", "its scatter is not stated", "give sigma; it is estimated from the residual instead");
 }
@@ -170,28 +211,6 @@ void doubt_pair(const Record& record, const Channel& one, const Channel& other, 
                                    "with one of them is told then"});
 }
 
-/// Mean square, in standard errors, of what readings over time miss if their time is so late, s; infinite where less
-/// than half of them lie in what was simulated. Before that every body stands where the scene has it.
-double missed_if_late(const Record& record, const std::vector<Signal>& truth, const std::vector<double>& sigma,
-                      double late) {
-    double sum = 0;
-    std::size_t count = 0, readings = 0;
-    for (std::size_t c = 0; c < record.channels.size(); ++c) {
-        if (record.channels[c].shows_time() || sigma[c] <= 0)
-            continue;
-        readings += record.time.size();
-        for (std::size_t k = 0; k < record.time.size(); ++k) {
-            const double t = record.time[k] - late;
-            if (late != 0 && (t < 0 || t > truth[c].time.back()))
-                continue;
-            const double z = (record.channels[c].value[k] - truth[c].at(t)) / sigma[c];
-            sum += z * z;
-            ++count;
-        }
-    }
-    return 2 * count < readings || count == 0 ? INFINITY : sum / static_cast<double>(count);
-}
-
 /// From the lowest to the highest reading; of a single number its magnitude.
 template <class Readings> double span_of(const Readings& readings) {
     const auto [lowest, highest] = std::minmax_element(readings.begin(), readings.end());
@@ -211,7 +230,7 @@ void doubt_record(const Record& record, Problems& warnings) {
             doubt_pair(record, record.channels[i], record.channels[k], warnings);
 }
 
-std::optional<Problem> time_slip(const Record& record, double scene_lasts) {
+std::optional<Problem> time_slip(const Record& record, double scene_lasts, Problems& warnings) {
     if (record.time.front() > far_too_long * scene_lasts)
         return Problem{.file = record.file.string(),
                        .key = "time",
@@ -219,6 +238,13 @@ std::optional<Problem> time_slip(const Record& record, double scene_lasts) {
                                            record.time.front(), scene_lasts),
                        .fix = "let its time count from the moment at which the scene begins"};
     const double lasts = record.single() ? record.time.back() : record.time.back() - record.time.front();
+    if (far_too_long * lasts < scene_lasts && !record.single())
+        warnings.push_back({.file = record.file.string(),
+                            .key = warning_key::too_short,
+                            .what = fmt::format("'{}' lasts {:g} s, a {:.0f}th of the scene, {:g} s: seconds under a "
+                                                "head that says milliseconds?",
+                                                record.name, lasts, scene_lasts / lasts, scene_lasts),
+                            .fix = "correct the unit of time; if it is right, nothing"});
     if (lasts < far_too_long * scene_lasts)
         return std::nullopt;
     return Problem{.file = record.file.string(),
@@ -230,36 +256,78 @@ std::optional<Problem> time_slip(const Record& record, double scene_lasts) {
                    .fix = "correct the unit of time, or let the scene last longer (duration_s)"};
 }
 
-std::optional<Problem> shifted_time(const Record& record, const std::vector<Signal>& truth,
-                                    const std::vector<double>& sigma) {
-    if (record.single())
-        return std::nullopt;
-    const double lasts = record.time.back() - record.time.front();
-    const double as_it_stands = missed_if_late(record, truth, sigma, 0);
-    if (as_it_stands < far_off * far_off)
-        return std::nullopt;
-    double least = as_it_stands, late = 0;
-    const auto look_about = [&](double from, double reach) {
-        for (int k = -shifts_tried; k <= shifts_tried; ++k) {
-            const double shift = from + reach * k / shifts_tried;
-            if (const double missed = missed_if_late(record, truth, sigma, shift); missed < least) {
-                least = missed;
-                late = shift;
+void doubt_repeats(const std::vector<Record>& records, Problems& warnings) {
+    for (std::size_t r = 1; r < records.size(); ++r) {
+        const Record& record = records[r];
+        const auto first =
+            std::find_if(records.begin(), records.end(), [&](const Record& one) { return one.sets == record.sets; });
+        if (record.single() || first->single() || &*first == &record ||
+            first->channels.size() != record.channels.size())
+            continue;
+        for (std::size_t c = 0; c < record.channels.size(); ++c) {
+            const Channel &one = first->channels[c], &other = record.channels[c];
+            if (one.measure != other.measure || one.shows_time())
+                continue;
+            const Signal signal{first->time, one.value};
+            double squares = 0, count = 0;
+            for (std::size_t k = 0; k < record.time.size(); ++k)
+                if (record.time[k] >= first->time.front() && record.time[k] <= first->time.back()) {
+                    const double apart = other.value[k] - signal.at(record.time[k]);
+                    squares += apart * apart;
+                    ++count;
+                }
+            const double apart = std::sqrt(squares / std::max(1.0, count));
+            const double scatter = std::max(scatter_of(other), other.sigma);
+            if (apart < no_repeats * scatter || apart < share_apart * span_of(other.value))
+                continue;
+            warnings.push_back(
+                {.file = record.file.string(),
+                 .key = warning_key::forgotten_set,
+                 .what = fmt::format("'{}' has the same set as '{}', and its {} differs from it by {:.0f} "
+                                     "times its scatter: was a set forgotten?",
+                                     record.name, first->name, other.head, apart / scatter),
+                 .fix = "set what differs between the two, or adjust it as a nuisance"});
+            break;
+        }
+    }
+}
+
+Problems lost_readings(const std::vector<Record>& records) {
+    Problems problems;
+    for (const Record& record : records)
+        for (const Channel& channel : record.channels) {
+            const std::vector<double>& readings = channel.value;
+            std::map<double, int> counts;
+            for (const double value : readings)
+                ++counts[value];
+            for (const auto& [value, count] : counts) {
+                if (static_cast<std::size_t>(count) < fewest_lost || counts.size() < 2 || channel.shows_time())
+                    continue;
+                double longest = beyond_scatter * std::max(channel.sigma, scatter_of(channel));
+                for (std::size_t k = 1; k < readings.size(); ++k)
+                    if (readings[k] != value && readings[k - 1] != value)
+                        longest = std::max(longest, leap * std::abs(readings[k] - readings[k - 1]));
+                const std::vector<Stretch> runs = runs_of(readings, value);
+                const auto apart = [&](std::size_t k) { return std::abs(readings[k] - value) > longest; };
+                const auto stands_apart = [&](const Stretch& run) {
+                    const std::size_t behind = run.first + run.length;
+                    return run.first > 0 && behind < readings.size() && apart(run.first - 1) && apart(behind);
+                };
+                if (!std::all_of(runs.begin(), runs.end(), stands_apart))
+                    continue;
+                std::vector<std::string> where;
+                for (std::size_t k = 0; k < std::min(most_told, runs.size()); ++k)
+                    where.push_back(times_of(record, runs[k]));
+                problems.push_back(
+                    {.file = record.file.string(),
+                     .key = "series.column",
+                     .what = fmt::format("{} is {:g} {} in {} readings far from all others (at {}{}): lost readings?",
+                                         channel.head, value, channel.unit, count, fmt::join(where, ", "),
+                                         runs.size() > most_told ? ", ..." : ""),
+                     .fix = "leave those rows out: what was not read is no reading"});
             }
         }
-    };
-    look_about(0, lasts);
-    look_about(record.time.front(), lasts);
-    look_about(late, 2 * lasts / shifts_tried);
-    if (least > share_missed * as_it_stands || std::abs(late) < least_shift * lasts)
-        return std::nullopt;
-    return Problem{.file = record.file.string(),
-                   .key = warning_key::shifted,
-                   .what = fmt::format("'{}' agrees with the simulation {:.0f} times as well if its time begins {:.3g} "
-                                       "s {}",
-                                       record.name, std::sqrt(as_it_stands / least), std::abs(late),
-                                       late > 0 ? "earlier" : "later"),
-                   .fix = "let its time count from the moment at which the scene begins"};
+    return problems;
 }
 
 Problems equal_columns(const std::vector<Record>& records) {
@@ -276,11 +344,12 @@ Problems equal_columns(const std::vector<Record>& records) {
                                     .fix = "store the readings themselves"});
             for (const auto& [other, theirs] : seen)
                 if (theirs->value == channel.value && !channel.shows_time())
-                    problems.push_back({.file = record.file.string(),
-                                        .key = "series.column",
-                                        .what = fmt::format("{} holds the same numbers as {} of {}", channel.head,
-                                                            theirs->head, other->file.string()),
-                                        .fix = "store each record once, under its own name"});
+                    problems.push_back(
+                        {.file = record.file.string(),
+                         .key = "series.column",
+                         .what = fmt::format("{} of '{}' holds the same numbers as {} of '{}' ({})", channel.head,
+                                             record.name, theirs->head, other->name, other->file.string()),
+                         .fix = "store each record once, under its own name"});
             seen.emplace_back(&record, &channel);
         }
     }
@@ -312,31 +381,6 @@ Problems unit_slips(const std::vector<Record>& records, const Eigen::VectorXd& p
                              .fix = "correct the unit in the head of the column"});
         }
     return problems;
-}
-
-std::optional<Problem> lowest_point(const std::vector<Record>& records, const Eigen::VectorXd& predicted,
-                                    double radius) {
-    std::vector<double> below; // m
-    const Record* first = nullptr;
-    Eigen::Index row = 0;
-    for (const Record& record : records)
-        for (const Channel& channel : record.channels)
-            for (const double value : channel.value) {
-                const double foretold = predicted[row++];
-                if (channel.measure != "centre_of_mass_y")
-                    continue;
-                first = first ? first : &record;
-                below.push_back(foretold - value);
-            }
-    if (below.empty() || std::abs(median(below) / radius - 1) > about_a_radius)
-        return std::nullopt;
-    return Problem{
-        .file = first->file.string(),
-        .key = warning_key::lowest_point,
-        .what = fmt::format("heights are {:.3g} mm too low in the middle of all, and the ball's radius is {:.3g} "
-                            "mm: are they those of its lowest point?",
-                            1e3 * median(below), 1e3 * radius),
-        .fix = "centre_of_mass_y is the centre's: add the radius"};
 }
 
 } // namespace tumble::diagnose

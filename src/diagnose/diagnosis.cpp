@@ -8,6 +8,7 @@
 #include "diagnose/kinematics.h"
 #include "diagnose/noise_doubts.h"
 #include "diagnose/profile.h"
+#include "diagnose/record_slips.h"
 #include "diagnose/refit.h"
 #include "diagnose/taken.h"
 
@@ -31,7 +32,6 @@ constexpr double most_between_repeats = 1.2; // of their scatter over that of th
 constexpr double by_chance = 0.01;           // less likely differences of repeats are not put down to chance
 constexpr double far_away = 4;               // spreads of what was known beforehand
 constexpr double may_lack = 0.01;            // of chi-square: nats that a baseline far off may lack
-constexpr double much_wider = 3;             // times the scatter known before: what is missed was taken for it
 constexpr double well_above = 1.2;           // times the scatter known before: what the best cause leaves is asked
 constexpr double hardly_less = 0.9;          // of the scatter before
 constexpr double may_lack_then = 2;          // nats, a third of what the gate asks
@@ -106,10 +106,9 @@ private:
     Problems find_baseline() {
         noise_ = first_noise(*model_);
         const VectorXd start = model_->start();
-        Problems shifted;
         for (std::size_t r = 0; r < model_->records().size(); ++r)
             if (const auto scene = model_->scene_at(start, static_cast<int>(r))) {
-                if (auto slip = time_slip(model_->records()[r], scene->duration))
+                if (auto slip = time_slip(model_->records()[r], scene->duration, d_.warnings))
                     return {std::move(*slip)};
                 for (Problem& doubt : kinematic_doubts(model_->records()[r], noise_.sigma[r], *scene))
                     d_.warnings.push_back(std::move(doubt));
@@ -117,11 +116,8 @@ private:
         const auto predicted = model_->predict(start);
         if (!predicted)
             return predicted.problems();
-        for (std::size_t r = 0; r < model_->records().size(); ++r)
-            if (const auto truth = model_->signals(start, static_cast<int>(r)))
-                if (auto slip = shifted_time(model_->records()[r], *truth, noise_.sigma[r]))
-                    shifted.push_back(std::move(*slip));
-        if (shifted.empty()) // readings that agree a moment later are in their units
+        const Problems misread = misread_records(start, *predicted);
+        if (misread.empty()) // readings that agree otherwise are in their units
             if (Problems problems = unit_slips(model_->records(), *predicted, d_.warnings); !problems.empty())
                 return problems;
         if (const auto scene = model_->scene_at(start, -1); scene && scene->bodies[0].spheres.size() == 1)
@@ -133,13 +129,24 @@ private:
         if (Problems problems = fit_baseline(start, measurement_.settings.progressive); !problems.empty())
             return problems;
         if (astray(baseline_.chi_square, baseline_.residual.size())) // else a nuisance explains it
-            append(d_.warnings, shifted);
-        for (const char* key : {warning_key::unit, warning_key::shifted})
-            if (const Problem* slip = warned_of(d_.warnings, key)) // what comes may take minutes
-                tell("goes on, though " + slip->what);
+            append(d_.warnings, misread);
+        if (const Problem* slip = first_warned_of(d_.warnings, slips)) // what comes may take minutes
+            tell("goes on, though " + slip->what);
         if (Problems problems = find_effects(true); !problems.empty())
             return problems;
         return sharpen_noise(baseline_.values);
+    }
+
+    /// Records and numbers that would agree if they were read otherwise.
+    [[nodiscard]] Problems misread_records(const VectorXd& start, const VectorXd& predicted) {
+        std::vector<Simulated> simulated;
+        for (std::size_t r = 0; r < model_->records().size(); ++r)
+            if (auto truth = model_->signals(start, static_cast<int>(r)))
+                simulated.push_back({std::move(*truth), noise_.sigma[r]});
+        Problems misread = exchanged_numbers(model_->records(), predicted, noise_.sigma);
+        if (simulated.size() == model_->records().size())
+            append(misread, record_slips(model_->records(), simulated));
+        return misread;
     }
 
     Problems fit_baseline(const VectorXd& start, bool progressive) {
@@ -148,8 +155,8 @@ private:
             return fitted.problems();
         baseline_ = std::move(*fitted);
         const bool lost = astray(baseline_.chi_square, baseline_.residual.size());
-        if ((lost && baseline_.decrement < may_lack * baseline_.chi_square) ||
-            (taken_for_scatter() && baseline_.decrement < may_lack_then))
+        if (((lost || taken_for_scatter()) && baseline_.decrement < may_lack * baseline_.chi_square) ||
+            (d_.noise.above > well_above && baseline_.decrement < may_lack_then))
             baseline_.converged = true; // what it still lacks is nothing beside what it misses
         if (!baseline_.converged) {
             d_.decision.reason = fmt::format("the baseline could not be fitted: a further step would still gain {:.2g} "
@@ -161,10 +168,8 @@ private:
         return {};
     }
 
-    /// A slip of units or of time is the likeliest reason for a large misfit: no long search for causes then.
-    [[nodiscard]] bool slipped() const {
-        return warned_of(d_.warnings, warning_key::unit) || warned_of(d_.warnings, warning_key::shifted);
-    }
+    /// A slip of whoever wrote the files is the likeliest reason for a large misfit: no long search for causes then.
+    [[nodiscard]] bool slipped() const { return first_warned_of(d_.warnings, slips); }
 
     /// Of what the baseline misses.
     [[nodiscard]] bool taken_for_scatter() const { return d_.noise.above > much_wider; }
@@ -261,6 +266,8 @@ private:
                                                           directions_.blocks.cols() + directions_.prints.cols());
         explained << baseline_.slopes, effects_, directions_.blocks, directions_.prints;
         noise_ = refined_noise(noise_, *model_, *misfit, explained, d_.noise);
+        if (auto simulated = hardly_scatters(noise_, *model_))
+            return {std::move(*simulated)};
         const Repeats repeats = repeats_in(noise_, *model_, *misfit, slopes_of_own(), effects_);
         d_.noise.widened = 1;
         d_.noise.repeats = repeats.scatter;
@@ -303,7 +310,7 @@ private:
                 d_.evidence.beforehand.push_back(nuisance.key.empty() ? nuisance.instrument : nuisance.key);
             }
         d_.decision = decide(d_.evidence, measurement_.settings, [this](const std::vector<int>& causes) {
-            return refit_of(causes, *model_, noise_, baseline_, effects_);
+            return refit_of(causes, *model_, noise_, baseline_, effects_, !warned_of(d_.warnings, warning_key::unit));
         });
         if (d_.decision.outcome == Outcome::cannot_decide && taken_for_scatter()) {
             d_.decision.reason = fmt::format("the simulation misses the readings by {:.0f} times what they scatter, "
@@ -312,6 +319,7 @@ private:
             d_.decision.remedy = "Look at the residual first: does time begin where the scene begins, and is each "
                                  "record under its own condition?";
         }
+        doubt_agreement(d_.decision, d_.noise, baseline_.residual, *model_);
         d_.follows = followed_by(d_.evidence, d_.decision);
         if (d_.decision.outcome != Outcome::none_known) // what is left of a misfit swings at any frequency
             doubt_hum(d_.decision.best ? d_.decision.best->residual : baseline_.residual, directions_.courses,
@@ -333,13 +341,16 @@ private:
                 d_.nuisances.back().extended = best->values[k];
             const auto of = static_cast<std::size_t>(parameter.nuisance);
             d_.nuisances.back().in_scene = parameter.record < 0 && !measurement_.nuisances[of].key.empty();
-            const double away = std::abs(baseline_.values[k] - parameter.start);
+            const double away = std::abs(d_.nuisances.back().extended.value_or(baseline_.values[k]) - parameter.start);
             if (parameter.spread > 0 && away > far_away * parameter.spread)
                 d_.warnings.push_back(
                     {.file = measurement_.file.string(),
-                     .key = "nuisance far off",
-                     .what = fmt::format("{} had to go {:.1f} times its spread away from what was known beforehand",
-                                         parameter.name, away / parameter.spread),
+                     .key = warning_key::far_off,
+                     .what = fmt::format(
+                         "{} had to go from {:.4g} to {:.4g}, {:.1f} times its spread away from what was known "
+                         "beforehand",
+                         parameter.name, parameter.start, d_.nuisances.back().extended.value_or(baseline_.values[k]),
+                         away / parameter.spread),
                      .fix = "state a larger spread, or find out what moved it: it counts as innocent here"});
         }
         d_.chi_square = baseline_.chi_square;

@@ -1,10 +1,25 @@
 #include "diagnose/fit_doubts.h"
 
+#include "base/column.h"
 #include "diagnose/taken.h"
+#include "diagnose/warning_key.h"
 
 #include <fmt/format.h>
 
 namespace tumble::diagnose {
+
+namespace {
+
+constexpr double middle_of_normal = 0.6745; // of the magnitudes, standard deviations
+constexpr double of_few = 0.5;              // of the root mean square: what usual readings scatter where few miss most
+constexpr double lasts = 0.5;               // correlation of neighbours: what is missed is no scatter
+
+/// Ended by a full stop, or by its question mark.
+std::string sentence(const std::string& text) {
+    return text.ends_with('?') ? text : text + ".";
+}
+
+} // namespace
 
 void doubt_bounds(const Model& model, const VectorXd& values, const std::filesystem::path& file, Problems& warnings) {
     for (int k = 0; k < model.nuisances(); ++k) {
@@ -32,7 +47,7 @@ void doubt_numbers(Model& model, const VectorXd& values, Problems& warnings) {
             if (at_an_end(record.channels[c], record.time[0], (*truth)[c]))
                 warnings.push_back(
                     {.file = record.file.string(),
-                     .key = "end of the stretch",
+                     .key = warning_key::end_of_stretch,
                      .what = fmt::format("{}: {} of {} lies at an end of {:g} to {:g} s in the simulation", record.name,
                                          words_of_takes()[static_cast<std::size_t>(record.channels[c].take) - 1],
                                          record.channels[c].measure, record.channels[c].from, record.time[0]),
@@ -56,19 +71,57 @@ void doubt_sensors(Decision& decision, const Problems& warnings) {
         }
     if (names(decision)) // what a cause explains is no slip
         return;
-    if (const Problem* late = warned_of(warnings, warning_key::shifted))
-        decision.remedy = "First see to the time: " + late->what + ".";
-    else if (const Problem* dead = warned_of(warnings, warning_key::dead))
-        decision.remedy = "First see to the readings: " + dead->what + ".";
+    constexpr const char* of_time[] = {warning_key::shifted, warning_key::rate, warning_key::too_short};
+    constexpr const char* of_files[] = {warning_key::condition, warning_key::turned, warning_key::zero};
+    constexpr const char* of_sensors[] = {warning_key::dead, warning_key::stuck};
+    constexpr const char* of_numbers[] = {warning_key::unit, warning_key::lowest_point, warning_key::end_of_stretch};
+    if (const Problem* forgotten = warned_of(warnings, warning_key::forgotten_set))
+        decision.remedy = "First see to the conditions: " + sentence(forgotten->what);
+    else if (const Problem* late = first_warned_of(warnings, of_time))
+        decision.remedy = "First see to the time: " + sentence(late->what);
+    else if (const Problem* wrong = first_warned_of(warnings, of_files))
+        decision.remedy = "First see to the files: " + sentence(wrong->what);
+    else if (const Problem* dead = first_warned_of(warnings, of_sensors))
+        decision.remedy = "First see to the readings: " + sentence(dead->what);
     else if (const Problem* cut = warned_of(warnings, warning_key::clipped))
         decision.remedy = "First see to the readings: " + cut->what +
                           ". Leave out the rows that it cut, or record again with a larger range.";
-    else
-        for (const char* key : {warning_key::unit, warning_key::lowest_point})
-            if (const Problem* slip = warned_of(warnings, key)) {
-                decision.remedy = "First see to the readings: " + slip->what;
-                return;
-            }
+    else if (const Problem* slip = first_warned_of(warnings, of_numbers))
+        decision.remedy = "First see to the readings: " + sentence(slip->what);
+}
+
+void doubt_agreement(Decision& decision, const NoiseReport& noise, const VectorXd& residual, const Model& model) {
+    if (decision.outcome != Outcome::consistent || noise.above < much_wider)
+        return;
+    const auto readings = static_cast<Eigen::Index>(model.rows().size());
+    std::vector<double> sizes;
+    double squares = 0, strongest = 0;
+    Eigen::Index worst = 0;
+    for (Eigen::Index k = 0; k < readings; ++k) {
+        sizes.push_back(std::abs(residual[k]));
+        squares += residual[k] * residual[k];
+        if (sizes.back() > strongest) {
+            strongest = sizes.back();
+            worst = k;
+        }
+    }
+    const double usual = median(sizes) / middle_of_normal;
+    const bool smooth = std::any_of(noise.of.begin(), noise.of.end(), [](const auto& one) {
+        return one.second.ratio > much_wider && one.second.correlation > lasts;
+    });
+    const bool few = usual < of_few * std::sqrt(squares / static_cast<double>(readings));
+    if (!smooth && !few)
+        return;
+    const Row& row = model.rows()[static_cast<std::size_t>(worst)];
+    decision.outcome = Outcome::cannot_decide;
+    decision.reason = fmt::format(
+        "readings miss the simulation by {:.0f} times what was known of their scatter, and {}, so no effect would show "
+        "beside it",
+        noise.above, few ? "most of it comes of a few" : "neighbours miss it alike");
+    decision.remedy =
+        fmt::format("First see to the readings of {} in '{}' about {:.4g} s, where the most is missed: are "
+                    "they the body's?",
+                    model.channel_of(row).head, model.record_of(row).name, row.time);
 }
 
 void doubt_name(Decision& decision, const std::vector<Cause>& causes, const Problems& warnings) {
@@ -77,7 +130,11 @@ void doubt_name(Decision& decision, const std::vector<Cause>& causes, const Prob
         return;
     const bool clips = std::any_of(decision.causes.begin(), decision.causes.end(),
                                    [&](int k) { return causes[static_cast<std::size_t>(k)].clips(); });
-    if (const Problem* cut = warned_of(warnings, warning_key::clipped); cut && !clips) {
+    if (const Problem* held = warned_of(warnings, warning_key::stuck)) {
+        decision.sure = false;
+        decision.reason = "readings were held (" + held->what + "), and that may be the cause";
+        decision.remedy = "Leave those rows out.";
+    } else if (const Problem* cut = warned_of(warnings, warning_key::clipped); cut && !clips) {
         decision.sure = false;
         decision.reason = "readings are clipped (" + cut->what + "), and what was cut off may be the cause";
         decision.remedy = "Record it again with a sensor of a larger range.";

@@ -55,10 +55,13 @@ public:
         check_sensors(nuisances);
         for (const Record& record : read_.records)
             doubt_record(record, read_.warnings);
+        if (!adjusted_in_each())
+            doubt_repeats(read_.records, read_.warnings);
         for (const Bulk& bulk : read_.bulks)
             doubt_bulk(bulk, read_.file, read_.warnings);
-        for (const Problem& problem : equal_columns(read_.records))
-            report_.add(Problems{problem});
+        for (const Problems& wrong : {equal_columns(read_.records), lost_readings(read_.records)})
+            for (const Problem& problem : wrong)
+                report_.add(Problems{problem});
         if (!report_.clean())
             return report_.sorted(read_.file.string());
         read_.hash = hash_.hex();
@@ -169,8 +172,8 @@ private:
             return report_.add(
                 table.view.place("name"), "series.name", fmt::format("there are two [[series]] '{}'", record.name),
                 fmt::format("give each its own name; of repeats the same condition, condition = \"{}\"", record.name));
-        record.condition = table.view.given("condition") ? table.view.text("condition") : record.name;
         record.sets = table.view.words("set");
+        record.condition = table.view.given("condition") ? table.view.text("condition") : condition_of(record);
         record.held_out = table.view.flag("held_out");
         const auto cells = cells_of(table.view, "series.file");
         if (!cells)
@@ -194,6 +197,19 @@ private:
                 record.channels.push_back(std::move(*channel));
         if (!record.channels.empty())
             read_.records.push_back(std::move(record));
+    }
+
+    /// A number of the scene is a nuisance of every series: equal sets do not make equal conditions.
+    [[nodiscard]] bool adjusted_in_each() const {
+        return std::any_of(read_.nuisances.begin(), read_.nuisances.end(),
+                           [](const Nuisance& nuisance) { return nuisance.per_record && !nuisance.key.empty(); });
+    }
+
+    /// That of the first series with the same sets.
+    [[nodiscard]] std::string condition_of(const Record& record) const {
+        const auto like = std::find_if(read_.records.begin(), read_.records.end(),
+                                       [&](const Record& one) { return !one.single() && one.sets == record.sets; });
+        return adjusted_in_each() || like == read_.records.end() ? record.name : like->condition;
     }
 
     void check_time(const Table& cells, const std::string& clock, const std::vector<double>& time) {

@@ -60,7 +60,8 @@ scene::KeyTable series() {
             .sentence = "What was read while one experiment ran once.",
             .keys = {
                 text("name", "What to call it.").must(),
-                text("condition", "Series of one condition repeat each other; its own name without this key."),
+                text("condition", "Series of one condition repeat each other; without this key those of equal set do,"
+                                  " unless a nuisance of a key is per series."),
                 file("file", "CSV with a column time_s (or time_ms) and those named below.").must(),
                 words("set", {}, "Scene keys of this experiment, as --set takes them: \"fill.0.position_m.1=0.3\".")
                     .otherwise(std::vector<std::string>{}),

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <tuple>
 
 namespace tumble::diagnose {
@@ -18,6 +19,8 @@ constexpr double few = 200;           // of those: tests that take a scatter for
 constexpr double contradicted = 0.01; // chance, two-sided, below which so few speak against what was stated
 constexpr int halvings = 12;          // of what a memory may be, until it is known to 0.0002
 constexpr double outlier = 6;         // standard deviations
+constexpr double part_of_span = 1e-5; // of the readings: no instrument is that good
+constexpr double hardly_any = 0.05;   // of the scatter stated: such readings were simulated or smoothed
 constexpr std::size_t neighbours = 3; // readings to either side that a reading is held against
 constexpr double most_outliers = 0.02;
 constexpr double least_beside = 0.05; // of an effect, that nuisances leave
@@ -263,6 +266,23 @@ Noise first_noise(const Model& model) {
     return noise;
 }
 
+std::optional<Problem> hardly_scatters(const Noise& found, const Model& model) {
+    for (std::size_t r = 0; r < model.records().size(); ++r)
+        for (std::size_t c = 0; c < model.records()[r].channels.size(); ++c) {
+            const Record& record = model.records()[r];
+            const Channel& channel = record.channels[c];
+            const auto [low, high] = std::minmax_element(channel.value.begin(), channel.value.end());
+            if (!record.single() && channel.sigma == 0 && found.sigma[r][c] < part_of_span * (*high - *low))
+                return Problem{.file = record.file.string(),
+                               .key = "series.column.sigma",
+                               .what = fmt::format("{} has no sigma, and hardly scatters (by {:.1g} {}), as what was "
+                                                   "simulated does",
+                                                   channel.head, found.sigma[r][c], channel.unit),
+                               .fix = "state sigma, what a reading of it may be wrong by"};
+        }
+    return std::nullopt;
+}
+
 Noise refined_noise(const Noise& before, const Model& model, const VectorXd& misfit, const MatrixXd& explained,
                     NoiseReport& report) {
     Noise noise = before;
@@ -287,7 +307,9 @@ Noise refined_noise(const Noise& before, const Model& model, const VectorXd& mis
     for (const auto& [measure, chain] : chains_of(model, noise.left_out, projector.basis())) {
         NoiseOfMeasure& found = report.of[measure] = noise_behind(chain, sums_of(chain, rest));
         const bool stated = all_stated(model, measure);
-        if (stated && bears_out(chain, found))
+        if (stated && found.ratio < hardly_any)
+            found = {.kept = found.ratio};
+        else if (stated && bears_out(chain, found))
             found.ratio = 1;
         report.above = std::max(report.above, found.ratio * (stated ? 1 : seen_by_bends(found.correlation)));
     }

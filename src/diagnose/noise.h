@@ -8,6 +8,7 @@ namespace tumble::diagnose {
 struct NoiseOfMeasure {
     double ratio = 1;       // scatter of the residual over the noise before
     double correlation = 0; // from one reading to the next
+    double kept = 0;        // the ratio found, where the scatter stated was kept all the same; 0: it was not
 };
 
 /// Scatter of the readings: a standard deviation for each channel of each record, how much of one reading's error is
@@ -27,6 +28,10 @@ double scatter_of(const Channel& channel);
 
 /// What is known before any fit: the sigma stated, else from the second differences of the readings.
 Noise first_noise(const Model& model);
+
+/// A series over time whose scatter is not stated and, as found, hardly any: it was simulated, and the least difference
+/// between two ways of simulating would be an effect.
+std::optional<Problem> hardly_scatters(const Noise& found, const Model& model);
 
 struct NoiseReport {
     double stated = 0; // SI, mean over the channels of the first measure that state it; 0: none does

@@ -19,6 +19,13 @@ bool states_scatter_of(const Model& model, const std::string& measure) {
 void doubt_noise(const NoiseReport& noise, const Model& model, const std::filesystem::path& file, Problems& warnings) {
     for (const auto& [measure, one] : noise.of) {
         const std::string whose = noise.of.size() > 1 ? " of " + measure : "";
+        if (one.kept > 0)
+            warnings.push_back({.file = file.string(),
+                                .key = "hardly any noise",
+                                .what = fmt::format("readings{} scatter {:.2g} times as much as stated, as those of a "
+                                                    "simulation would",
+                                                    whose, one.kept),
+                                .fix = "nothing: the scatter stated is used"});
         if (states_scatter_of(model, measure) && (one.ratio > 1.25 || one.ratio < 0.8))
             warnings.push_back(
                 {.file = file.string(),

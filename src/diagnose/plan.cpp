@@ -9,6 +9,7 @@ namespace tumble::diagnose {
 namespace {
 
 constexpr double adds_something = 1.02; // times what was there before
+constexpr double least_worth = 0.1;     // standard errors apart
 constexpr double most_repeats = 1000;   // that anybody would make
 constexpr double clock_reading = 1e-3;  // s, scatter of a clock read from a picture
 
@@ -257,7 +258,7 @@ std::vector<Proposal> proposals_for(const SceneText& scene, Model& model, const 
             cannot(apart.problems());
             continue;
         }
-        if (*apart < adds_something * *before)
+        if (*apart < std::max(adds_something * *before, least_worth))
             continue;
         Proposal proposal = proposal_of(experiment.id, experiment.sentence, *apart, experiment.beside ? *before : 0);
         proposal.before = *before; // also of one that is made in place of what was measured

@@ -1,5 +1,6 @@
 #include "diagnose/read_table.h"
 
+#include "base/column.h"
 #include "base/distributions.h"
 #include "base/text.h"
 #include "diagnose/measure_units.h"
@@ -16,6 +17,8 @@ namespace {
 
 constexpr double against_sigma = 0.01; // tail probability, below which rows that repeat each other speak against sigma
 constexpr double most_beyond = 1.25;   // of sigma stated
+constexpr double slip_of_the_pen = 1e-4;
+constexpr std::size_t fewest_beside = 2; // rows that repeat one which is left out: of two nobody knows which it is
 
 /// Text with the row's cells in the places of {HEAD}s; the heads that were used are added to `used`.
 std::optional<std::string> filled_in(const std::string& text, const Table& cells, std::size_t row,
@@ -47,18 +50,61 @@ std::string condition_named(const std::string& table, const std::map<std::string
 
 /// Numbers of one column that repeat each other.
 struct Group {
-    double sum = 0, squares = 0;
-    int count = 0;
+    std::vector<double> value{};
+    std::vector<std::size_t> row{}; // of the table
 
-    void add(double value) {
-        sum += value;
-        squares += value * value;
-        ++count;
+    void add(double number, std::size_t of_row) {
+        value.push_back(number);
+        row.push_back(of_row);
     }
-    [[nodiscard]] double mean() const { return sum / count; }
+    [[nodiscard]] double count() const { return static_cast<double>(value.size()); }
+    [[nodiscard]] Spread spread() const { return spread_of(value); }
     /// Sum of squares about the mean.
-    [[nodiscard]] double apart() const { return std::max(0.0, squares - sum * sum / count); }
+    [[nodiscard]] double apart() const { return spread().deviation * spread().deviation * (count() - 1); }
+    [[nodiscard]] Group without(std::size_t index) const {
+        Group others = *this;
+        others.value.erase(others.value.begin() + static_cast<std::ptrdiff_t>(index));
+        others.row.erase(others.row.begin() + static_cast<std::ptrdiff_t>(index));
+        return others;
+    }
 };
+
+/// Leaves out rows that stand out of two or more others that repeat them, as a slip of the pen does: by more than
+/// Student's t of what all others scatter lets happen once in ten thousand columns; the worst first.
+void leave_lone_rows_out(std::vector<Group>& groups, const Channel& channel, const Table& cells, Problems& warnings) {
+    for (;;) {
+        double apart = 0, free = 0, all = 0;
+        for (const Group& group : groups) {
+            apart += group.apart();
+            free += group.count() - 1;
+            all += group.count();
+        }
+        double worst = 0; // times what chance allows
+        Group* whose = nullptr;
+        std::size_t which = 0;
+        for (Group& group : groups)
+            for (std::size_t k = 0; group.value.size() > fewest_beside && k < group.value.size() && free > 2; ++k) {
+                const Group others = group.without(k);
+                const double scatter = std::sqrt((apart - group.apart() + others.apart()) / (free - 1));
+                const double t = std::abs(group.value[k] - others.spread().mean) /
+                                 std::max(1e-300, scatter * std::sqrt(1 + 1 / others.count()));
+                if (const double far = t / student_quantile(slip_of_the_pen / (2 * all), free - 1); far > worst) {
+                    worst = far;
+                    whose = &group;
+                    which = k;
+                }
+            }
+        if (worst < 1)
+            return;
+        warnings.push_back(cells.problem_at(whose->row[which], *cells.find(channel.head),
+                                            fmt::format("{} stands out of {} rows that repeat it: a slip of the pen?",
+                                                        cells.cell(whose->row[which], *cells.find(channel.head)),
+                                                        whose->value.size() - 1),
+                                            "it is left out; correct it if it is one"));
+        warnings.back().key = "outliers";
+        *whose = whose->without(which);
+    }
+}
 
 /// The scatter of one number of a column: as stated, unless rows that repeat each other contradict it; else as they
 /// show it, all conditions together.
@@ -67,7 +113,7 @@ void find_sigma(Channel& channel, const std::vector<Group>& groups, const TypedT
     double apart = 0, free = 0;
     for (const Group& group : groups) {
         apart += group.apart();
-        free += group.count - 1;
+        free += group.count() - 1;
     }
     const double found = free > 0 ? std::sqrt(apart / free) : 0;
     const auto warn = [&](const char* key, const std::string& what, const char* fix) {
@@ -193,15 +239,17 @@ std::vector<Record> records_of_table(const TypedTable& table, const Table& cells
                 of_channel.emplace_back();
         }
         for (std::size_t c = 0; c < channels.size(); ++c)
-            groups[c][static_cast<std::size_t>(like - records.begin())].add(channels[c].value[row]);
+            groups[c][static_cast<std::size_t>(like - records.begin())].add(channels[c].value[row], row);
     }
-    for (std::size_t c = 0; c < channels.size(); ++c)
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+        leave_lone_rows_out(groups[c], channels[c], cells, warnings);
         find_sigma(channels[c], groups[c], table, cells.file(), report, warnings);
+    }
     for (std::size_t r = 0; r < records.size(); ++r)
         for (std::size_t c = 0; c < channels.size(); ++c) {
             Channel channel = channels[c];
-            channel.rows = groups[c][r].count;
-            channel.value = {groups[c][r].mean()};
+            channel.rows = static_cast<int>(groups[c][r].value.size());
+            channel.value = {groups[c][r].spread().mean};
             channel.sigma /= std::sqrt(channel.rows);
             records[r].channels.push_back(std::move(channel));
         }

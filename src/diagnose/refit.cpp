@@ -46,7 +46,7 @@ void take_better(Result<Fit>& fitted, Result<Fit> other) {
 } // namespace
 
 Refit refit_of(const std::vector<int>& causes, Model& model, const Noise& noise, const Fit& baseline,
-               const MatrixXd& effects) {
+               const MatrixXd& effects, bool thorough) {
     Refit refit;
     refit.causes = causes;
     const auto count = static_cast<Eigen::Index>(causes.size());
@@ -59,9 +59,9 @@ Refit refit_of(const std::vector<int>& causes, Model& model, const Noise& noise,
         slopes.col(baseline.slopes.cols() + k) = effects.col(cause);
     }
     auto fitted = fit(model, noise, baseline.values, free, {.slopes = &slopes});
-    if (!ended(fitted) || astray(baseline.chi_square, baseline.residual.size()))
+    if (thorough && (!ended(fitted) || astray(baseline.chi_square, baseline.residual.size())))
         take_better(fitted, fit(model, noise, model.start(), free, {.progressive = true}));
-    if (!ended(fitted) && count == 1)
+    if (thorough && !ended(fitted) && count == 1)
         take_better(fitted, fit(model, noise, likeliest_start(model, noise, causes[0]), free, {}));
     if (!fitted) {
         refit.refused = fitted.problems()[0].what;

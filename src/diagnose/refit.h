@@ -9,6 +9,6 @@ namespace tumble::diagnose {
 /// column for each cause of the model, are known; anew from the scene where that does not end or the baseline went
 /// astray; and if neither ends, from the one of several amplitudes that misses the readings least.
 Refit refit_of(const std::vector<int>& causes, Model& model, const Noise& noise, const Fit& baseline,
-               const MatrixXd& effects);
+               const MatrixXd& effects, bool thorough = true);
 
 } // namespace tumble::diagnose

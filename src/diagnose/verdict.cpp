@@ -187,6 +187,8 @@ std::string verdict_of(const Diagnosis& diagnosis) {
 
 std::string next_step(const Diagnosis& diagnosis) {
     const auto& proposals = diagnosis.proposals;
+    if (diagnosis.decision.outcome == Outcome::ambiguous && !diagnosis.decision.remedy.empty()) // a slip comes first
+        return diagnosis.decision.remedy;
     const bool to_part = diagnosis.decision.outcome == Outcome::ambiguous || diagnosis.decision.one_class;
     if (to_part && !proposals.empty() && proposals[0].repeats > 0)
         return fmt::format(
@@ -194,12 +196,15 @@ std::string next_step(const Diagnosis& diagnosis) {
             proposals[0].repeats > 1 ? fmt::format(", {} times", proposals[0].repeats) : "", proposals[0].reached);
     switch (diagnosis.decision.outcome) {
     case Outcome::consistent:
+        if (const Problem* far = warned_of(diagnosis.warnings, warning_key::far_off))
+            return fmt::format("First find out whether that can be: {}. If it cannot, the agreement is none.",
+                               far->what);
         return "Nothing needs to be changed; to exclude smaller effects, measure more often or under more conditions.";
     case Outcome::named:
         if (!diagnosis.decision.sure)
             return diagnosis.decision.remedy;
         if (diagnosis.extended)
-            return "Write the extended scene (--write-extended), and confirm it with an experiment not used here.";
+            return "Confirm the extended scene (--write-extended writes it) with an experiment not used here.";
         if (cause_of(diagnosis, diagnosis.decision.causes[0]).clips())
             return "It is the instrument, not the scene. What it cut off cannot be brought back: leave those rows out, "
                    "or "

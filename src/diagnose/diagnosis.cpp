@@ -120,7 +120,8 @@ private:
         if (misread.empty()) // readings that agree otherwise are in their units
             if (Problems problems = unit_slips(model_->records(), *predicted, d_.warnings); !problems.empty())
                 return problems;
-        if (const auto scene = model_->scene_at(start, -1); scene && scene->bodies[0].spheres.size() == 1)
+        if (const auto scene = model_->scene_at(start, -1);
+            scene && scene->bodies[0].spheres.size() == 1 && !warned_of(d_.warnings, warning_key::unit))
             if (auto doubt = lowest_point(model_->records(), *predicted, scene->bodies[0].spheres[0].radius))
                 d_.warnings.push_back(std::move(*doubt));
         for (int k = 0; k < model_->nuisances(); ++k)
@@ -310,7 +311,7 @@ private:
                 d_.evidence.beforehand.push_back(nuisance.key.empty() ? nuisance.instrument : nuisance.key);
             }
         d_.decision = decide(d_.evidence, measurement_.settings, [this](const std::vector<int>& causes) {
-            return refit_of(causes, *model_, noise_, baseline_, effects_, !warned_of(d_.warnings, warning_key::unit));
+            return refit_of(causes, *model_, noise_, baseline_, effects_, !slipped());
         });
         if (d_.decision.outcome == Outcome::cannot_decide && taken_for_scatter()) {
             d_.decision.reason = fmt::format("the simulation misses the readings by {:.0f} times what they scatter, "

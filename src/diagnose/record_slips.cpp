@@ -14,6 +14,7 @@ namespace {
 
 constexpr double misses_by_far = 10;     // standard errors, of the root mean square
 constexpr double share_missed = 0.04;    // of the mean square, that a slip leaves once it is mended
+constexpr double clearly_better = 0.9;   // of what the slip before leaves
 constexpr double share_of_another = 0.1; // the same, of another condition: nuisances pull at every bounce
 constexpr int shifts_tried = 200;        // to either side, up to the record's length
 constexpr double least_shift = 0.1; // of the record's length: less is a clock's, which causes and nuisances explain
@@ -217,15 +218,15 @@ Problems record_slips(const std::vector<Record>& records, const std::vector<Simu
         const double as_it_stands = missed(records[r], simulated[r], {});
         Mended best;
         const auto try_it = [&](Mended mended, double share) {
-            if (mended.left < share * as_it_stands && mended.left < best.left)
+            if (mended.left < share * as_it_stands && mended.left < clearly_better * best.left)
                 best = std::move(mended);
         };
-        try_it(by_another_condition(records, r, simulated), share_of_another);
         try_it(by_a_unit(records[r], simulated[r]), share_of_another);
         try_it(by_a_sign(records[r], simulated[r]), share_missed);
         if (!bias)
             try_it(by_a_zero(records[r], simulated[r]), share_missed);
         try_it(by_a_shift(records[r], simulated[r]), share_missed);
+        try_it(by_another_condition(records, r, simulated), share_of_another);
         before += as_it_stands;
         after += std::min(as_it_stands, best.left);
         if (!best.how.empty())

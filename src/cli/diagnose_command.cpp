@@ -238,10 +238,11 @@ Result<Done> can_hold(const fs::path& file) {
     fs::path folder = fs::absolute(file).parent_path(); // the nearest that is there
     while (!fs::exists(folder, ignored) && folder.has_relative_path())
         folder = folder.parent_path();
-    if (::access(folder.c_str(), W_OK) == 0)
+    const bool is_folder = fs::is_directory(folder, ignored);
+    if (is_folder && ::access(folder.c_str(), W_OK) == 0)
         return Done{};
     return Problem{.file = file.string(),
-                   .what = "cannot be written: " + std::generic_category().message(errno),
+                   .what = "cannot be written: " + std::generic_category().message(is_folder ? errno : ENOTDIR),
                    .fix = "write to a folder that is there and yours"};
 }
 

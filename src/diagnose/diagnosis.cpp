@@ -32,6 +32,7 @@ constexpr double most_between_repeats = 1.2; // of their scatter over that of th
 constexpr double by_chance = 0.01;           // less likely differences of repeats are not put down to chance
 constexpr double far_away = 4;               // spreads of what was known beforehand
 constexpr double may_lack = 0.01;            // of chi-square: nats that a baseline far off may lack
+constexpr double slips_miss = 5;             // standard errors of a reading, root mean square: no effect does as much
 constexpr double well_above = 1.2;           // times the scatter known before: what the best cause leaves is asked
 constexpr double hardly_less = 0.9;          // of the scatter before
 constexpr double may_lack_then = 2;          // nats, a third of what the gate asks
@@ -129,8 +130,8 @@ private:
                 return slope.problems();
         if (Problems problems = fit_baseline(start, measurement_.settings.progressive); !problems.empty())
             return problems;
-        if (astray(baseline_.chi_square, baseline_.residual.size())) // else a nuisance explains it
-            append(d_.warnings, misread);
+        if (baseline_.chi_square > slips_miss * slips_miss * static_cast<double>(baseline_.residual.size()))
+            append(d_.warnings, misread);                              // else nuisances explain it, or most of it
         if (const Problem* slip = first_warned_of(d_.warnings, slips)) // what comes may take minutes
             tell("goes on, though " + slip->what);
         if (Problems problems = find_effects(true); !problems.empty())

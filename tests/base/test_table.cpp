@@ -60,6 +60,10 @@ TEST_CASE("quantities are scaled to SI by the unit in the head") {
           "t.csv:1: no column for height\n    call it height_m or height_mm; there are depth_mm, width_m\n");
     CHECK(to_string(table.quantity("depth_mm", lengths).problems()) ==
           "t.csv:1: no column for depth_mm\n    leave the unit out of the name: \"depth\"\n");
+    CHECK(table.quantity("dpeth", lengths).problems()[0].fix == "did you mean 'depth'?");
+    const Table gap = table_of("width_m\n2\n\"\"\n");
+    CHECK(to_string(gap.quantity("width", lengths).problems()) ==
+          "t.csv:3:1: an empty cell is no number\n    give the number, or leave the row out\n");
     const auto european = parse_table("height_m;width_m\n2,5;3\n2,5;4\n", "t.csv");
     REQUIRE(!european);
     CHECK(to_string(european.problems()) == "t.csv:1: columns are separated by semicolons or tabs\n"

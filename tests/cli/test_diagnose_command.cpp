@@ -122,8 +122,20 @@ TEST_CASE("millimetres that are read as metres are a slip, not a cause") {
     CHECK_FALSE(std::filesystem::exists(folder.path / "report")); // made before, and empty
     CHECK(contains(slip.err, "times what the simulation does"));
     CHECK(contains(slip.err, "now: fits the baseline")); // in a pipe, too
+    CHECK(!contains(slip.err, "sigma missing"));
     const Outcome quiet = tumble_in(folder, {"diagnose", scene, "--data", "m.toml", "--quiet"});
     CHECK(quiet.err.find("now: ") == std::string::npos);
+    std::string unsaid = content_of((folder.path / "m.toml").string());
+    unsaid.erase(unsaid.find("sigma = 0.002"));
+    put(folder.path / "unsaid.toml", unsaid);
+    const Outcome warned = tumble_in(folder, {"diagnose", scene, "--data", "unsaid.toml"});
+    CHECK(warned.code == 2); // what is known of the data is told before the work, and stands though it fails
+    CHECK(contains(warned.err, "a.csv: sigma missing: height_m: its scatter is not stated"));
+    const Outcome place =
+        tumble_in(folder, {"diagnose", scene, "--data", "m.toml", "--write-extended", "a.csv/there/extended.toml"});
+    CHECK(place.code == 2);
+    CHECK(contains(place.err, "a.csv/there/extended.toml: cannot be written: Not a directory"));
+    CHECK(!contains(place.err, "now: "));
 }
 
 TEST_CASE("every cause of the library can be listed, with what its residual looks like") {

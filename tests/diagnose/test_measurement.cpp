@@ -155,8 +155,9 @@ TEST_CASE("each bad input has its answer: place, what is wrong, what to do") {
           "them");
     const std::string again = whole + "[[series]]\nname = \"twin\"\nfile = \"low.csv\"\n[[series.column]]\nhead = "
                                       "\"height\"\nmeasure = \"centre_of_mass_y\"\nsigma = 1.5\n";
-    CHECK(laboratory.refusal(again, good) == "low.csv: height_mm holds the same numbers as height_mm of low.csv\n    "
-                                             "store each record once, under its own name");
+    CHECK(laboratory.refusal(again, good) ==
+          "low.csv: height_mm of 'twin' holds the same numbers as height_mm of 'low' (low.csv)\n    "
+          "store each record once, under its own name");
     CHECK(laboratory.refusal(replaced(again, "\"twin\"", "\"low\""), good)
               .starts_with("m.toml:13:8: there are two [[series]] 'low'\n    give each its own name; of repeats the "
                            "same condition"));
@@ -192,6 +193,65 @@ TEST_CASE("each bad input has its answer: place, what is wrong, what to do") {
         CHECK(told.key != "quantised");
     CHECK(warning(replaced(whole, "sigma = 1.5\n", ""), falling) ==
           "sigma missing: height_mm: its scatter is not stated; give sigma; it is estimated from the residual instead");
+}
+
+TEST_CASE("lost readings that were written as a number are refused; what falls to that number is no loss") {
+    const Laboratory laboratory;
+    std::vector<double> lost, landed;
+    for (int k = 0; k < 60; ++k) {
+        const double height = 500 + 300 * std::cos(0.1 * k) + 0.3 * std::sin(7.0 * k);
+        lost.push_back(k >= 20 && k < 24 ? 0 : height);
+        landed.push_back(std::max(400.0, height));
+    }
+    CHECK(laboratory.refusal(whole, rows(lost)) ==
+          "low.csv: height_mm is 0 m in 4 readings far from all others (at 0.2 to 0.23 s): lost readings?\n    leave "
+          "those rows out: what was not read is no reading");
+    std::vector<double> here_and_there = lost;
+    for (std::size_t k = 20; k < 24; ++k)
+        here_and_there[k] = landed[k];
+    for (const std::size_t k : {5, 17, 31, 50})
+        here_and_there[k] = -999;
+    CHECK(laboratory.refusal(whole, rows(here_and_there))
+              .starts_with(
+                  "low.csv: height_mm is -0.999 m in 4 readings far from all others (at 0.05 s, 0.17 s, 0.31 s, ...)"));
+    const auto read = laboratory.load(whole, rows(landed));
+    REQUIRE_MESSAGE(read, to_string(read.problems()));
+    CHECK(warns(*read, "clipped"));
+    std::vector<double> held = landed;
+    for (std::size_t k = 10; k < 18; ++k)
+        held[k] = held[10];
+    const auto stuck = laboratory.load(whole, rows(held));
+    REQUIRE_MESSAGE(stuck, to_string(stuck.problems()));
+    CHECK(warns(*stuck, "stuck"));
+    CHECK(!warns(*read, "stuck"));
+}
+
+TEST_CASE("series of one set are of one condition, and one that differs from them by far may lack its set") {
+    const Laboratory laboratory;
+    std::vector<double> lower, again;
+    for (std::size_t k = 0; k < falling.size(); ++k) {
+        lower.push_back(falling[k] - 100 + 0.1 * static_cast<double>(k));
+        again.push_back(falling[k] + (k % 2 ? 0.4 : -0.3));
+    }
+    const auto with_second = [&](const std::string& toml, const std::vector<double>& values) {
+        test::put(laboratory.folder.path / "second.csv", rows(values));
+        auto read = laboratory.load(toml + "[[series]]\nname = \"second\"\nfile = \"second.csv\"\n[[series.column]]\n"
+                                           "head = \"height\"\nmeasure = \"centre_of_mass_y\"\nsigma = 1.5\n",
+                                    rows(falling));
+        REQUIRE_MESSAGE(read, to_string(read.problems()));
+        return std::move(*read);
+    };
+    const Measurement repeated = with_second(whole, again), forgotten = with_second(whole, lower);
+    CHECK(repeated.records[1].condition == "low");
+    CHECK(!warns(repeated, "set"));
+    CHECK(warns(forgotten, "set"));
+    const Measurement set = with_second(replaced(whole, "low.csv\"", "low.csv\"\nset = [\"a.b=1\"]"), lower);
+    CHECK(set.records[1].condition == "second");
+    CHECK(!warns(set, "set"));
+    // Each throw has a restitution of its own: equal sets make no equal conditions.
+    const Measurement own = with_second(replaced(whole, "spread = 0.05", "spread = 0.05\nper = \"series\""), lower);
+    CHECK(own.records[1].condition == "second");
+    CHECK(!warns(own, "set"));
 }
 
 } // namespace test_measurement

@@ -151,6 +151,25 @@ TEST_CASE("a sigma that repeated rows contradict gives way to what they show") {
     CHECK(borne_out->warnings.empty());
 }
 
+TEST_CASE("a row that stands out of those that repeat it is left out and told; of two nobody knows which it is") {
+    const Notebook notebook;
+    const std::string rows = "height_m,rebound_mm\n0.2,80\n0.2,83\n0.2,81\n0.4,170\n0.4,717\n0.4,173\n0.4,171\n";
+    const auto slipped = notebook.load(whole, rows);
+    REQUIRE_MESSAGE(slipped, to_string(slipped.problems()));
+    CHECK(slipped->records[1].channels[0].value[0] == about((0.170 + 0.173 + 0.171) / 3));
+    CHECK(slipped->records[1].channels[0].rows == 3);
+    REQUIRE(slipped->warnings.size() == 2);
+    CHECK(slipped->warnings[0].key == "outliers");
+    CHECK(slipped->warnings[0].line == 6);
+    CHECK(slipped->warnings[0].what == "717 stands out of 3 rows that repeat it: a slip of the pen?");
+    const auto wide = notebook.load(whole, replaced(rows, "717", "178"));
+    REQUIRE(wide);
+    CHECK(wide->records[1].channels[0].rows == 4);
+    const auto of_two = notebook.load(whole, "height_m,rebound_mm\n0.2,80\n0.2,83\n0.2,81\n0.2,82\n0.4,170\n0.4,717\n");
+    REQUIRE(of_two);
+    CHECK(of_two->records[1].channels[0].rows == 2);
+}
+
 TEST_CASE("what nobody could know, or nothing says, is refused") {
     const Notebook notebook;
     const std::string once = "height_m,rebound_mm\n0.2,80\n0.4,170\n";

@@ -1,5 +1,6 @@
 #include "diagnose/conditions_differ.h"
 
+#include <cmath>
 #include <set>
 
 namespace tumble::diagnose {
@@ -46,7 +47,7 @@ Eigen::Index readings_of(const Evidence& evidence) {
 
 std::optional<Besides> differing_in(const Evidence& evidence, const Settings& settings) {
     const auto& own = evidence.directions.own;
-    return best_of(evidence, settings, distinct(own), [&](const std::string& what) {
+    auto best = best_of(evidence, settings, distinct(own), [&](const std::string& what) {
         MatrixXd columns(evidence.residual.size(), 0);
         for (std::size_t k = 0; k < own.size(); ++k)
             if (own[k] == what) {
@@ -55,6 +56,19 @@ std::optional<Besides> differing_in(const Evidence& evidence, const Settings& se
             }
         return columns;
     });
+    const Projector nuisances(evidence.nuisances);
+    const VectorXd residual = nuisances.out(evidence.residual);
+    double most = 0;
+    for (std::size_t k = 0; best && k < own.size() && k < evidence.directions.names.size(); ++k)
+        if (own[k] == best->what) {
+            const VectorXd left = nuisances.out(VectorXd(evidence.directions.prints.col(static_cast<Eigen::Index>(k))));
+            const double z = std::abs(left.dot(residual)) / std::max(left.norm(), 1e-300);
+            if (left.norm() > nearly_used_up && z > most) {
+                most = z;
+                best->most = evidence.directions.names[k];
+            }
+        }
+    return best;
 }
 
 std::optional<Besides> overstated_in(const Evidence& evidence, const Settings& settings) {

@@ -13,6 +13,7 @@ struct Besides {
     double gain = 0;    // fall of chi-square
     int numbers = 0;    // by which it is fitted
     double p = 0;       // adequacy of what is then left
+    std::string most{}; // of what differs between conditions: the one that explains most alone
 };
 
 /// Something that would have to differ from condition to condition: no one cause, but experiments that are not alike

@@ -22,11 +22,14 @@ constexpr std::size_t few_levels = 50;
 constexpr std::size_t flat_run = 3; // equal readings in a row, of a sensor whose steps are fine
 constexpr double one_in_ten_thousand = 1e-4;
 constexpr double clear = 10;           // standard errors: a single number nearer to 0 than that tells no unit
+constexpr double unit_within = 0.2;    // of a unit's factor, in logarithms
 constexpr double far_too_long = 100;   // times what the scene lasts, or a part of it
 constexpr std::size_t fewest_lost = 3; // equal readings that stand apart from all others
 constexpr double leap = 2;             // times the longest step that the other readings take
 constexpr double beyond_scatter = 10;  // times the scatter of a reading
 constexpr std::size_t fewest_stuck = 5;
+constexpr double share_doubled = 6;   // one reading of so many, or more
+constexpr double step_beyond = 2;     // scatters, of the next reading
 constexpr double no_repeats = 30;     // scatters, root mean square, between series of one set
 constexpr double share_apart = 0.1;   // of what the readings span
 constexpr std::size_t most_told = 3;  // stretches of lost readings
@@ -149,6 +152,15 @@ Stretch longest_held(const Channel& channel, double lowest, double highest) {
     return longest;
 }
 
+/// Readings that are the one before once more, though the next is not.
+std::size_t doubled_in(const Channel& channel) {
+    std::size_t pairs = 0;
+    for (std::size_t k = 1; k + 1 < channel.value.size(); ++k)
+        pairs += channel.value[k] == channel.value[k - 1] &&
+                 std::abs(channel.value[k + 1] - channel.value[k]) > step_beyond * channel.sigma;
+    return pairs;
+}
+
 void doubt_channel(const Record& record, const Channel& channel, Problems& warnings) {
     const auto warn = [&](std::string key, const std::string& what, std::string fix) {
         warnings.push_back({.file = record.file.string(),
@@ -184,6 +196,13 @@ void doubt_channel(const Record& record, const Channel& channel, Problems& warni
         warn(warning_key::stuck,
              fmt::format("{} equal readings in a row ({}), and then a leap", held.length, times_of(record, held)),
              "find out whether the sensor held on to one; if so, leave those rows out");
+    if (const std::size_t pairs = doubled_in(channel);
+        !coarse && channel.sigma > 0 &&
+        share_doubled * static_cast<double>(pairs) > static_cast<double>(channel.value.size()))
+        warn(warning_key::doubled,
+             fmt::format("{} of {} readings are the one before once more, between steps of more than its scatter",
+                         pairs, channel.value.size()),
+             "find out whether frames were doubled; if so, leave one of each two out");
     if (channel.sigma == 0)
         warn("sigma missing", "its scatter is not stated", "give sigma; it is estimated from the residual instead");
 }
@@ -356,6 +375,12 @@ Problems equal_columns(const std::vector<Record>& records) {
     return problems;
 }
 
+bool usual_slip(double ratio) {
+    return std::any_of(std::begin(usual_slips), std::end(usual_slips), [&](const Slip& slip) {
+        return slip.of != Kind::angle && std::abs(std::log(ratio / slip.factor)) < unit_within;
+    });
+}
+
 Problems unit_slips(const std::vector<Record>& records, const Eigen::VectorXd& predicted, Problems& warnings) {
     Problems problems;
     std::set<std::pair<std::string, std::string>> told; // files and heads: a table has many rows
@@ -370,7 +395,7 @@ Problems unit_slips(const std::vector<Record>& records, const Eigen::VectorXd& p
                                           : span_of(channel.value) < clear_of_noise * scatter_of(channel);
             for (const Slip& slip : usual_slips)
                 if (!near_nothing && is_of(slip, kind_of(channel.unit)) &&
-                    std::abs(std::log(ratio / slip.factor)) < 0.2 &&
+                    std::abs(std::log(ratio / slip.factor)) < unit_within &&
                     told.insert({record.file.string(), channel.head}).second)
                     (slip.surely ? problems : warnings)
                         .push_back(

@@ -26,6 +26,9 @@ Problems lost_readings(const std::vector<Record>& records);
 /// either. Records of held clocks ("time") may agree.
 Problems equal_columns(const std::vector<Record>& records);
 
+/// A factor that units are usually wrong by.
+bool usual_slip(double ratio);
+
 /// Columns whose scale differs from what was foretold by one of the usual slips of units: no effect to be diagnosed. A
 /// factor that a scene may be wrong by, such as ten, is a warning only.
 Problems unit_slips(const std::vector<Record>& records, const Eigen::VectorXd& predicted, Problems& warnings);

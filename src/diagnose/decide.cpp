@@ -4,6 +4,7 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <fmt/format.h>
 #include <numeric>
@@ -80,7 +81,8 @@ private:
             Seen& seen = one(k);
             const double length = effects_.col(k).norm();
             const double whole = e_.effects.col(k).norm();
-            seen.share = whole > 0 ? std::min(length, left_by_one_nuisance(k)) / whole : 0;
+            seen.share = whole > 0 ? std::max(DBL_MIN, std::min(length, left_by_one_nuisance(k)) / whole)
+                                   : 0; // 0: it does nothing
             const double reach = std::max(std::abs(cause(k).lo), std::abs(cause(k).hi));
             seen.visible = seen.share > least_share && length * reach > least_visible;
             if (!seen.visible)

@@ -7,6 +7,7 @@
 #include "diagnose/folds.h"
 #include "diagnose/kinematics.h"
 #include "diagnose/noise_doubts.h"
+#include "diagnose/plain_reason.h"
 #include "diagnose/profile.h"
 #include "diagnose/record_slips.h"
 #include "diagnose/refit.h"
@@ -30,7 +31,7 @@ std::vector<int> first_numbers(int count) {
 
 constexpr double most_between_repeats = 1.2; // of their scatter over that of the readings in one record
 constexpr double by_chance = 0.01;           // less likely differences of repeats are not put down to chance
-constexpr double far_away = 4;               // spreads of what was known beforehand
+constexpr double far_away = 3;               // spreads of what was known beforehand
 constexpr double may_lack = 0.01;            // of chi-square: nats that a baseline far off may lack
 constexpr double slips_miss = 5;             // standard errors of a reading, root mean square: no effect does as much
 constexpr double well_above = 1.2;           // times the scatter known before: what the best cause leaves is asked
@@ -131,8 +132,9 @@ private:
         if (Problems problems = fit_baseline(start, measurement_.settings.progressive); !problems.empty())
             return problems;
         if (baseline_.chi_square > slips_miss * slips_miss * static_cast<double>(baseline_.residual.size()))
-            append(d_.warnings, misread);                              // else nuisances explain it, or most of it
-        if (const Problem* slip = first_warned_of(d_.warnings, slips)) // what comes may take minutes
+            append(d_.warnings, misread); // else nuisances explain it, or most of it
+        const Problem* slip = first_warned_of(d_.warnings, slips);
+        if (slip || (slip = warned_of(d_.warnings, warning_key::lowest_point))) // what comes may take minutes
             tell("goes on, though " + slip->what);
         if (Problems problems = find_effects(true); !problems.empty())
             return problems;
@@ -334,6 +336,10 @@ private:
                 d_.differing = differing_in(d_.evidence, measurement_.settings);
         }
         doubt_name(d_.decision, d_.causes, d_.warnings);
+        if (d_.decision.outcome != Outcome::consistent) {
+            tell("asks whether a plainer reason does");
+            doubt_by_a_plain_reason();
+        }
         const VectorXd errors = errors_of(baseline_.slopes);
         for (int k = 0; k < model_->nuisances(); ++k) {
             const Parameter& parameter = model_->parameters()[static_cast<std::size_t>(k)];
@@ -358,6 +364,26 @@ private:
         d_.chi_square = baseline_.chi_square;
         d_.readings = static_cast<int>(model_->rows().size());
         return {};
+    }
+
+    /// A reason that is no effect and leaves only noise comes first, and makes a name unsure unless that is likelier.
+    void doubt_by_a_plain_reason() {
+        Decision& decision = d_.decision;
+        const auto reason = plain_reason({.scene = scene_,
+                                          .records = model_->records(),
+                                          .nuisances = measurement_.nuisances,
+                                          .simulate = simulate_,
+                                          .settings = measurement_.settings,
+                                          .noise = noise_});
+        if (!reason || (names(decision) &&
+                        nats_between(d_.evidence, decision.best->gain, baseline_.chi_square - reason->chi_square) >=
+                            measurement_.settings.margin))
+            return;
+        if (names(decision)) {
+            decision.sure = false;
+            decision.reason = reason->what + " only noise is left, too";
+        }
+        decision.remedy = fmt::format("First {}: {} only noise is left.", reason->fix, reason->what);
     }
 
     Problems measure_gain() {

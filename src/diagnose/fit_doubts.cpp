@@ -51,7 +51,10 @@ void doubt_numbers(Model& model, const VectorXd& values, Problems& warnings) {
                      .what = fmt::format("{}: {} of {} lies at an end of {:g} to {:g} s in the simulation", record.name,
                                          words_of_takes()[static_cast<std::size_t>(record.channels[c].take) - 1],
                                          record.channels[c].measure, record.channels[c].from, record.time[0]),
-                     .fix = "let until_s be later, or from_s earlier, unless that is what was measured"});
+                     .fix = record.channels[c].take == Take::rebound
+                                ? "let until_s be later, unless that is what was measured"
+                                : "take = \"rebound\" leaves out how it begins; else let from_s or until_s be later, "
+                                  "unless that is what was measured"});
     }
 }
 
@@ -71,9 +74,11 @@ void doubt_sensors(Decision& decision, const Problems& warnings) {
         }
     if (names(decision)) // what a cause explains is no slip
         return;
-    constexpr const char* of_time[] = {warning_key::shifted, warning_key::rate, warning_key::too_short};
-    constexpr const char* of_files[] = {warning_key::condition, warning_key::turned, warning_key::zero};
-    constexpr const char* of_sensors[] = {warning_key::dead, warning_key::stuck};
+    constexpr const char* of_time[] = {warning_key::shifted, warning_key::jump, warning_key::rate,
+                                       warning_key::too_short};
+    constexpr const char* of_files[] = {warning_key::condition, warning_key::scale, warning_key::turned,
+                                        warning_key::zero, warning_key::starts};
+    constexpr const char* of_sensors[] = {warning_key::dead, warning_key::stuck, warning_key::doubled};
     constexpr const char* of_numbers[] = {warning_key::unit, warning_key::lowest_point, warning_key::end_of_stretch};
     if (const Problem* forgotten = warned_of(warnings, warning_key::forgotten_set))
         decision.remedy = "First see to the conditions: " + sentence(forgotten->what);
@@ -87,7 +92,7 @@ void doubt_sensors(Decision& decision, const Problems& warnings) {
         decision.remedy = "First see to the readings: " + cut->what +
                           ". Leave out the rows that it cut, or record again with a larger range.";
     else if (const Problem* slip = first_warned_of(warnings, of_numbers))
-        decision.remedy = "First see to the readings: " + sentence(slip->what);
+        decision.remedy = fmt::format("First see to the readings: {} ({}.)", sentence(slip->what), slip->fix);
 }
 
 void doubt_agreement(Decision& decision, const NoiseReport& noise, const VectorXd& residual, const Model& model) {

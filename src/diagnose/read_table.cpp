@@ -18,6 +18,7 @@ namespace {
 constexpr double against_sigma = 0.01; // tail probability, below which rows that repeat each other speak against sigma
 constexpr double most_beyond = 1.25;   // of sigma stated
 constexpr double slip_of_the_pen = 1e-4;
+constexpr double far_beyond = 15;        // times what rows usually scatter: two slips hide each other in the rest
 constexpr std::size_t fewest_beside = 2; // rows that repeat one which is left out: of two nobody knows which it is
 
 /// Text with the row's cells in the places of {HEAD}s; the heads that were used are added to `used`.
@@ -69,6 +70,18 @@ struct Group {
     }
 };
 
+/// What rows scatter about the medians of those that they repeat, whatever a few of them do: no more than half of the
+/// scatter is lost to how few they are.
+double usual_scatter(const std::vector<Group>& groups) {
+    std::vector<double> apart;
+    for (const Group& group : groups)
+        for (const double value : group.value)
+            if (group.value.size() > fewest_beside)
+                apart.push_back(std::abs(value - median(group.value)));
+    const double usual = median(apart) / 0.6745;
+    return usual > 0 ? usual : INFINITY;
+}
+
 /// Leaves out rows that stand out of two or more others that repeat them, as a slip of the pen does: by more than
 /// Student's t of what all others scatter lets happen once in ten thousand columns; the worst first.
 void leave_lone_rows_out(std::vector<Group>& groups, const Channel& channel, const Table& cells, Problems& warnings) {
@@ -79,6 +92,7 @@ void leave_lone_rows_out(std::vector<Group>& groups, const Channel& channel, con
             free += group.count() - 1;
             all += group.count();
         }
+        const double usual = usual_scatter(groups);
         double worst = 0; // times what chance allows
         Group* whose = nullptr;
         std::size_t which = 0;
@@ -88,7 +102,9 @@ void leave_lone_rows_out(std::vector<Group>& groups, const Channel& channel, con
                 const double scatter = std::sqrt((apart - group.apart() + others.apart()) / (free - 1));
                 const double t = std::abs(group.value[k] - others.spread().mean) /
                                  std::max(1e-300, scatter * std::sqrt(1 + 1 / others.count()));
-                if (const double far = t / student_quantile(slip_of_the_pen / (2 * all), free - 1); far > worst) {
+                const double robust = std::abs(group.value[k] - others.spread().mean) / (far_beyond * usual);
+                if (const double far = std::max(robust, t / student_quantile(slip_of_the_pen / (2 * all), free - 1));
+                    far > worst) {
                     worst = far;
                     whose = &group;
                     which = k;

@@ -1,12 +1,14 @@
 #include "diagnose/record_slips.h"
 
 #include "base/column.h"
+#include "diagnose/data_doubts.h"
 #include "diagnose/noise.h"
 #include "diagnose/warning_key.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numeric>
 
 namespace tumble::diagnose {
 
@@ -26,6 +28,10 @@ constexpr double differ_by = 0.2;      // of their mean: zeros that are no instr
 constexpr double about_a_radius = 0.1; // of it
 constexpr double lowest_of_many = 4;   // scatters below
 constexpr double clearly_less = 0.1;   // than a radius
+constexpr double alike = 0.3;          // of a radius, that half of the heights are from the middle
+constexpr double least_steps = 1.5;    // between readings, that frames which were lost take
+constexpr double least_factor = 0.15;  // away from 1: less is a gain's
+constexpr double a_moment = 0.02;      // s that a clock may be off
 
 /// How a record is read: its time, s, is (t - late) * rate, and one channel may be turned or moved.
 struct Reading {
@@ -150,14 +156,85 @@ Mended by_a_zero(const Record& record, const Simulated& simulated) {
     return best;
 }
 
-/// A factor of ten or more, which a unit may be wrong by: what spans so much is told elsewhere.
-Mended by_a_unit(const Record& record, const Simulated& simulated) {
+/// The factor by which a column agrees best; those of units are told elsewhere.
+Mended by_a_factor(const Record& record, const Simulated& simulated) {
     Mended best;
-    for (std::size_t c = 0; c < record.channels.size(); ++c)
-        for (const double factor : {1e-3, 1e-2, 1 / 25.4, 0.1, 10.0, 25.4, 100.0, 1000.0})
-            if (const double left = missed(record, simulated, {.channel = c, .factor = factor}); left < best.left)
-                best = {.left = left};
+    for (std::size_t c = 0; c < record.channels.size(); ++c) {
+        double products = 0, squares = 0;
+        for (std::size_t k = 0; k < record.time.size(); ++k) {
+            products += record.channels[c].value[k] * simulated.truth[c].at(record.time[k]);
+            squares += record.channels[c].value[k] * record.channels[c].value[k];
+        }
+        const double factor = products / std::max(1e-300, squares);
+        const double left = missed(record, simulated, {.channel = c, .factor = factor});
+        if (factor <= 0 || std::abs(factor - 1) < least_factor || left >= best.left)
+            continue;
+        best = {.left = left};
+        if (!usual_slip(1 / factor)) {
+            best.key = warning_key::scale;
+            best.how = fmt::format("{} is {:.3g} times as large", record.channels[c].head, factor);
+            best.fix = "see to its scale or its unit";
+        }
+    }
     return best;
+}
+
+/// From some moment on the time is late or early, as where frames were lost and the rest numbered on.
+Mended by_a_jump(const Record& record, const Simulated& simulated) {
+    const std::size_t rows = record.time.size();
+    const double lasts = record.time.back() - record.time.front();
+    const auto squares_if_late = [&](double late) { // of each row
+        std::vector<double> squares(rows, 0);
+        for (std::size_t c = 0; c < record.channels.size(); ++c)
+            for (std::size_t k = 0; k < rows && !record.channels[c].shows_time() && simulated.sigma[c] > 0; ++k) {
+                const double t = record.time[k] - late;
+                const double z = (record.channels[c].value[k] - simulated.truth[c].at(t)) / simulated.sigma[c];
+                squares[k] += z * z;
+            }
+        return squares;
+    };
+    const std::vector<double> before = squares_if_late(0);
+    double least = INFINITY, late = 0;
+    std::size_t from = 0;
+    for (int step = -shifts_tried; step <= shifts_tried; ++step) {
+        const double shift = 0.5 * lasts * step / shifts_tried;
+        if (std::abs(shift) < least_steps * lasts / static_cast<double>(rows - 1))
+            continue;
+        const std::vector<double> behind = squares_if_late(shift);
+        double sum = std::accumulate(behind.begin(), behind.end(), 0.0);
+        for (std::size_t k = 0; k + rows / 10 < rows; ++k) {
+            sum += before[k] - behind[k];
+            if (k > rows / 10 && sum < least) {
+                least = sum;
+                late = shift;
+                from = k + 1;
+            }
+        }
+    }
+    return {least / static_cast<double>(rows * record.channels.size()), warning_key::jump,
+            fmt::format("its time is {:.3g} s {} from {:.3g} s on", std::abs(late), late > 0 ? "less" : "more",
+                        record.time[from]),
+            late > 0 ? "see whether the clock jumped there"
+                     : "see whether frames were lost there and the rest numbered on"};
+}
+
+/// Its first reading is of another place than that where the scene lets the body begin: nothing can mend that.
+std::optional<Problem> other_start(const Record& record, const Simulated& simulated) {
+    for (std::size_t c = 0; c < record.channels.size(); ++c) {
+        const Channel& channel = record.channels[c];
+        if (!channel.measure.starts_with("centre_of_mass_") || record.time.front() > a_moment)
+            continue;
+        const double t = record.time.front(), begins = simulated.truth[c].at(t);
+        const double allowed = misses_by_far * simulated.sigma[c] + a_moment * std::abs(simulated.truth[c].rate_at(t));
+        if (std::abs(channel.value[0] - begins) > allowed)
+            return Problem{.file = record.file.string(),
+                           .key = warning_key::starts,
+                           .what = fmt::format("{} of '{}' begins at {:.4g} {}, and the scene there at {:.4g} {}",
+                                               channel.head, record.name, channel.value[0], channel.unit, begins,
+                                               channel.unit),
+                           .fix = "see whether its set is right, and what the column's zero is"};
+    }
+    return std::nullopt;
 }
 
 /// All records have nearly the same zero: that of an instrument, a cause of the library.
@@ -221,11 +298,12 @@ Problems record_slips(const std::vector<Record>& records, const std::vector<Simu
             if (mended.left < share * as_it_stands && mended.left < clearly_better * best.left)
                 best = std::move(mended);
         };
-        try_it(by_a_unit(records[r], simulated[r]), share_of_another);
+        try_it(by_a_factor(records[r], simulated[r]), share_missed);
         try_it(by_a_sign(records[r], simulated[r]), share_missed);
         if (!bias)
             try_it(by_a_zero(records[r], simulated[r]), share_missed);
         try_it(by_a_shift(records[r], simulated[r]), share_missed);
+        try_it(by_a_jump(records[r], simulated[r]), share_missed);
         try_it(by_another_condition(records, r, simulated), share_of_another);
         before += as_it_stands;
         after += std::min(as_it_stands, best.left);
@@ -235,6 +313,8 @@ Problems record_slips(const std::vector<Record>& records, const std::vector<Simu
                                 .what = fmt::format("'{}' agrees with the simulation {:.0f} times as well if {}",
                                                     records[r].name, std::sqrt(as_it_stands / best.left), best.how),
                                 .fix = std::move(best.fix)});
+        else if (auto start = other_start(records[r], simulated[r]); start && best.left >= as_it_stands)
+            problems.push_back(std::move(*start));
     }
     if (auto rate = one_rate(records, simulated, far, before, after))
         return {std::move(*rate)};
@@ -306,7 +386,10 @@ std::optional<Problem> lowest_point(const std::vector<Record>& records, const Ei
     const auto a_radius_and_scatter = [&](double way) { // the lowest of many readings lies low by chance, too
         return way > (1 - about_a_radius) * radius && way < (1 + about_a_radius) * radius + lowest_of_many * scatter;
     };
-    const bool all = !below.empty() && a_radius(median(below));
+    std::vector<double> off;
+    for (const double way : below)
+        off.push_back(std::abs(way - median(below)));
+    const bool all = !below.empty() && a_radius(median(below)) && median(off) < alike * radius;
     if (!all && (lower.empty() || scatter > clearly_less * radius ||
                  !std::all_of(lower.begin(), lower.end(), a_radius_and_scatter)))
         return std::nullopt;

@@ -133,8 +133,9 @@ std::string none_known(const Diagnosis& diagnosis) {
     }
     if (diagnosis.differing)
         text += fmt::format(" It is not one cause: conditions differ (het.condition). With a value of its own of {} in "
-                            "each of them only noise is left.",
-                            diagnosis.differing->what);
+                            "each of them only noise is left{}.",
+                            diagnosis.differing->what,
+                            diagnosis.differing->most.empty() ? "" : "; most of it is " + diagnosis.differing->most);
     return text;
 }
 

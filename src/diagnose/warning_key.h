@@ -14,12 +14,16 @@ inline constexpr const char* condition = "condition";
 inline constexpr const char* dead = "does not change";
 inline constexpr const char* end_of_stretch = "end of the stretch";
 inline constexpr const char* forgotten_set = "set";
+inline constexpr const char* doubled = "doubled";
 inline constexpr const char* far_off = "nuisance far off";
+inline constexpr const char* jump = "time jumps";
 inline constexpr const char* lowest_point = "lowest point";
 inline constexpr const char* peak_speed = "peak speed";
 inline constexpr const char* rate = "rate of time";
+inline constexpr const char* scale = "scale";
 inline constexpr const char* shifted = "time shifted";
 inline constexpr const char* speed = "speed";
+inline constexpr const char* starts = "start";
 inline constexpr const char* stuck = "stuck";
 inline constexpr const char* too_short = "time too short";
 inline constexpr const char* turned = "sign turned";
@@ -29,9 +33,10 @@ inline constexpr const char* zero = "zero";
 } // namespace warning_key
 
 /// A slip of whoever made the file: the likeliest reason for a large misfit.
-inline constexpr const char* slips[] = {warning_key::forgotten_set, warning_key::shifted,   warning_key::rate,
-                                        warning_key::too_short,     warning_key::condition, warning_key::turned,
-                                        warning_key::zero,          warning_key::unit};
+inline constexpr const char* slips[] = {warning_key::forgotten_set, warning_key::shifted,   warning_key::jump,
+                                        warning_key::rate,          warning_key::too_short, warning_key::scale,
+                                        warning_key::condition,     warning_key::turned,    warning_key::zero,
+                                        warning_key::starts,        warning_key::unit};
 
 /// The first warning of that name; null: there is none.
 inline const Problem* warned_of(const Problems& warnings, std::string_view key) {

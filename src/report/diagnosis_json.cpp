@@ -177,8 +177,10 @@ Json decision_of(const Diagnosis& diagnosis) {
     for (const Followed& one : diagnosis.follows.all)
         follows.push_back({{"what", one.what}, {"standard_errors", one.z}});
     Json differing = besides_of(diagnosis.differing), overstated = besides_of(diagnosis.overstated);
-    if (diagnosis.differing)
+    if (diagnosis.differing) {
         differing["id"] = "het.condition";
+        differing["most"] = diagnosis.differing->most;
+    }
     if (diagnosis.overstated)
         overstated["looks_like"] = diagnosis.alike;
     Json folds = Json::array();

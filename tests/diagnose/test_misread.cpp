@@ -1,4 +1,5 @@
 // Records that agree with the simulation once they are read otherwise than their files say.
+#include "about.h"
 #include "diagnose/considered.h"
 #include "diagnose/fit_doubts.h"
 #include "diagnose/record_slips.h"
@@ -13,6 +14,7 @@ namespace test_misread {
 
 using namespace tumble;
 using namespace tumble::diagnose;
+using tumble::test::about;
 using tumble::test::bouncing;
 using tumble::test::closed_form;
 using tumble::test::Drops;
@@ -200,7 +202,7 @@ TEST_CASE("readings that hardly scatter keep the sigma stated, and without one t
         record.channels[0].sigma = 2e-3;
     const Diagnosis kept = Drops::diagnosed(simulated);
     CHECK_MESSAGE(kept.decision.outcome == Outcome::consistent, verdict_of(kept));
-    CHECK(kept.noise.used == doctest::Approx(2e-3));
+    CHECK(kept.noise.used == about(2e-3));
     CHECK(warned(kept, "hardly any noise").size() == 1);
     for (Record& record : simulated.records)
         record.channels[0].sigma = 0;

@@ -230,7 +230,7 @@ Problems leave_files(const DiagnoseArguments& arguments, const diagnose::Diagnos
     return problems;
 }
 
-/// Whether a file can be written there, its folder made if need be; no file can always.
+/// Problem: a file cannot be written there, though its folder were made. Of no file there is none.
 Result<Done> can_hold(const fs::path& file) {
     if (file.empty())
         return Done{};
@@ -238,11 +238,14 @@ Result<Done> can_hold(const fs::path& file) {
     fs::path folder = fs::absolute(file).parent_path(); // the nearest that is there
     while (!fs::exists(folder, ignored) && folder.has_relative_path())
         folder = folder.parent_path();
-    const bool is_folder = fs::is_directory(folder, ignored);
-    if (is_folder && ::access(folder.c_str(), W_OK) == 0)
+    const bool is_folder = fs::is_directory(folder, ignored), there = fs::exists(file, ignored);
+    if (is_folder && !fs::is_directory(file, ignored) && ::access((there ? file : folder).c_str(), W_OK) == 0)
         return Done{};
     return Problem{.file = file.string(),
-                   .what = "cannot be written: " + std::generic_category().message(is_folder ? errno : ENOTDIR),
+                   .what = "cannot be written: " + std::generic_category().message(!is_folder ? ENOTDIR
+                                                                                   : fs::is_directory(file, ignored)
+                                                                                       ? EISDIR
+                                                                                       : errno),
                    .fix = "write to a folder that is there and yours"};
 }
 
@@ -278,12 +281,12 @@ int diagnose_it(const DiagnoseArguments& arguments) {
     if (!arguments.quiet && !arguments.json)
         tell_warnings(measurement->warnings);
     std::error_code ignored;
+    if (const auto place = can_hold(arguments.extended); !place)
+        return refuse(place.problems(), arguments.json, wrong);
     const bool had_report = arguments.report.empty() || fs::exists(arguments.report, ignored);
     if (!arguments.report.empty()) // a place that cannot be had is better known before the work than after it
         if (const auto made = make_folder(arguments.report); !made)
             return refuse(made.problems(), arguments.json, wrong);
-    if (const auto place = can_hold(arguments.extended); !place)
-        return refuse(place.problems(), arguments.json, wrong);
     const auto leave_no_folder = [&] {
         if (!had_report)
             fs::remove(arguments.report, ignored); // it is empty

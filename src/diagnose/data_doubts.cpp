@@ -2,7 +2,6 @@
 
 #include "base/column.h"
 #include "diagnose/noise.h"
-#include "diagnose/signal.h"
 #include "diagnose/warning_key.h"
 
 #include <algorithm>
@@ -27,14 +26,11 @@ constexpr double far_too_long = 100;   // times what the scene lasts, or a part 
 constexpr std::size_t fewest_lost = 3; // equal readings that stand apart from all others
 constexpr double leap = 2;             // times the longest step that the other readings take
 constexpr double beyond_scatter = 10;  // times the scatter of a reading
-constexpr std::size_t fewest_stuck = 5;
-constexpr double share_doubled = 6;   // one reading of so many, or more
-constexpr double step_beyond = 2;     // scatters, of the next reading
-constexpr double no_repeats = 30;     // scatters, root mean square, between series of one set
-constexpr double share_apart = 0.1;   // of what the readings span
-constexpr std::size_t most_told = 3;  // stretches of lost readings
-constexpr double as_noise = 1.5;      // times their scatter that two columns may differ
-constexpr double clear_of_noise = 15; // scatters that readings must span: noise alone spans some seven
+constexpr double share_doubled = 6;    // one reading of so many, or more
+constexpr double step_beyond = 2;      // scatters, of the next reading
+constexpr std::size_t most_told = 3;   // stretches of lost readings
+constexpr double as_noise = 1.5;       // times their scatter that two columns may differ
+constexpr double clear_of_noise = 15;  // scatters that readings must span: noise alone spans some seven
 
 enum class Kind { any, angle, way, acceleration };
 
@@ -139,19 +135,6 @@ std::vector<Stretch> runs_of(const std::vector<double>& readings, double value) 
     return runs;
 }
 
-/// The longest run of equal readings inside a sensor's range that ends with a leap beyond scatter.
-Stretch longest_held(const Channel& channel, double lowest, double highest) {
-    Stretch longest, run{0, 1};
-    for (std::size_t k = 1; k < channel.value.size(); ++k) {
-        const double before = channel.value[k - 1], step = channel.value[k] - before;
-        if (std::abs(step) > beyond_scatter * channel.sigma && run.length > longest.length && before != lowest &&
-            before != highest)
-            longest = run;
-        run = step != 0 ? Stretch{k, 1} : Stretch{run.first, run.length + 1};
-    }
-    return longest;
-}
-
 /// Readings that are the one before once more, though the next is not.
 std::size_t doubled_in(const Channel& channel) {
     std::size_t pairs = 0;
@@ -159,6 +142,37 @@ std::size_t doubled_in(const Channel& channel) {
         pairs += channel.value[k] == channel.value[k - 1] &&
                  std::abs(channel.value[k + 1] - channel.value[k]) > step_beyond * channel.sigma;
     return pairs;
+}
+
+/// 0, or -1, or nines such as -999, in whatever unit: what programs write where there is nothing to read.
+bool stands_for_nothing(double value) {
+    if (value == 0)
+        return true;
+    const double digits = std::abs(value) * std::pow(10, 9 - std::floor(std::log10(std::abs(value)) + 1e-9) - 1);
+    const auto nines = [&](int count) { return std::round(digits) == std::round((1 - std::pow(10, -count)) * 1e9); };
+    return (value < 0 && std::round(digits) == 1e8) || nines(2) || nines(3) || nines(4) || nines(5);
+}
+
+/// A step that no reading takes but those from and to lost ones, which are all `lost`.
+double farthest_step(const Channel& channel, double lost) {
+    double longest = beyond_scatter * std::max(channel.sigma, scatter_of(channel));
+    for (std::size_t k = 1; k < channel.value.size(); ++k)
+        if (channel.value[k] != lost && channel.value[k - 1] != lost)
+            longest = std::max(longest, leap * std::abs(channel.value[k] - channel.value[k - 1]));
+    return longest;
+}
+
+/// Into a run from what is before it. A place leaps to nowhere, so that its record may begin or end with a run; a speed
+/// may stop.
+bool leaps_to(const Channel& channel, const Stretch& run, double longest) {
+    return run.first == 0 ? channel.unit == "m"
+                          : std::abs(channel.value[run.first - 1] - channel.value[run.first]) > longest;
+}
+
+bool leaps_from(const Channel& channel, const Stretch& run, double longest) {
+    const std::size_t behind = run.first + run.length;
+    return behind == channel.value.size() ? channel.unit == "m"
+                                          : std::abs(channel.value[behind] - channel.value[run.first]) > longest;
 }
 
 void doubt_channel(const Record& record, const Channel& channel, Problems& warnings) {
@@ -191,11 +205,6 @@ void doubt_channel(const Record& record, const Channel& channel, Problems& warni
             warn(warning_key::clipped, fmt::format("{} equal readings in a row at the end of the range", longest),
                  "the sensor was at its limit: choose a larger range");
     }
-    if (const Stretch held = longest_held(channel, *levels.begin(), *levels.rbegin());
-        !coarse && channel.sigma > 0 && held.length >= std::max(suspicious, fewest_stuck))
-        warn(warning_key::stuck,
-             fmt::format("{} equal readings in a row ({}), and then a leap", held.length, times_of(record, held)),
-             "find out whether the sensor held on to one; if so, leave those rows out");
     if (const std::size_t pairs = doubled_in(channel);
         !coarse && channel.sigma > 0 &&
         share_doubled * static_cast<double>(pairs) > static_cast<double>(channel.value.size()))
@@ -249,7 +258,7 @@ void doubt_record(const Record& record, Problems& warnings) {
             doubt_pair(record, record.channels[i], record.channels[k], warnings);
 }
 
-std::optional<Problem> time_slip(const Record& record, double scene_lasts, Problems& warnings) {
+std::optional<Problem> time_slip(const Record& record, double scene_lasts) {
     if (record.time.front() > far_too_long * scene_lasts)
         return Problem{.file = record.file.string(),
                        .key = "time",
@@ -257,13 +266,6 @@ std::optional<Problem> time_slip(const Record& record, double scene_lasts, Probl
                                            record.time.front(), scene_lasts),
                        .fix = "let its time count from the moment at which the scene begins"};
     const double lasts = record.single() ? record.time.back() : record.time.back() - record.time.front();
-    if (far_too_long * lasts < scene_lasts && !record.single())
-        warnings.push_back({.file = record.file.string(),
-                            .key = warning_key::too_short,
-                            .what = fmt::format("'{}' lasts {:g} s, a {:.0f}th of the scene, {:g} s: seconds under a "
-                                                "head that says milliseconds?",
-                                                record.name, lasts, scene_lasts / lasts, scene_lasts),
-                            .fix = "correct the unit of time; if it is right, nothing"});
     if (lasts < far_too_long * scene_lasts)
         return std::nullopt;
     return Problem{.file = record.file.string(),
@@ -275,64 +277,22 @@ std::optional<Problem> time_slip(const Record& record, double scene_lasts, Probl
                    .fix = "correct the unit of time, or let the scene last longer (duration_s)"};
 }
 
-void doubt_repeats(const std::vector<Record>& records, Problems& warnings) {
-    for (std::size_t r = 1; r < records.size(); ++r) {
-        const Record& record = records[r];
-        const auto first =
-            std::find_if(records.begin(), records.end(), [&](const Record& one) { return one.sets == record.sets; });
-        if (record.single() || first->single() || &*first == &record ||
-            first->channels.size() != record.channels.size())
-            continue;
-        for (std::size_t c = 0; c < record.channels.size(); ++c) {
-            const Channel &one = first->channels[c], &other = record.channels[c];
-            if (one.measure != other.measure || one.shows_time())
-                continue;
-            const Signal signal{first->time, one.value};
-            double squares = 0, count = 0;
-            for (std::size_t k = 0; k < record.time.size(); ++k)
-                if (record.time[k] >= first->time.front() && record.time[k] <= first->time.back()) {
-                    const double apart = other.value[k] - signal.at(record.time[k]);
-                    squares += apart * apart;
-                    ++count;
-                }
-            const double apart = std::sqrt(squares / std::max(1.0, count));
-            const double scatter = std::max(scatter_of(other), other.sigma);
-            if (apart < no_repeats * scatter || apart < share_apart * span_of(other.value))
-                continue;
-            warnings.push_back(
-                {.file = record.file.string(),
-                 .key = warning_key::forgotten_set,
-                 .what = fmt::format("'{}' has the same set as '{}', and its {} differs from it by {:.0f} "
-                                     "times its scatter: was a set forgotten?",
-                                     record.name, first->name, other.head, apart / scatter),
-                 .fix = "set what differs between the two, or adjust it as a nuisance"});
-            break;
-        }
-    }
-}
-
 Problems lost_readings(const std::vector<Record>& records) {
     Problems problems;
     for (const Record& record : records)
         for (const Channel& channel : record.channels) {
-            const std::vector<double>& readings = channel.value;
-            std::map<double, int> counts;
-            for (const double value : readings)
-                ++counts[value];
+            std::map<double, std::size_t> counts;
+            for (const double value : channel.value)
+                if (stands_for_nothing(value))
+                    ++counts[value];
             for (const auto& [value, count] : counts) {
-                if (static_cast<std::size_t>(count) < fewest_lost || counts.size() < 2 || channel.shows_time())
+                if (count < fewest_lost || count == channel.value.size() || channel.shows_time())
                     continue;
-                double longest = beyond_scatter * std::max(channel.sigma, scatter_of(channel));
-                for (std::size_t k = 1; k < readings.size(); ++k)
-                    if (readings[k] != value && readings[k - 1] != value)
-                        longest = std::max(longest, leap * std::abs(readings[k] - readings[k - 1]));
-                const std::vector<Stretch> runs = runs_of(readings, value);
-                const auto apart = [&](std::size_t k) { return std::abs(readings[k] - value) > longest; };
-                const auto stands_apart = [&](const Stretch& run) {
-                    const std::size_t behind = run.first + run.length;
-                    return run.first > 0 && behind < readings.size() && apart(run.first - 1) && apart(behind);
-                };
-                if (!std::all_of(runs.begin(), runs.end(), stands_apart))
+                const std::vector<Stretch> runs = runs_of(channel.value, value);
+                const double longest = farthest_step(channel, value);
+                if (!std::all_of(runs.begin(), runs.end(), [&](const Stretch& run) {
+                        return leaps_to(channel, run, longest) && leaps_from(channel, run, longest);
+                    }))
                     continue;
                 std::vector<std::string> where;
                 for (std::size_t k = 0; k < std::min(most_told, runs.size()); ++k)
@@ -381,29 +341,39 @@ bool usual_slip(double ratio) {
     });
 }
 
-Problems unit_slips(const std::vector<Record>& records, const Eigen::VectorXd& predicted, Problems& warnings) {
+Problems unit_slips(const std::vector<Record>& records, const Eigen::VectorXd& predicted,
+                    std::vector<Misread>& misread) {
     Problems problems;
+    std::set<std::size_t> otherwise; // agree if they are read otherwise
+    for (const Misread& one : misread)
+        if (one.times > 1 && std::isfinite(one.times))
+            otherwise.insert(one.records.begin(), one.records.end());
     std::set<std::pair<std::string, std::string>> told; // files and heads: a table has many rows
     Eigen::Index row = 0;
-    for (const Record& record : records)
-        for (const Channel& channel : record.channels) {
+    for (std::size_t r = 0; r < records.size(); ++r)
+        for (const Channel& channel : records[r].channels) {
+            const Record& record = records[r];
             const auto count = static_cast<Eigen::Index>(record.time.size());
             const double ratio = span_of(channel.value) / std::max(1e-300, span_of(predicted.segment(row, count)));
             row += count;
             const bool near_nothing = record.single()
                                           ? span_of(predicted.segment(row - count, count)) < clear * channel.sigma
                                           : span_of(channel.value) < clear_of_noise * scatter_of(channel);
-            for (const Slip& slip : usual_slips)
-                if (!near_nothing && is_of(slip, kind_of(channel.unit)) &&
-                    std::abs(std::log(ratio / slip.factor)) < unit_within &&
-                    told.insert({record.file.string(), channel.head}).second)
-                    (slip.surely ? problems : warnings)
-                        .push_back(
-                            {.file = record.file.string(),
-                             .key = slip.surely ? channel.head : std::string(warning_key::unit),
-                             .what = fmt::format("{} {} {:.3g} times what the simulation does: {}?", channel.head,
-                                                 record.single() ? "is" : "spans", ratio, slip.meaning),
-                             .fix = "correct the unit in the head of the column"});
+            for (const Slip& slip : usual_slips) {
+                if (near_nothing || otherwise.contains(r) || !is_of(slip, kind_of(channel.unit)) ||
+                    std::abs(std::log(ratio / slip.factor)) > unit_within ||
+                    !told.insert({record.file.string(), channel.head}).second)
+                    continue;
+                Problem problem{.file = record.file.string(),
+                                .key = slip.surely ? channel.head : std::string(warning_key::unit),
+                                .what = fmt::format("{} {} {:.3g} times what the simulation does: {}?", channel.head,
+                                                    record.single() ? "is" : "spans", ratio, slip.meaning),
+                                .fix = "correct the unit in the head of the column"};
+                if (slip.surely)
+                    problems.push_back(std::move(problem));
+                else
+                    misread.push_back({{r}, std::move(problem)});
+            }
         }
     return problems;
 }

@@ -6,10 +6,10 @@
 #include "diagnose/fit_doubts.h"
 #include "diagnose/folds.h"
 #include "diagnose/kinematics.h"
+#include "diagnose/misread.h"
 #include "diagnose/noise_doubts.h"
 #include "diagnose/plain_reason.h"
 #include "diagnose/profile.h"
-#include "diagnose/record_slips.h"
 #include "diagnose/refit.h"
 #include "diagnose/taken.h"
 
@@ -33,7 +33,6 @@ constexpr double most_between_repeats = 1.2; // of their scatter over that of th
 constexpr double by_chance = 0.01;           // less likely differences of repeats are not put down to chance
 constexpr double far_away = 3;               // spreads of what was known beforehand
 constexpr double may_lack = 0.01;            // of chi-square: nats that a baseline far off may lack
-constexpr double slips_miss = 5;             // standard errors of a reading, root mean square: no effect does as much
 constexpr double well_above = 1.2;           // times the scatter known before: what the best cause leaves is asked
 constexpr double hardly_less = 0.9;          // of the scatter before
 constexpr double may_lack_then = 2;          // nats, a third of what the gate asks
@@ -94,8 +93,8 @@ public:
         }
         const bool extended = d_.decision.best && d_.decision.best->values.size() > 0;
         d_.curves = curves_of(*model_, noise_, baseline_.values, extended ? &d_.decision.best->values : nullptr);
-        d_.simulated = model_->simulated();
-        d_.runs = model_->runs();
+        d_.simulated = model_->simulated() + plain_effort_.simulated;
+        d_.runs = model_->runs() + plain_effort_.runs;
         return std::move(d_);
     }
 
@@ -110,7 +109,7 @@ private:
         const VectorXd start = model_->start();
         for (std::size_t r = 0; r < model_->records().size(); ++r)
             if (const auto scene = model_->scene_at(start, static_cast<int>(r))) {
-                if (auto slip = time_slip(model_->records()[r], scene->duration, d_.warnings))
+                if (auto slip = time_slip(model_->records()[r], scene->duration))
                     return {std::move(*slip)};
                 for (Problem& doubt : kinematic_doubts(model_->records()[r], noise_.sigma[r], *scene))
                     d_.warnings.push_back(std::move(doubt));
@@ -118,12 +117,14 @@ private:
         const auto predicted = model_->predict(start);
         if (!predicted)
             return predicted.problems();
-        const Problems misread = misread_records(start, *predicted);
-        if (misread.empty()) // readings that agree otherwise are in their units
-            if (Problems problems = unit_slips(model_->records(), *predicted, d_.warnings); !problems.empty())
-                return problems;
-        if (const auto scene = model_->scene_at(start, -1);
-            scene && scene->bodies[0].spheres.size() == 1 && !warned_of(d_.warnings, warning_key::unit))
+        std::vector<Misread> misread = misread_in(*model_, noise_, *predicted);
+        if (Problems problems = unit_slips(model_->records(), *predicted, misread); !problems.empty())
+            return problems;
+        for (std::size_t r = 0; r < model_->records().size(); ++r)
+            if (const auto truth = model_->signals(start, static_cast<int>(r)))
+                if (auto held = held_readings(model_->records()[r], {*truth, noise_.sigma[r]}))
+                    d_.warnings.push_back(std::move(*held));
+        if (const auto scene = model_->scene_at(start, -1); scene && scene->bodies[0].spheres.size() == 1)
             if (auto doubt = lowest_point(model_->records(), *predicted, scene->bodies[0].spheres[0].radius))
                 d_.warnings.push_back(std::move(*doubt));
         for (int k = 0; k < model_->nuisances(); ++k)
@@ -131,26 +132,12 @@ private:
                 return slope.problems();
         if (Problems problems = fit_baseline(start, measurement_.settings.progressive); !problems.empty())
             return problems;
-        if (baseline_.chi_square > slips_miss * slips_miss * static_cast<double>(baseline_.residual.size()))
-            append(d_.warnings, misread); // else nuisances explain it, or most of it
-        const Problem* slip = first_warned_of(d_.warnings, slips);
-        if (slip || (slip = warned_of(d_.warnings, warning_key::lowest_point))) // what comes may take minutes
+        append(d_.warnings, standing(misread, baseline_, *model_));
+        if (const Problem* slip = earliest_of(d_.warnings, told_early)) // what comes may take minutes
             tell("goes on, though " + slip->what);
         if (Problems problems = find_effects(true); !problems.empty())
             return problems;
         return sharpen_noise(baseline_.values);
-    }
-
-    /// Records and numbers that would agree if they were read otherwise.
-    [[nodiscard]] Problems misread_records(const VectorXd& start, const VectorXd& predicted) {
-        std::vector<Simulated> simulated;
-        for (std::size_t r = 0; r < model_->records().size(); ++r)
-            if (auto truth = model_->signals(start, static_cast<int>(r)))
-                simulated.push_back({std::move(*truth), noise_.sigma[r]});
-        Problems misread = exchanged_numbers(model_->records(), predicted, noise_.sigma);
-        if (simulated.size() == model_->records().size())
-            append(misread, record_slips(model_->records(), simulated));
-        return misread;
     }
 
     Problems fit_baseline(const VectorXd& start, bool progressive) {
@@ -262,6 +249,7 @@ private:
     /// The scatter that the readings themselves show about the fit, and the baseline from those values on, and all of
     /// the above, with it.
     Problems sharpen_noise(const VectorXd& values) {
+        const bool first = d_.noise.of.empty();
         doubts_ = d_.warnings.size();
         const auto misfit = misfit_of(*model_, baseline_.values);
         if (!misfit)
@@ -270,7 +258,7 @@ private:
                                                           directions_.blocks.cols() + directions_.prints.cols());
         explained << baseline_.slopes, effects_, directions_.blocks, directions_.prints;
         noise_ = refined_noise(noise_, *model_, *misfit, explained, d_.noise);
-        if (auto simulated = hardly_scatters(noise_, *model_))
+        if (auto simulated = simulated_readings(noise_, *model_); simulated && first)
             return {std::move(*simulated)};
         const Repeats repeats = repeats_in(noise_, *model_, *misfit, slopes_of_own(), effects_);
         d_.noise.widened = 1;
@@ -336,7 +324,10 @@ private:
                 d_.differing = differing_in(d_.evidence, measurement_.settings);
         }
         doubt_name(d_.decision, d_.causes, d_.warnings);
-        if (d_.decision.outcome != Outcome::consistent) {
+        if (names(d_.decision) && d_.decision.sure) // what a cause explains is no slip
+            std::erase_if(d_.warnings, [](const Problem& warning) { return is_of_records(warning.key); });
+        const bool misses = d_.decision.outcome != Outcome::cannot_decide || d_.noise.above > well_above;
+        if (d_.decision.outcome != Outcome::consistent && misses) {
             tell("asks whether a plainer reason does");
             doubt_by_a_plain_reason();
         }
@@ -369,12 +360,18 @@ private:
     /// A reason that is no effect and leaves only noise comes first, and makes a name unsure unless that is likelier.
     void doubt_by_a_plain_reason() {
         Decision& decision = d_.decision;
+        const bool is_friction = // the cause, and every contact's friction with it
+            std::any_of(decision.causes.begin(), decision.causes.end(),
+                        [this](int k) { return d_.causes[static_cast<std::size_t>(k)].id == "fric.factor"; });
+        if (is_friction)
+            return;
         const auto reason = plain_reason({.scene = scene_,
                                           .records = model_->records(),
                                           .nuisances = measurement_.nuisances,
                                           .simulate = simulate_,
                                           .settings = measurement_.settings,
-                                          .noise = noise_});
+                                          .noise = noise_},
+                                         plain_effort_);
         if (!reason || (names(decision) &&
                         nats_between(d_.evidence, decision.best->gain, baseline_.chi_square - reason->chi_square) >=
                             measurement_.settings.margin))
@@ -383,7 +380,9 @@ private:
             decision.sure = false;
             decision.reason = reason->what + " only noise is left, too";
         }
-        decision.remedy = fmt::format("First {}: {} only noise is left.", reason->fix, reason->what);
+        std::string what = reason->what;
+        what[0] = 'W'; // "with ..."
+        decision.remedy = fmt::format("{} only noise is left: first {}.", what, reason->fix);
     }
 
     Problems measure_gain() {
@@ -465,6 +464,7 @@ private:
     Diagnosis d_;
     std::vector<Record> aside_;
     Model* model_ = nullptr;
+    Effort plain_effort_;
     Noise noise_;
     Fit baseline_;
     MatrixXd effects_;

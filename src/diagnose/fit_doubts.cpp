@@ -12,7 +12,7 @@ namespace {
 
 constexpr double middle_of_normal = 0.6745; // of the magnitudes, standard deviations
 constexpr double of_few = 0.5;              // of the root mean square: what usual readings scatter where few miss most
-constexpr double lasts = 0.5;               // correlation of neighbours: what is missed is no scatter
+constexpr double neighbours_alike = 0.5;    // correlation of neighbours: what is missed is no scatter
 
 /// Ended by a full stop, or by its question mark.
 std::string sentence(const std::string& text) {
@@ -74,25 +74,26 @@ void doubt_sensors(Decision& decision, const Problems& warnings) {
         }
     if (names(decision)) // what a cause explains is no slip
         return;
-    constexpr const char* of_time[] = {warning_key::shifted, warning_key::jump, warning_key::rate,
-                                       warning_key::too_short};
-    constexpr const char* of_files[] = {warning_key::condition, warning_key::scale, warning_key::turned,
-                                        warning_key::zero, warning_key::starts};
     constexpr const char* of_sensors[] = {warning_key::dead, warning_key::stuck, warning_key::doubled};
-    constexpr const char* of_numbers[] = {warning_key::unit, warning_key::lowest_point, warning_key::end_of_stretch};
-    if (const Problem* forgotten = warned_of(warnings, warning_key::forgotten_set))
-        decision.remedy = "First see to the conditions: " + sentence(forgotten->what);
-    else if (const Problem* late = first_warned_of(warnings, of_time))
-        decision.remedy = "First see to the time: " + sentence(late->what);
-    else if (const Problem* wrong = first_warned_of(warnings, of_files))
-        decision.remedy = "First see to the files: " + sentence(wrong->what);
-    else if (const Problem* dead = first_warned_of(warnings, of_sensors))
-        decision.remedy = "First see to the readings: " + sentence(dead->what);
-    else if (const Problem* cut = warned_of(warnings, warning_key::clipped))
+    constexpr const char* of_numbers[] = {warning_key::lowest_point, warning_key::end_of_stretch};
+    const auto see_to = [&](const char* what, const Problem& slip) {
+        decision.remedy = fmt::format("First see to the {}: {}", what, sentence(slip.what));
+    };
+    if (const Problem* dead = first_warned_of(warnings, of_sensors))
+        see_to("readings", *dead);
+    else if (const Problem* slip = earliest_of(warnings, slips_told)) {
+        const bool of_time = slip->key == warning_key::shifted || slip->key == warning_key::jump ||
+                             slip->key == warning_key::rate || slip->key == warning_key::too_short;
+        see_to(of_time                                   ? "time"
+               : slip->key == warning_key::forgotten_set ? "conditions"
+               : slip->key == warning_key::unit          ? "readings"
+                                                         : "files",
+               *slip);
+    } else if (const Problem* cut = warned_of(warnings, warning_key::clipped))
         decision.remedy = "First see to the readings: " + cut->what +
                           ". Leave out the rows that it cut, or record again with a larger range.";
-    else if (const Problem* slip = first_warned_of(warnings, of_numbers))
-        decision.remedy = fmt::format("First see to the readings: {} ({}.)", sentence(slip->what), slip->fix);
+    else if (const Problem* number = first_warned_of(warnings, of_numbers))
+        decision.remedy = fmt::format("First see to the readings: {} ({}.)", sentence(number->what), number->fix);
 }
 
 void doubt_agreement(Decision& decision, const NoiseReport& noise, const VectorXd& residual, const Model& model) {
@@ -112,7 +113,7 @@ void doubt_agreement(Decision& decision, const NoiseReport& noise, const VectorX
     }
     const double usual = median(sizes) / middle_of_normal;
     const bool smooth = std::any_of(noise.of.begin(), noise.of.end(), [](const auto& one) {
-        return one.second.ratio > much_wider && one.second.correlation > lasts;
+        return one.second.ratio > much_wider && one.second.correlation > neighbours_alike;
     });
     const bool few = usual < of_few * std::sqrt(squares / static_cast<double>(readings));
     if (!smooth && !few)

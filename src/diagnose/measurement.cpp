@@ -55,8 +55,6 @@ public:
         check_sensors(nuisances);
         for (const Record& record : read_.records)
             doubt_record(record, read_.warnings);
-        if (!adjusted_in_each())
-            doubt_repeats(read_.records, read_.warnings);
         for (const Bulk& bulk : read_.bulks)
             doubt_bulk(bulk, read_.file, read_.warnings);
         for (const Problems& wrong : {equal_columns(read_.records), lost_readings(read_.records)})
@@ -173,8 +171,8 @@ private:
                 table.view.place("name"), "series.name", fmt::format("there are two [[series]] '{}'", record.name),
                 fmt::format("give each its own name; of repeats the same condition, condition = \"{}\"", record.name));
         record.sets = table.view.words("set");
-        record.condition = table.view.given("condition") ? table.view.text("condition") : condition_of(record);
         record.held_out = table.view.flag("held_out");
+        record.condition = table.view.given("condition") ? table.view.text("condition") : condition_of(record);
         const auto cells = cells_of(table.view, "series.file");
         if (!cells)
             return;
@@ -207,8 +205,9 @@ private:
 
     /// That of the first series with the same sets.
     [[nodiscard]] std::string condition_of(const Record& record) const {
-        const auto like = std::find_if(read_.records.begin(), read_.records.end(),
-                                       [&](const Record& one) { return !one.single() && one.sets == record.sets; });
+        const auto like = std::find_if(read_.records.begin(), read_.records.end(), [&](const Record& one) {
+            return !one.single() && one.sets == record.sets && one.held_out == record.held_out;
+        });
         return adjusted_in_each() || like == read_.records.end() ? record.name : like->condition;
     }
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <tuple>
 
 namespace tumble::diagnose {
@@ -142,6 +141,17 @@ bool bears_out(const Chain& chain, const NoiseOfMeasure& found) {
     return above > contradicted / 2 && above < 1 - contradicted / 2;
 }
 
+/// Readings of a measure scatter, at that ratio to what is known of them, by next to nothing of what they span: they
+/// were simulated.
+bool simulated_alone(const Noise& known, const Model& model, const std::string& measure, double ratio) {
+    for (std::size_t r = 0; r < model.records().size(); ++r)
+        for (std::size_t c = 0; c < model.records()[r].channels.size(); ++c)
+            if (const Channel& channel = model.records()[r].channels[c];
+                channel.measure == measure && !hardly_scatters(channel, ratio * known.sigma[r][c]))
+                return false;
+    return true;
+}
+
 bool all_stated(const Model& model, const std::string& measure) {
     for (const Record& record : model.records())
         for (const Channel& channel : record.channels)
@@ -221,6 +231,11 @@ struct Sum {
 
 } // namespace
 
+bool hardly_scatters(const Channel& channel, double sigma) {
+    const auto [low, high] = std::minmax_element(channel.value.begin(), channel.value.end());
+    return channel.take == Take::reading && sigma < part_of_span * (*high - *low);
+}
+
 double scatter_of(const Channel& channel) {
     std::vector<double> bends;
     for (std::size_t k = 2; k < channel.value.size(); ++k)
@@ -266,23 +281,6 @@ Noise first_noise(const Model& model) {
     return noise;
 }
 
-std::optional<Problem> hardly_scatters(const Noise& found, const Model& model) {
-    for (std::size_t r = 0; r < model.records().size(); ++r)
-        for (std::size_t c = 0; c < model.records()[r].channels.size(); ++c) {
-            const Record& record = model.records()[r];
-            const Channel& channel = record.channels[c];
-            const auto [low, high] = std::minmax_element(channel.value.begin(), channel.value.end());
-            if (!record.single() && channel.sigma == 0 && found.sigma[r][c] < part_of_span * (*high - *low))
-                return Problem{.file = record.file.string(),
-                               .key = "series.column.sigma",
-                               .what = fmt::format("{} has no sigma, and hardly scatters (by {:.1g} {}), as what was "
-                                                   "simulated does",
-                                                   channel.head, found.sigma[r][c], channel.unit),
-                               .fix = "state sigma, what a reading of it may be wrong by"};
-        }
-    return std::nullopt;
-}
-
 Noise refined_noise(const Noise& before, const Model& model, const VectorXd& misfit, const MatrixXd& explained,
                     NoiseReport& report) {
     Noise noise = before;
@@ -307,7 +305,7 @@ Noise refined_noise(const Noise& before, const Model& model, const VectorXd& mis
     for (const auto& [measure, chain] : chains_of(model, noise.left_out, projector.basis())) {
         NoiseOfMeasure& found = report.of[measure] = noise_behind(chain, sums_of(chain, rest));
         const bool stated = all_stated(model, measure);
-        if (stated && found.ratio < hardly_any)
+        if (stated && found.ratio < hardly_any && simulated_alone(noise, model, measure, found.ratio))
             found = {.kept = found.ratio};
         else if (stated && bears_out(chain, found))
             found.ratio = 1;

@@ -26,12 +26,12 @@ struct Noise {
 /// median leaves kinks of the motion aside.
 double scatter_of(const Channel& channel);
 
+/// A scatter, SI, that is next to nothing of what a series spans: no instrument is that good, and the least difference
+/// between two ways of simulating would be an effect.
+bool hardly_scatters(const Channel& channel, double sigma);
+
 /// What is known before any fit: the sigma stated, else from the second differences of the readings.
 Noise first_noise(const Model& model);
-
-/// A series over time whose scatter is not stated and, as found, hardly any: it was simulated, and the least difference
-/// between two ways of simulating would be an effect.
-std::optional<Problem> hardly_scatters(const Noise& found, const Model& model);
 
 struct NoiseReport {
     double stated = 0; // SI, mean over the channels of the first measure that state it; 0: none does

@@ -7,6 +7,8 @@ namespace tumble::diagnose {
 
 namespace {
 
+constexpr double far_too_large = 0.05; // a sigma that readings scatter so much less than
+
 bool states_scatter_of(const Model& model, const std::string& measure) {
     return std::any_of(model.rows().begin(), model.rows().end(), [&](const Row& row) {
         const Channel& channel = model.channel_of(row);
@@ -31,7 +33,10 @@ void doubt_noise(const NoiseReport& noise, const Model& model, const std::filesy
                 {.file = file.string(),
                  .key = "sigma contradicted",
                  .what = fmt::format("readings{} scatter {:.2f} times as much as stated", whose, one.ratio),
-                 .fix = "the scatter found in the readings is used"});
+                 .fix = one.ratio < far_too_large
+                            ? "the scatter found in the readings is used; is sigma in the unit of "
+                              "the column's head?"
+                            : "the scatter found in the readings is used"});
         if (one.correlation > 0.08)
             warnings.push_back(
                 {.file = file.string(),
@@ -55,6 +60,20 @@ void doubt_noise(const NoiseReport& noise, const Model& model, const std::filesy
                             .fix = noise.left_out > 0.02 * static_cast<double>(model.rows().size())
                                        ? "too many to be slips: all are used"
                                        : "they are left out"});
+}
+
+std::optional<Problem> simulated_readings(const Noise& found, const Model& model) {
+    for (std::size_t r = 0; r < model.records().size(); ++r)
+        for (std::size_t c = 0; c < model.records()[r].channels.size(); ++c)
+            if (const Channel& channel = model.records()[r].channels[c];
+                channel.sigma == 0 && hardly_scatters(channel, found.sigma[r][c]))
+                return Problem{.file = model.records()[r].file.string(),
+                               .key = "series.column.sigma",
+                               .what = fmt::format("{} has no sigma, and hardly scatters (by {:.1g} {}), as what was "
+                                                   "simulated does",
+                                                   channel.head, found.sigma[r][c], channel.unit),
+                               .fix = "state sigma, what a reading of it may be wrong by"};
+    return std::nullopt;
 }
 
 void doubt_hum(const VectorXd& residual, const std::vector<Course>& courses, const std::filesystem::path& file,

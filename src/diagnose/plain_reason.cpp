@@ -25,26 +25,23 @@ struct Candidate {
 };
 
 /// Fits it; nothing where it leaves more than noise.
-std::optional<PlainReason> asked(const PlainQuestion& question, const Candidate& candidate) {
-    auto model = Model::make(question.scene, candidate.records, candidate.nuisances, {}, question.simulate);
-    if (!model)
-        return std::nullopt;
-    std::vector<int> free(static_cast<std::size_t>(model->nuisances()));
+std::optional<PlainReason> asked(const PlainQuestion& question, const Candidate& candidate, Model& model) {
+    std::vector<int> free(static_cast<std::size_t>(model.nuisances()));
     std::iota(free.begin(), free.end(), 0);
-    const VectorXd start = model->start();
-    const int last = model->nuisances() - 1;
-    Noise noise = first_noise(*model);
+    const VectorXd start = model.start();
+    const int last = model.nuisances() - 1;
+    Noise noise = first_noise(model);
     if (!candidate.key.empty()) {
-        const auto slope = slope_of(*model, noise, start, last, true);
+        const auto slope = slope_of(model, noise, start, last, true);
         if (!slope || slope->norm() * tenth * std::abs(start[last]) < acts)
             return std::nullopt;
     }
     for (const bool refined : {false, true}) {
-        const auto fitted = fit(*model, noise, start, free, {.progressive = question.settings.progressive && !refined});
+        const auto fitted = fit(model, noise, start, free, {.progressive = question.settings.progressive && !refined});
         if (!fitted)
             return std::nullopt;
-        const auto directions = directions_at(*model, noise, *fitted);
-        const auto misfit = misfit_of(*model, fitted->values);
+        const auto directions = directions_at(model, noise, *fitted);
+        const auto misfit = misfit_of(model, fitted->values);
         if (!directions || !misfit)
             return std::nullopt;
         if (!refined) {
@@ -52,7 +49,7 @@ std::optional<PlainReason> asked(const PlainQuestion& question, const Candidate&
             MatrixXd explained(fitted->residual.size(),
                                fitted->slopes.cols() + directions->blocks.cols() + directions->prints.cols());
             explained << fitted->slopes, directions->blocks, directions->prints;
-            noise = refined_noise(noise, *model, *misfit, explained, report);
+            noise = refined_noise(noise, model, *misfit, explained, report);
             if (report.above > known_scatter)
                 return std::nullopt;
             continue;
@@ -68,7 +65,7 @@ std::optional<PlainReason> asked(const PlainQuestion& question, const Candidate&
             reason.fix =
                 fmt::format("find out whether that can be, and give it as a nuisance (key = \"{}\")", candidate.key);
         }
-        if (const auto residual = residual_at(*model, question.noise, fitted->values))
+        if (const auto residual = residual_at(model, question.noise, fitted->values))
             reason.chi_square = residual->squaredNorm();
         return reason;
     }
@@ -149,7 +146,7 @@ std::vector<Candidate> lowest_points(const PlainQuestion& question, const scene:
 
 } // namespace
 
-std::optional<PlainReason> plain_reason(const PlainQuestion& question) {
+std::optional<PlainReason> plain_reason(const PlainQuestion& question, Effort& effort) {
     const auto model = Model::make(question.scene, question.records, {}, {}, question.simulate);
     const auto scene = model ? model->scene_at(model->start(), -1) : Result<scene::Scene>(Problems{});
     if (!scene)
@@ -157,9 +154,16 @@ std::optional<PlainReason> plain_reason(const PlainQuestion& question) {
     std::optional<PlainReason> best;
     for (const std::vector<Candidate>& candidates :
          {numbers_of_contacts(question, *scene), lowest_points(question, *scene)})
-        for (const Candidate& candidate : candidates)
-            if (auto reason = asked(question, candidate); reason && (!best || reason->chi_square < best->chi_square))
+        for (const Candidate& candidate : candidates) {
+            auto as_asked = Model::make(question.scene, candidate.records, candidate.nuisances, {}, question.simulate);
+            if (!as_asked)
+                continue;
+            auto reason = asked(question, candidate, *as_asked);
+            effort.runs += as_asked->runs();
+            effort.simulated += as_asked->simulated();
+            if (reason && (!best || reason->chi_square < best->chi_square))
                 best = std::move(reason);
+        }
     return best;
 }
 

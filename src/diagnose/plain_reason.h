@@ -24,8 +24,14 @@ struct PlainQuestion {
     const Noise& noise; // by which chi-square is told
 };
 
+/// What it took to answer.
+struct Effort {
+    int runs = 0;
+    double simulated = 0; // s
+};
+
 /// The reason that leaves nothing but noise, by the scatter that it shows itself and that is no more than was known of
 /// it, if there is one; of several the one that leaves least.
-std::optional<PlainReason> plain_reason(const PlainQuestion& question);
+std::optional<PlainReason> plain_reason(const PlainQuestion& question, Effort& effort);
 
 } // namespace tumble::diagnose

@@ -17,8 +17,7 @@ namespace {
 
 constexpr double against_sigma = 0.01; // tail probability, below which rows that repeat each other speak against sigma
 constexpr double most_beyond = 1.25;   // of sigma stated
-constexpr double slip_of_the_pen = 1e-4;
-constexpr double far_beyond = 15;        // times what rows usually scatter: two slips hide each other in the rest
+constexpr double far_beyond = 20;      // times what rows usually scatter: two slips hide each other in the rest
 constexpr std::size_t fewest_beside = 2; // rows that repeat one which is left out: of two nobody knows which it is
 
 /// Text with the row's cells in the places of {HEAD}s; the heads that were used are added to `used`.
@@ -82,44 +81,27 @@ double usual_scatter(const std::vector<Group>& groups) {
     return usual > 0 ? usual : INFINITY;
 }
 
-/// Leaves out rows that stand out of two or more others that repeat them, as a slip of the pen does: by more than
-/// Student's t of what all others scatter lets happen once in ten thousand columns; the worst first.
+/// Leaves out rows that stand out of two or more others that repeat them, as a slip of the pen does: by twenty times
+/// what rows usually scatter, or what is stated. Rows that scatter more where the number is larger stay.
 void leave_lone_rows_out(std::vector<Group>& groups, const Channel& channel, const Table& cells, Problems& warnings) {
-    for (;;) {
-        double apart = 0, free = 0, all = 0;
-        for (const Group& group : groups) {
-            apart += group.apart();
-            free += group.count() - 1;
-            all += group.count();
-        }
-        const double usual = usual_scatter(groups);
-        double worst = 0; // times what chance allows
-        Group* whose = nullptr;
-        std::size_t which = 0;
-        for (Group& group : groups)
-            for (std::size_t k = 0; group.value.size() > fewest_beside && k < group.value.size() && free > 2; ++k) {
-                const Group others = group.without(k);
-                const double scatter = std::sqrt((apart - group.apart() + others.apart()) / (free - 1));
-                const double t = std::abs(group.value[k] - others.spread().mean) /
-                                 std::max(1e-300, scatter * std::sqrt(1 + 1 / others.count()));
-                const double robust = std::abs(group.value[k] - others.spread().mean) / (far_beyond * usual);
-                if (const double far = std::max(robust, t / student_quantile(slip_of_the_pen / (2 * all), free - 1));
-                    far > worst) {
-                    worst = far;
-                    whose = &group;
-                    which = k;
-                }
+    const double usual = std::max(channel.sigma, usual_scatter(groups));
+    for (Group& group : groups)
+        for (std::size_t k = 0; k < group.value.size();) {
+            const Group others = group.without(k);
+            const double away = std::abs(group.value[k] - median(others.value));
+            if (others.value.size() < fewest_beside || away < far_beyond * usual) {
+                ++k;
+                continue;
             }
-        if (worst < 1)
-            return;
-        warnings.push_back(cells.problem_at(whose->row[which], *cells.find(channel.head),
-                                            fmt::format("{} stands out of {} rows that repeat it: a slip of the pen?",
-                                                        cells.cell(whose->row[which], *cells.find(channel.head)),
-                                                        whose->value.size() - 1),
-                                            "it is left out; correct it if it is one"));
-        warnings.back().key = "outliers";
-        *whose = whose->without(which);
-    }
+            const std::size_t column = *cells.find(channel.head);
+            warnings.push_back(cells.problem_at(group.row[k], column,
+                                                fmt::format("{} stands out of {} rows that repeat it: a slip of the "
+                                                            "pen?",
+                                                            cells.cell(group.row[k], column), others.value.size()),
+                                                "it is left out; correct it if it is one"));
+            warnings.back().key = "outliers";
+            group = others;
+        }
 }
 
 /// The scatter of one number of a column: as stated, unless rows that repeat each other contradict it; else as they

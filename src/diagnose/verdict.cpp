@@ -188,13 +188,15 @@ std::string verdict_of(const Diagnosis& diagnosis) {
 
 std::string next_step(const Diagnosis& diagnosis) {
     const auto& proposals = diagnosis.proposals;
-    if (diagnosis.decision.outcome == Outcome::ambiguous && !diagnosis.decision.remedy.empty()) // a slip comes first
-        return diagnosis.decision.remedy;
+    const std::string first = diagnosis.decision.outcome == Outcome::ambiguous && !diagnosis.decision.remedy.empty()
+                                  ? diagnosis.decision.remedy + " Then: "
+                                  : "";
     const bool to_part = diagnosis.decision.outcome == Outcome::ambiguous || diagnosis.decision.one_class;
     if (to_part && !proposals.empty() && proposals[0].repeats > 0)
-        return fmt::format(
-            "To tell them apart, {}{}: that would set them {:.1f} standard errors apart.", proposals[0].sentence,
-            proposals[0].repeats > 1 ? fmt::format(", {} times", proposals[0].repeats) : "", proposals[0].reached);
+        return first + fmt::format("To tell them apart, {}{}: that would set them {:.1f} standard errors apart.",
+                                   proposals[0].sentence,
+                                   proposals[0].repeats > 1 ? fmt::format(", {} times", proposals[0].repeats) : "",
+                                   proposals[0].reached);
     switch (diagnosis.decision.outcome) {
     case Outcome::consistent:
         if (const Problem* far = warned_of(diagnosis.warnings, warning_key::far_off))
@@ -218,7 +220,8 @@ std::string next_step(const Diagnosis& diagnosis) {
             "with an experiment not used here.",
             cause_of(diagnosis, diagnosis.decision.causes[0]).keys);
     case Outcome::ambiguous:
-        return "No experiment of the catalogue would tell them apart. Measure under another condition: at another "
+        return first +
+               "No experiment of the catalogue would tell them apart. Measure under another condition: at another "
                "speed, "
                "height or angle, or both ways; or measure another quantity.";
     case Outcome::two_causes:

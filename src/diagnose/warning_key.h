@@ -3,6 +3,7 @@
 #include "base/problem.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 
 namespace tumble::diagnose {
@@ -32,16 +33,42 @@ inline constexpr const char* velocity_against_way = "velocity against way";
 inline constexpr const char* zero = "zero";
 } // namespace warning_key
 
-/// A slip of whoever made the file: the likeliest reason for a large misfit.
-inline constexpr const char* slips[] = {warning_key::forgotten_set, warning_key::shifted,   warning_key::jump,
-                                        warning_key::rate,          warning_key::too_short, warning_key::scale,
-                                        warning_key::condition,     warning_key::turned,    warning_key::zero,
-                                        warning_key::starts,        warning_key::unit};
+/// Slips of records that a cause may explain after all.
+inline constexpr const char* of_records[] = {warning_key::shifted, warning_key::jump, warning_key::condition,
+                                             warning_key::turned,  warning_key::zero, warning_key::starts,
+                                             warning_key::scale,   warning_key::rate, warning_key::too_short};
+
+inline bool is_of_records(std::string_view key) {
+    return std::find(std::begin(of_records), std::end(of_records), key) != std::end(of_records);
+}
+
+/// Slips that end a search at one fit of each cause. A rate is none: whatever pulls a body from rest looks like one.
+inline constexpr const char* slips[] = {warning_key::forgotten_set, warning_key::shifted, warning_key::jump,
+                                        warning_key::condition,     warning_key::turned,  warning_key::zero,
+                                        warning_key::starts,        warning_key::scale,   warning_key::unit};
+
+/// All slips, and what is told before the search for causes.
+inline constexpr const char* slips_told[] = {warning_key::forgotten_set, warning_key::rate,      warning_key::shifted,
+                                             warning_key::jump,          warning_key::too_short, warning_key::condition,
+                                             warning_key::turned,        warning_key::zero,      warning_key::starts,
+                                             warning_key::scale,         warning_key::unit};
+inline constexpr const char* told_early[] = {
+    warning_key::forgotten_set, warning_key::rate,      warning_key::shifted, warning_key::jump,
+    warning_key::too_short,     warning_key::condition, warning_key::turned,  warning_key::zero,
+    warning_key::starts,        warning_key::scale,     warning_key::unit,    warning_key::lowest_point};
 
 /// The first warning of that name; null: there is none.
 inline const Problem* warned_of(const Problems& warnings, std::string_view key) {
     const auto found =
         std::find_if(warnings.begin(), warnings.end(), [&](const Problem& warning) { return warning.key == key; });
+    return found == warnings.end() ? nullptr : &*found;
+}
+
+/// The first warning of any of these names; null: of none.
+template <std::size_t count> const Problem* earliest_of(const Problems& warnings, const char* const (&keys)[count]) {
+    const auto found = std::find_if(warnings.begin(), warnings.end(), [&](const Problem& warning) {
+        return std::find(std::begin(keys), std::end(keys), warning.key) != std::end(keys);
+    });
     return found == warnings.end() ? nullptr : &*found;
 }
 

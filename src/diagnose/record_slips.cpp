@@ -30,7 +30,7 @@ constexpr double as_well_as = 1.5;    // times what a slip for each record leave
 constexpr double differ_by = 0.2;     // of their mean: zeros that are no instrument's
 constexpr double least_steps = 1.5;   // between readings, that frames which were lost take
 constexpr double least_factor = 0.15; // away from 1: less is a gain's
-constexpr double as_others = 4;       // times the mean square that is left
+constexpr double as_others = 12;      // times the mean square that is left
 constexpr double than_others = 5;     // times as far off at first
 constexpr double a_moment = 0.02;     // s that a clock may be off
 
@@ -248,7 +248,8 @@ Mended by_a_jump(const Record& record, const Simulated& simulated) {
 /// How far a record's first reading of a place lies from where the scene lets the body begin, m; nothing where none is
 /// read so early.
 std::optional<double> off_at_first(const Record& record, const Simulated& simulated, std::size_t c) {
-    if (!record.channels[c].measure.starts_with("centre_of_mass_") || record.time.front() > a_moment)
+    if (!record.channels[c].measure.starts_with("centre_of_mass_") || record.time.front() > a_moment ||
+        record.channels[c].value[0] == record.channels[c].value[1]) // cut off
         return std::nullopt;
     return std::abs(record.channels[c].value[0] - simulated.truth[c].at(record.time.front()));
 }
@@ -437,6 +438,7 @@ std::optional<Problem> held_readings(const Record& record, const Simulated& simu
     for (std::size_t c = 0; c < record.channels.size() && !record.single(); ++c) {
         const Channel& channel = record.channels[c];
         const double sigma = channel.sigma;
+        const auto [low, high] = std::minmax_element(channel.value.begin(), channel.value.end());
         Stretch run{0, 1};
         for (std::size_t k = 1; k < channel.value.size() && sigma > 0; ++k) {
             const double step = channel.value[k] - channel.value[k - 1];
@@ -445,7 +447,8 @@ std::optional<Problem> held_readings(const Record& record, const Simulated& simu
                 continue;
             }
             const double from = record.time[run.first], to = record.time[k - 1];
-            if (run.length >= fewest_held && std::abs(step) > misses_by_far * sigma &&
+            const double held = channel.value[k - 1]; // at an end of the range it is cut off
+            if (run.length >= fewest_held && held != *low && held != *high && std::abs(step) > misses_by_far * sigma &&
                 std::abs(simulated.truth[c].at(to) - simulated.truth[c].at(from)) > misses_by_far * sigma)
                 return Problem{.file = record.file.string(),
                                .key = warning_key::stuck,

@@ -20,6 +20,7 @@ namespace {
 constexpr std::size_t most_in_full = 3;      // columns against speed, reading, phase and frequency, too
 constexpr std::size_t most_columns = 12;     // that are drawn
 constexpr std::size_t most_colours = 7;      // conditions told apart
+constexpr std::size_t longest_title = 44;    // letters that fit above a plot
 constexpr double same_scale = 4;             // times what is left: before and after share a scale
 const std::string colour_of_others = "#bbb"; // conditions beyond those
 
@@ -165,8 +166,9 @@ void draw_over_time(const Diagnosis& diagnosis, const Column& column, std::vecto
     if (second.empty() || column.curves[0]->extended.empty())
         return;
     const bool finer = most > same_scale * rest;
-    Plot after =
-        residuals(column, head + ": " + second + (finer ? ", finer scale" : ""), "time [s]", time, true, false);
+    const std::string scale = finer ? ", finer scale" : "", title = head + ": " + second + scale;
+    Plot after = residuals(column, title.size() > longest_title ? head + ": with both" + scale : title, "time [s]",
+                           time, true, false);
     const double end = finer ? rest : std::max(most, rest);
     after.y_range = std::array{-end, end};
     plots.push_back(svg_of(after));

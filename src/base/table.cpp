@@ -206,9 +206,15 @@ Result<std::vector<double>> Table::numbers(std::string_view head) const {
             continue;
         }
         const Problem inner = number.problems().front();
-        const bool empty = cell(row, *column).empty();
-        problems.push_back(problem_at(row, *column, empty ? "an empty cell is no number" : inner.what,
-                                      empty ? "give the number, or leave the row out" : inner.fix));
+        const std::string_view text = cell(row, *column);
+        problems.push_back(problem_at(row, *column, text.empty() ? "an empty cell is no number" : inner.what,
+                                      text.empty() ? "give the number, or leave the row out"
+                                      : text.find(',') != std::string_view::npos ? "write a point, not a comma, before "
+                                                                                   "decimals"
+                                      : text.find(':') != std::string_view::npos
+                                          ? "write a time of day as one number of "
+                                            "seconds"
+                                          : inner.fix));
     }
     if (!problems.empty())
         return problems;

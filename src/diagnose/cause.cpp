@@ -60,7 +60,10 @@ Result<std::vector<Cause>> choose_causes(const std::vector<std::string>& ids, Da
             std::vector<std::string> known = cause_ids();
             for (const Cause& cause : all_causes())
                 known.push_back(cause.family);
-            const std::string guess = did_you_mean(id, known);
+            std::string guess = did_you_mean(id, known);
+            for (const std::string& one : known)
+                if (guess.empty() && !id.empty() && one.find(id) != std::string::npos)
+                    guess = fmt::format("did you mean '{}'?", one);
             problems.push_back({.key = "causes",
                                 .what = "there is no cause and no family '" + excerpt(id) + "'",
                                 .fix = (guess.empty() ? "" : guess + " ") + "`tumble list causes` names all of them"});

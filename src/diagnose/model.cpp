@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace tumble::diagnose {
 
@@ -149,7 +150,8 @@ Result<scene::Scene> Model::scene_at(const VectorXd& values, int record) const {
         if (record >= 0 && !records_[static_cast<std::size_t>(record)].sets.empty())
             for (Problem& problem : problems)
                 problem.what =
-                    fmt::format("in '{}': {}", records_[static_cast<std::size_t>(record)].name, problem.what);
+                    fmt::format("in '{}', with set {}: {}", records_[static_cast<std::size_t>(record)].name,
+                                fmt::join(records_[static_cast<std::size_t>(record)].sets, " "), problem.what);
         return problems;
     }
     if (record >= 0 && records_[static_cast<std::size_t>(record)].change)

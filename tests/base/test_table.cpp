@@ -64,6 +64,9 @@ TEST_CASE("quantities are scaled to SI by the unit in the head") {
     const Table gap = table_of("width_m\n2\n\"\"\n");
     CHECK(to_string(gap.quantity("width", lengths).problems()) ==
           "t.csv:3:1: an empty cell is no number\n    give the number, or leave the row out\n");
+    const Table written = table_of("width_m,t_s\n\"2,5\",00:00:01\n");
+    CHECK(written.quantity("width", lengths).problems()[0].fix == "write a point, not a comma, before decimals");
+    CHECK(written.numbers("t_s").problems()[0].fix == "write a time of day as one number of seconds");
     const auto european = parse_table("height_m;width_m\n2,5;3\n2,5;4\n", "t.csv");
     REQUIRE(!european);
     CHECK(to_string(european.problems()) == "t.csv:1: columns are separated by semicolons or tabs\n"

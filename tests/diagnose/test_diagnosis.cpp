@@ -260,7 +260,7 @@ TEST_CASE("a unit that cannot be and a sigma that the readings contradict are to
     nowhere.records[2].sets = {"fill.0.position_m.1=high"};
     const auto which = diagnose::diagnose({floor_and_ball, "ball.toml"}, nowhere, closed_form);
     REQUIRE(!which);
-    CHECK(which.problems()[0].what.starts_with("in '1.1': "));
+    CHECK(which.problems()[0].what.starts_with("in '1.1', with set fill.0.position_m.1=high: "));
 
     Measurement sure = Drops{}.measurement(); // ten times as sure of itself as it may be
     for (Record& record : sure.records)

@@ -110,6 +110,8 @@ TEST_CASE("time that does not rise, numbers that are none and records stored twi
     back = replaced(back, "0.05,", "0.02,");
     CHECK(laboratory.refusal(whole, back).starts_with("low.csv:7:1: time does not rise: 0.02 after 0.04"));
     CHECK(laboratory.refusal(whole, replaced(rows(falling), "195.5", "nan")).starts_with("low.csv:5:"));
+    CHECK(laboratory.refusal("causes = [\"drag\"]\n" + whole, rows(falling)).find("did you mean 'drag.quadratic'?") !=
+          std::string::npos);
     const std::string again = whole + "[[series]]\nname = \"twin\"\nfile = \"low.csv\"\n[[series.column]]\nhead = "
                                       "\"height\"\nmeasure = \"centre_of_mass_y\"\nsigma = 1.5\n";
     CHECK(laboratory.refusal(again, rows(falling)).find("the same numbers") != std::string::npos);

@@ -74,6 +74,11 @@ public:
                 tell("takes the scatter from what the best cause leaves");
                 problems = decide_by_what_is_left();
             }
+            const bool misses = d_.decision.outcome != Outcome::cannot_decide || d_.noise.above > well_above;
+            if (problems.empty() && d_.decision.outcome != Outcome::consistent && misses) {
+                tell("asks whether a plainer reason does");
+                doubt_by_a_plain_reason();
+            }
         } else {
             doubt_sensors(d_.decision, d_.warnings);
         }
@@ -117,13 +122,9 @@ private:
         const auto predicted = model_->predict(start);
         if (!predicted)
             return predicted.problems();
-        std::vector<Misread> misread = misread_in(*model_, noise_, *predicted);
+        std::vector<Misread> misread = misread_in(*model_, noise_, *predicted, d_.warnings);
         if (Problems problems = unit_slips(model_->records(), *predicted, misread); !problems.empty())
             return problems;
-        for (std::size_t r = 0; r < model_->records().size(); ++r)
-            if (const auto truth = model_->signals(start, static_cast<int>(r)))
-                if (auto held = held_readings(model_->records()[r], {*truth, noise_.sigma[r]}))
-                    d_.warnings.push_back(std::move(*held));
         if (const auto scene = model_->scene_at(start, -1); scene && scene->bodies[0].spheres.size() == 1)
             if (auto doubt = lowest_point(model_->records(), *predicted, scene->bodies[0].spheres[0].radius))
                 d_.warnings.push_back(std::move(*doubt));
@@ -133,7 +134,9 @@ private:
         if (Problems problems = fit_baseline(start, measurement_.settings.progressive); !problems.empty())
             return problems;
         append(d_.warnings, standing(misread, baseline_, *model_));
-        if (const Problem* slip = earliest_of(d_.warnings, told_early)) // what comes may take minutes
+        if (const Problem* slip = first_of(d_.warnings, [](const std::string& key) { // what comes may take minutes
+                return is_slip(key) || key == warning_key::lowest_point;
+            }))
             tell("goes on, though " + slip->what);
         if (Problems problems = find_effects(true); !problems.empty())
             return problems;
@@ -160,7 +163,7 @@ private:
     }
 
     /// A slip of whoever wrote the files is the likeliest reason for a large misfit: no long search for causes then.
-    [[nodiscard]] bool slipped() const { return first_warned_of(d_.warnings, slips); }
+    [[nodiscard]] bool slipped() const { return first_of(d_.warnings, ends_search); }
 
     /// Of what the baseline misses.
     [[nodiscard]] bool taken_for_scatter() const { return d_.noise.above > much_wider; }
@@ -324,13 +327,7 @@ private:
                 d_.differing = differing_in(d_.evidence, measurement_.settings);
         }
         doubt_name(d_.decision, d_.causes, d_.warnings);
-        if (names(d_.decision) && d_.decision.sure) // what a cause explains is no slip
-            std::erase_if(d_.warnings, [](const Problem& warning) { return is_of_records(warning.key); });
-        const bool misses = d_.decision.outcome != Outcome::cannot_decide || d_.noise.above > well_above;
-        if (d_.decision.outcome != Outcome::consistent && misses) {
-            tell("asks whether a plainer reason does");
-            doubt_by_a_plain_reason();
-        }
+        take_slips_back();
         const VectorXd errors = errors_of(baseline_.slopes);
         for (int k = 0; k < model_->nuisances(); ++k) {
             const Parameter& parameter = model_->parameters()[static_cast<std::size_t>(k)];
@@ -355,6 +352,16 @@ private:
         d_.chi_square = baseline_.chi_square;
         d_.readings = static_cast<int>(model_->rows().size());
         return {};
+    }
+
+    /// What a sure name explains is no slip.
+    void take_slips_back() {
+        if (!names(d_.decision) || !d_.decision.sure)
+            return;
+        const auto slipped_record = [](const Problem& warning) { return is_of_record(warning.key); };
+        const auto first_of_noise = d_.warnings.begin() + static_cast<std::ptrdiff_t>(doubts_);
+        doubts_ -= static_cast<std::size_t>(std::count_if(d_.warnings.begin(), first_of_noise, slipped_record));
+        std::erase_if(d_.warnings, slipped_record);
     }
 
     /// A reason that is no effect and leaves only noise comes first, and makes a name unsure unless that is likelier.

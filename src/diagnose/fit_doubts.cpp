@@ -74,14 +74,12 @@ void doubt_sensors(Decision& decision, const Problems& warnings) {
         }
     if (names(decision)) // what a cause explains is no slip
         return;
-    constexpr const char* of_sensors[] = {warning_key::dead, warning_key::stuck, warning_key::doubled};
-    constexpr const char* of_numbers[] = {warning_key::lowest_point, warning_key::end_of_stretch};
     const auto see_to = [&](const char* what, const Problem& slip) {
         decision.remedy = fmt::format("First see to the {}: {}", what, sentence(slip.what));
     };
-    if (const Problem* dead = first_warned_of(warnings, of_sensors))
+    if (const Problem* dead = first_warned_of(warnings, {warning_key::dead, warning_key::stuck, warning_key::doubled}))
         see_to("readings", *dead);
-    else if (const Problem* slip = earliest_of(warnings, slips_told)) {
+    else if (const Problem* slip = first_of(warnings, is_slip)) {
         const bool of_time = slip->key == warning_key::shifted || slip->key == warning_key::jump ||
                              slip->key == warning_key::rate || slip->key == warning_key::too_short;
         see_to(of_time                                   ? "time"
@@ -92,7 +90,8 @@ void doubt_sensors(Decision& decision, const Problems& warnings) {
     } else if (const Problem* cut = warned_of(warnings, warning_key::clipped))
         decision.remedy = "First see to the readings: " + cut->what +
                           ". Leave out the rows that it cut, or record again with a larger range.";
-    else if (const Problem* number = first_warned_of(warnings, of_numbers))
+    else if (const Problem* number =
+                 first_warned_of(warnings, {warning_key::lowest_point, warning_key::end_of_stretch}))
         decision.remedy = fmt::format("First see to the readings: {} ({}.)", sentence(number->what), number->fix);
 }
 

@@ -72,7 +72,7 @@ std::vector<Misread> forgotten_sets(const std::vector<Record>& records) {
     return misread;
 }
 
-std::vector<Misread> misread_in(Model& model, const Noise& noise, const VectorXd& predicted) {
+std::vector<Misread> misread_in(Model& model, const Noise& noise, const VectorXd& predicted, Problems& warnings) {
     const std::vector<Record>& records = model.records();
     const VectorXd start = model.start();
     std::vector<Misread> misread = exchanged_numbers(records, predicted, noise.sigma);
@@ -89,9 +89,13 @@ std::vector<Misread> misread_in(Model& model, const Noise& noise, const VectorXd
         if (auto truth = model.signals(start, static_cast<int>(r)))
             simulated.push_back({std::move(*truth), noise.sigma[r]});
     }
-    if (simulated.size() == records.size())
-        for (Misread& slip : record_slips(records, simulated))
-            misread.push_back(std::move(slip));
+    if (simulated.size() != records.size())
+        return misread;
+    for (std::size_t r = 0; r < records.size(); ++r)
+        if (auto held = held_readings(records[r], simulated[r]))
+            warnings.push_back(std::move(*held));
+    for (Misread& slip : record_slips(records, simulated))
+        misread.push_back(std::move(slip));
     return misread;
 }
 
@@ -108,8 +112,9 @@ Problems standing(const std::vector<Misread>& misread, const Fit& baseline, cons
                      [](const Misread& a, const Misread& b) { return a.times > b.times; });
     Problems problems;
     for (const Misread& one : sorted)
-        if (std::all_of(one.records.begin(), one.records.end(),
-                        [&](std::size_t r) { return squares[r] > baseline_misses * baseline_misses * readings[r]; }))
+        if (std::all_of(one.records.begin(), one.records.end(), [&](std::size_t r) {
+                return squares[r] > readings[r] * std::max(baseline_misses * baseline_misses, twice * twice * one.left);
+            }))
             problems.push_back(one.problem);
     return problems;
 }

@@ -24,8 +24,9 @@ struct Simulated {
     std::vector<double> sigma; // SI, a channel each
 };
 
-/// All that follows, as the scene is written. `predicted`: of every reading of every record.
-std::vector<Misread> misread_in(Model& model, const Noise& noise, const VectorXd& predicted);
+/// All that follows, as the scene is written; sensors that held on to a reading are warnings, whatever a fit makes of
+/// them. `predicted`: of every reading of every record.
+std::vector<Misread> misread_in(Model& model, const Noise& noise, const VectorXd& predicted, Problems& warnings);
 
 /// Those of which the fitted baseline, too, misses every record by five scatters, root mean square, and by twice what
 /// is left without the slip: nuisances explain the others, or most of them. Those that mend most come first.

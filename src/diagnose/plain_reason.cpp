@@ -1,5 +1,6 @@
 #include "diagnose/plain_reason.h"
 
+#include "base/text.h"
 #include "diagnose/decide.h"
 #include "diagnose/noise.h"
 #include "diagnose/taken.h"
@@ -36,43 +37,39 @@ std::optional<PlainReason> asked(const PlainQuestion& question, const Candidate&
         if (!slope || slope->norm() * tenth * std::abs(start[last]) < acts)
             return std::nullopt;
     }
-    for (const bool refined : {false, true}) {
-        const auto fitted = fit(model, noise, start, free, {.progressive = question.settings.progressive && !refined});
-        if (!fitted)
-            return std::nullopt;
-        const auto directions = directions_at(model, noise, *fitted);
-        const auto misfit = misfit_of(model, fitted->values);
-        if (!directions || !misfit)
-            return std::nullopt;
-        if (!refined) {
-            NoiseReport report;
-            MatrixXd explained(fitted->residual.size(),
-                               fitted->slopes.cols() + directions->blocks.cols() + directions->prints.cols());
-            explained << fitted->slopes, directions->blocks, directions->prints;
-            noise = refined_noise(noise, model, *misfit, explained, report);
-            if (report.above > known_scatter)
-                return std::nullopt;
-            continue;
-        }
-        const Adequacy rest =
-            adequacy_of(fitted->residual, fitted->slopes, *directions, degrees_of_numbers(candidate.records));
-        if (!fitted->converged || rest.p() <= question.settings.alpha_adequacy)
-            return std::nullopt;
-        PlainReason reason{.what = candidate.what, .fix = candidate.fix};
-        if (!candidate.key.empty()) {
-            reason.what =
-                fmt::format("with {} = {:.4g} in place of {:.4g}", candidate.key, fitted->values[last], start[last]);
-            reason.fix =
-                fmt::format("find out whether that can be, and give it as a nuisance (key = \"{}\")", candidate.key);
-        }
-        if (const auto residual = residual_at(model, question.noise, fitted->values))
-            reason.chi_square = residual->squaredNorm();
-        return reason;
+    const auto first = fit(model, noise, start, free, {.progressive = question.settings.progressive});
+    if (!first)
+        return std::nullopt;
+    const auto about_it = directions_at(model, noise, *first);
+    const auto misfit = misfit_of(model, first->values);
+    if (!about_it || !misfit)
+        return std::nullopt;
+    MatrixXd explained(first->residual.size(),
+                       first->slopes.cols() + about_it->blocks.cols() + about_it->prints.cols());
+    explained << first->slopes, about_it->blocks, about_it->prints;
+    NoiseReport report;
+    noise = refined_noise(noise, model, *misfit, explained, report);
+    if (report.above > known_scatter)
+        return std::nullopt;
+    const auto fitted = fit(model, noise, first->values, free);
+    const auto directions = fitted ? directions_at(model, noise, *fitted) : Result<Directions>(Problems{});
+    if (!directions || !fitted->converged ||
+        adequacy_of(fitted->residual, fitted->slopes, *directions, degrees_of_numbers(candidate.records)).p() <=
+            question.settings.alpha_adequacy)
+        return std::nullopt;
+    PlainReason reason{.what = candidate.what, .fix = candidate.fix};
+    if (!candidate.key.empty()) {
+        reason.what =
+            fmt::format("with {} = {:.4g} in place of {:.4g}", candidate.key, fitted->values[last], start[last]);
+        reason.fix =
+            fmt::format("find out whether that can be, and give it as a nuisance (key = \"{}\")", candidate.key);
     }
-    return std::nullopt;
+    if (const auto residual = residual_at(model, question.noise, fitted->values))
+        reason.chi_square = residual->squaredNorm();
+    return reason;
 }
 
-/// Numbers of contacts that were not given as nuisances. Which a scene has under its own name find_starts() finds out.
+/// Numbers of contacts that were not given as nuisances.
 std::vector<Candidate> numbers_of_contacts(const PlainQuestion& question, const scene::Scene& scene) {
     std::vector<Candidate> all;
     const auto& materials = scene.materials;
@@ -98,11 +95,11 @@ std::vector<Record> let_go_higher(std::vector<Record> records, double way) {
     for (Record& record : records) {
         bool found = false;
         for (std::string& set : record.sets) {
-            const std::size_t equals = set.find(".position_m.1=");
-            if (!set.starts_with("fill.") || equals == std::string::npos)
-                continue;
             const std::size_t number = set.find('=') + 1;
-            set = set.substr(0, number) + fmt::format("{}", std::stod(set.substr(number)) + way);
+            const auto height = parse_number(trimmed(std::string_view(set).substr(number)));
+            if (!set.starts_with("fill.") || set.find(".position_m.1=") == std::string::npos || !height)
+                continue;
+            set = set.substr(0, number) + fmt::format("{}", *height + way);
             found = true;
         }
         if (!found)

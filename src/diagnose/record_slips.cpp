@@ -238,7 +238,9 @@ Mended by_a_jump(const Record& record, const Simulated& simulated) {
             }
         }
     }
-    return {least / static_cast<double>(record.channels.size()), warning_key::jump,
+    const auto read = std::count_if(record.channels.begin(), record.channels.end(),
+                                    [](const Channel& channel) { return !channel.shows_time(); });
+    return {least / static_cast<double>(read), warning_key::jump,
             fmt::format("its time is {:.3g} s {} from {:.3g} s on", std::abs(late), late > 0 ? "less" : "more",
                         record.time[from]),
             late > 0 ? "see whether the clock jumped there"
